@@ -13,7 +13,9 @@
 /// shapes, before the rounding of its coordinates.
 ///
 /// Laws, each tested: nearest(b, a) has the same bits with the points exchanged; the distance is unchanged when both
-/// shapes are moved alike without rounding, and is multiplied by a power of two when they are.
+/// shapes are moved alike without rounding, and is multiplied by a power of two when they are, unless a size or the
+/// offset then comes across 2^-40, 2^40 or 2^50: between these a quicker way answers (nearest/lane_pairs.hpp), and may
+/// round otherwise.
 #pragma once
 
 #include <limits>

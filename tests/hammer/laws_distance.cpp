@@ -44,13 +44,31 @@ void demand_moved(Judge& j, const Case& c, const Answer& r) {
   }
 }
 
+/// Whether sizes and coordinates are where the quicker way may answer.
+bool is_moderate(const Pair& p) {
+  const auto of = [](int kind, const properties::Numbers& numbers) {
+    for (int i = 0; i < properties::field_count(kind); ++i) {
+      const double x = std::fabs(numbers[static_cast<std::size_t>(i)]);
+      const properties::Role role = properties::role(kind, i);
+      if (role == properties::Role::size ? !(x >= 0x1p-40 && x <= 0x1p40)
+                                         : role != properties::Role::axis && x > 0x1p48) {
+        return false;
+      }
+    }
+    return true;
+  };
+  return of(p.kind_a, p.a) && of(p.kind_b, p.b);
+}
+
 void demand_scaled(Judge& j, const Case& c, const Answer& r) {
   const double least = c.scalar == Scalar::f32 ? 0x1p-120 : 0x1p-1000;
   for (const int exponent : {-3, 5}) {
     const auto a = properties::scaled_exactly({c.pair.kind_a, c.pair.a}, c.scalar, exponent, false);
     const auto b = properties::scaled_exactly({c.pair.kind_b, c.pair.b}, c.scalar, exponent, false);
     if (!a || !b) continue;
-    const Answer scaled = ask(c.query, c.scalar, {a->kind, b->kind, a->numbers, b->numbers});
+    const Pair q{a->kind, b->kind, a->numbers, b->numbers};
+    if (is_moderate(q) != is_moderate(c.pair)) continue;
+    const Answer scaled = ask(c.query, c.scalar, q);
     if (scaled.code != 0 || scaled.numbers[0] <= least || r.numbers[0] <= least) continue;
     const double expected = std::ldexp(r.numbers[0], exponent);
     j.demand(scaled.numbers[0] == expected, "scaled", expected, scaled.numbers[0]);
