@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 #include "boundary_distance/reference.hpp"
 #include "hammer/exact_stage.hpp"
@@ -44,20 +45,17 @@ void demand_moved(Judge& j, const Case& c, const Answer& r) {
   }
 }
 
-/// Whether sizes and coordinates are where the quicker way may answer.
-bool is_moderate(const Pair& p) {
-  const auto of = [](int kind, const properties::Numbers& numbers) {
+/// Whether the sizes are where the quicker way may answer, and whether the offset of centres is.
+std::pair<bool, bool> moderate(const Pair& p) {
+  const auto sizes = [](int kind, const properties::Numbers& numbers) {
     for (int i = 0; i < properties::field_count(kind); ++i) {
-      const double x = std::fabs(numbers[static_cast<std::size_t>(i)]);
-      const properties::Role role = properties::role(kind, i);
-      if (role == properties::Role::size ? !(x >= 0x1p-40 && x <= 0x1p40)
-                                         : role != properties::Role::axis && x > 0x1p48) {
-        return false;
-      }
+      const double x = numbers[static_cast<std::size_t>(i)];
+      if (properties::role(kind, i) == properties::Role::size && !(x >= 0x1p-40 && x <= 0x1p40)) return false;
     }
     return true;
   };
-  return of(p.kind_a, p.a) && of(p.kind_b, p.b);
+  const double offset = std::fabs(p.b[0] - p.a[0]) + std::fabs(p.b[1] - p.a[1]);
+  return {sizes(p.kind_a, p.a) && sizes(p.kind_b, p.b), offset <= 0x1p50};
 }
 
 void demand_scaled(Judge& j, const Case& c, const Answer& r) {
@@ -67,7 +65,7 @@ void demand_scaled(Judge& j, const Case& c, const Answer& r) {
     const auto b = properties::scaled_exactly({c.pair.kind_b, c.pair.b}, c.scalar, exponent, false);
     if (!a || !b) continue;
     const Pair q{a->kind, b->kind, a->numbers, b->numbers};
-    if (is_moderate(q) != is_moderate(c.pair)) continue;
+    if (moderate(q) != moderate(c.pair)) continue;
     const Answer scaled = ask(c.query, c.scalar, q);
     if (scaled.code != 0 || scaled.numbers[0] <= least || r.numbers[0] <= least) continue;
     const double expected = std::ldexp(r.numbers[0], exponent);
