@@ -174,7 +174,7 @@ class Search {
 /// the chains of several at once.
 template <class V>
 struct Searches {
-  Search<V> search[8];
+  Search<V> search[8];  ///< two at most on the lower half circle, and two on each of the three parts of the upper
   int count = 0;
   void add(const HalfCircle<V>& half, const Place& low, const Place& high) noexcept {
     search[count++] = {half, low, high};
@@ -193,7 +193,7 @@ struct Searches {
 
 /// The places along x at which the outlines cross, and the ends of the shared stretch of x, ascending.
 struct Cuts {
-  double x[10];
+  double x[10];  ///< two ends, and what Searches finds
   int count = 0;
   void add(double at) noexcept {
     int i = count++;
