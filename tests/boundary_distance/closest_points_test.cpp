@@ -207,4 +207,38 @@ TEST(OutlinePoints, OfOsculatingEllipsesAreAsFarApartAsTheDistance) {
   EXPECT_GT(nested, 1000 * properties::repeat());
 }
 
+/// A short side along the tangent of an ellipse's outline, inside at a gap: its two ends are about as near.
+Pair along_tangent(int kind, double outer_b, double at, double half, double gap) {
+  const double towards = std::atan2(std::sin(at), outer_b * std::cos(at));
+  const double nx = std::cos(towards), ny = std::sin(towards);
+  const double cx = std::cos(at) - gap * nx, cy = outer_b * std::sin(at) - gap * ny;
+  const Numbers outer{0, 0, 1, 0, 1, outer_b};
+  if (kind == VESICA_RECT) return {VESICA_ELLIPSE, kind, outer, {cx, cy, nx, ny, 0, half}};
+  return {VESICA_ELLIPSE, kind, outer, {cx - half * ny, cy + half * nx, cx + half * ny, cy - half * nx}};
+}
+
+// Were of different ends: the search ended along the normal of the side, which does not tell which of the two it took.
+TEST(OutlinePoints, OfTiedCornersBelongToOneOfThem) {
+  const Pair ties[] = {{VESICA_CIRCLE, VESICA_SEGMENT, {0, 1, 0x1.01p+0}, {0x1p-27, 0, 0, 0x1p-111}},
+                       {VESICA_ELLIPSE,
+                        VESICA_RECT,
+                        {0, 0, 0x1.884d078p-1, -0x1.49012b9p-1, 0x1.5508435p+1, 0x1.f616bbp-3},
+                        {-0x1.cb1bf9p+0, 0x1.541bc77p+0, -0x1.137ddf5p+0, -0x1.f09e617p-1, 0, 0x1p-28}}};
+  for (const Pair& pair : ties) {
+    for (int how = 0; how < 24; ++how) EXPECT_LE(gap_off(changed(pair, how)), 16);
+  }
+  std::mt19937_64 random(properties::seed() + 4);
+  std::uniform_real_distribution<double> unit(0, 1);
+  int nested = 0;
+  for (int i = 0; i < 20000 * properties::repeat(); ++i) {
+    const int kind = i % 2 == 0 ? VESICA_RECT : VESICA_SEGMENT;
+    const Pair p = along_tangent(kind, i % 4 < 2 ? 1 : std::exp2(-4 * unit(random)), 6.3 * unit(random),
+                                 std::exp2(-20 - 25 * unit(random)), std::exp2(-4 - 44 * unit(random)));
+    if (vesica_relation_f64(p.kind_a, p.a.data(), p.kind_b, p.b.data()) != VESICA_CONTAINS) continue;
+    EXPECT_LE(gap_off(p), 16) << properties::describe(p);
+    ++nested;
+  }
+  EXPECT_GT(nested, 5000 * properties::repeat());
+}
+
 }  // namespace

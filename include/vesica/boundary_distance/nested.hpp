@@ -40,10 +40,11 @@ inline Nested nested_distance(const Form& outer, const Form& inner) noexcept {
   const PlacedPair pair = place(outer, inner);
   const Frame frame(pair);
   const Objective objective = frame.objective(-1);
-  const Sample at = minimise(objective).at;
+  const Minimum least = minimise(objective);
+  const Sample& at = least.at;
   const double turn = last_turn(objective, at);
   const PlaneVector along = turn * perp(at.n);
-  const PlaneVector q = furthest(objective.second, at.n) + at.radius2 * along;
+  const PlaneVector q = furthest(objective.second, objective.second.curved ? at.n : least.towards) + at.radius2 * along;
   const PlaneVector p = objective.first.curved ? furthest(objective.first, at.n) + at.radius1 * along
                                                : foot_on_face(objective.first, at.n, frame.offset() + q);
   const FastDoubleDouble<double> distance = frame.value(at.n, -1) + FastDoubleDouble<double>(0.5 * at.slope * turn);

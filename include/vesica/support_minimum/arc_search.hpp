@@ -31,9 +31,11 @@ struct Objective {
   double tolerance;  ///< F may be missed by this much: its own rounding
 };
 
-/// Where F is least; `at` is of F with the corners of boxes that rule there.
+/// Where F is least; `at` is of F with the corners of boxes that are the furthest along `towards`. Along the normal of
+/// a face two corners are as far: then `at.n` does not tell which of them.
 struct Minimum {
   Sample at;
+  PlaneVector towards;
   int evaluations, most_arcs;
   bool settled;  ///< no limit was met
 };
@@ -44,10 +46,15 @@ inline constexpr int polish_limit = 12;
 /// Two values at the same minimum differ by their rounding, which is up to so many tolerances.
 inline constexpr double polish_slack = 16;
 
-/// Between two samples; `e` includes the corners of boxes.
+/// The corners of boxes that are the furthest along a direction, and e with these.
+struct Corners {
+  PlaneVector towards, e;
+};
+
+/// Between two samples.
 struct Arc {
   Sample a, b;
-  PlaneVector e;
+  Corners corners;
   double bound;
 };
 
@@ -60,7 +67,7 @@ class ArcSearch {
 
   Minimum run() noexcept {
     if (is_disc(objective_.first) && is_disc(objective_.second)) {
-      complete(curved(away_), objective_.e);
+      complete(curved(away_), {away_, objective_.e});
       return minimum_;
     }
     cut_at_axes();
@@ -76,6 +83,7 @@ class ArcSearch {
       }
     }
     polish();
+    minimum_.towards = corners_.towards;
     return minimum_;
   }
 
@@ -148,21 +156,24 @@ class ArcSearch {
   Sample evaluate(const PlaneVector& n, const PlaneVector& e) noexcept { return with_offset(curved(n), e); }
 
   /// Keeps the least value.
-  Sample complete(const Sample& of_curved, const PlaneVector& e) noexcept {
-    const Sample s = with_offset(of_curved, e);
+  Sample complete(const Sample& of_curved, const Corners& corners) noexcept {
+    const Sample s = with_offset(of_curved, corners.e);
     if (s.value < minimum_.at.value) {
       minimum_.at = s;
-      e_ = e;
+      corners_ = corners;
     }
     return s;
   }
-  Sample sample(const PlaneVector& n, const PlaneVector& e) noexcept { return complete(curved(n), e); }
+  Sample sample(const PlaneVector& n, const Corners& corners) noexcept { return complete(curved(n), corners); }
 
-  PlaneVector with_corners(const PlaneVector& direction) const noexcept {
+  Corners corners_towards(const PlaneVector& direction) const noexcept {
     PlaneVector e = objective_.e;
     if (!objective_.first.curved) e = e + corner(objective_.first, direction);
     if (!objective_.second.curved) e = e + objective_.sign * corner(objective_.second, direction);
-    return e;
+    return {direction, e};
+  }
+  bool rule_now(const Corners& corners) const noexcept {
+    return corners.e.x == corners_.e.x && corners.e.y == corners_.e.y;
   }
 
   void start() noexcept {
@@ -170,8 +181,8 @@ class ArcSearch {
     last.n = perp(away_);
     for (int i = 0; i <= cut_count_; ++i) {
       const Sample to = i < cut_count_ ? curved(cuts_[i]) : last;
-      const PlaneVector e = with_corners(from.n + to.n);
-      put({complete(from, e), complete(to, e), e, 0});
+      const Corners corners = corners_towards(from.n + to.n);
+      put({complete(from, corners), complete(to, corners), corners, 0});
       from = to;
     }
   }
@@ -203,9 +214,9 @@ class ArcSearch {
   void split(const Arc& arc) noexcept {
     const PlaneVector n = middle(arc.a, arc.b);
     if (!between(arc.a.n, n, arc.b.n)) return;
-    const Sample s = sample(n, arc.e);
-    put({arc.a, s, arc.e, 0});
-    put({s, arc.b, arc.e, 0});
+    const Sample s = sample(n, arc.corners);
+    put({arc.a, s, arc.corners, 0});
+    put({s, arc.b, arc.corners, 0});
   }
 
   /// Where the radius of curvature varies much along an arc it is halved in its logarithm, else the angle.
@@ -251,7 +262,7 @@ class ArcSearch {
       if (!inside || slow == 2) n = middle(a, b);
       if (!between(a.n, n, b.n)) return;
       slow = slow == 2 ? 0 : slow;
-      s = sample(n, arc.e);
+      s = sample(n, arc.corners);
       if (last || s.slope == 0) return;
       (s.slope < 0 ? a : b) = s;
       const double left = cross(a.n, b.n);
@@ -264,9 +275,12 @@ class ArcSearch {
   /// Further steps improve the closest points, wherever the slope is less in the end.
   void polish() noexcept {
     const Sample found = minimum_.at;
+    const Corners ruled = corners_;
     leave_hill();
     approach();
-    if (lane::abs(minimum_.at.slope) > lane::abs(found.slope)) minimum_.at = found;
+    if (lane::abs(minimum_.at.slope) <= lane::abs(found.slope)) return;
+    minimum_.at = found;
+    corners_ = ruled;
   }
 
   double bend(const Sample& s) const noexcept { return s.radius1 + objective_.sign * s.radius2 - s.value; }
@@ -277,9 +291,9 @@ class ArcSearch {
     const Sample s = minimum_.at;
     if (bend(s) > 0 || s.slope == 0) return;
     for (double step = 0x1p-26; step < 0.125; step *= 2) {
-      const PlaneVector n = unit(s.n + lane::flip_sign(step, -s.slope) * perp(s.n)), e = with_corners(n);
-      if (e.x != e_.x || e.y != e_.y) return;
-      const Sample next = evaluate(n, e_);
+      const PlaneVector n = unit(s.n + lane::flip_sign(step, -s.slope) * perp(s.n));
+      if (!rule_now(corners_towards(n))) return;
+      const Sample next = evaluate(n, corners_.e);
       if (next.value > s.value + polish_slack * objective_.tolerance) return;
       if (!(bend(next) > 0)) continue;
       minimum_.at = next;
@@ -287,17 +301,22 @@ class ArcSearch {
     }
   }
 
-  /// Newton's steps, while each halves the slope and the same corners of boxes are the furthest. Where a thin shape's
-  /// curvature changes faster than a step allows for, a quarter of the step is tried.
+  /// Newton's steps, while each halves the slope. Where a thin shape's curvature changes faster than a step allows for,
+  /// a quarter of the step is tried. Where a step leads to other corners of boxes, it starts again from these if they
+  /// tie; else, and at a kink of the depth, which is a minimum itself, the steps end.
   void approach() noexcept {
     double damping = 1;
     for (int i = 0; i < polish_limit; ++i) {
       const Sample& s = minimum_.at;
       const double k = bend(s);
       if (!(k > 0) || s.slope == 0) return;
-      const PlaneVector n = towards_minimum(s, damping * k), e = with_corners(n);
-      if (e.x != e_.x || e.y != e_.y) return;
-      const Sample next = evaluate(n, e_);
+      const PlaneVector n = towards_minimum(s, damping * k);
+      const Corners corners = corners_towards(n);
+      if (!rule_now(corners)) {
+        if (!exchange_corners(corners)) return;
+        continue;
+      }
+      const Sample next = evaluate(n, corners_.e);
       const bool better = lane::abs(next.slope) <= lane::abs(s.slope) * (1 - 0.5 / damping);
       if (better && next.value <= s.value + polish_slack * objective_.tolerance) {
         minimum_.at = next;
@@ -308,6 +327,16 @@ class ArcSearch {
     }
   }
 
+  /// Where boxes' corners tie to within rounding, takes others at the same direction; not for the depth.
+  bool exchange_corners(const Corners& corners) noexcept {
+    if (objective_.sign > 0) return false;
+    const Sample other = evaluate(minimum_.at.n, corners.e);
+    if (other.value > minimum_.at.value + polish_slack * objective_.tolerance) return false;
+    minimum_.at = other;
+    corners_ = corners;
+    return true;
+  }
+
   const Objective& objective_;
   PlaneVector away_;
   PlaneVector cuts_[6];
@@ -315,8 +344,8 @@ class ArcSearch {
   int cut_count_ = 0;
   Arc arcs_[arc_limit];
   int arc_count_ = 0;
-  Minimum minimum_{{{1, 0}, 0x1p1000, 0, 0, 0}, 0, 0, true};
-  PlaneVector e_{0, 0};  // with the corners at the minimum
+  Minimum minimum_{{{1, 0}, 0x1p1000, 0, 0, 0}, {1, 0}, 0, 0, true};
+  Corners corners_{{1, 0}, {0, 0}};  // at the minimum
 };
 
 /// Sizes and e must be at most about 2^20, the sizes of curved shapes at least 2^-250.
