@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "area/hard_pairs.hpp"
 #include "properties/exact_changes.hpp"
@@ -150,6 +151,28 @@ TEST_F(AreaLaws, OnNestedShapes) {
     }
   }
   EXPECT_GT(asked_, 30000 * repeat());
+}
+
+/// Of a round shape, only what an AABB of subnormal width beside moderate numbers covers: the half of that width has a
+/// digit more than doubles have.
+TEST_F(AreaLaws, OnSliversOfSubnormalWidth) {
+  Random random(seed());
+  for (int i = 0; i < 4000 * repeat(); ++i) {
+    const double r = std::ldexp(1, random.integer(-900, -300)), side = random.chance(0.5) ? 1 : -1;
+    const double width = side * std::ldexp(2.0 * random.integer(1, 1 << 30) + 1, -1074);
+    const double top = std::ldexp(r, random.integer(-2, 2));
+    Numbers box{side < 0 ? width : 0, 0, side < 0 ? 0 : width, top};
+    Numbers round{side * r, 0, r};
+    if (random.chance(0.5)) {
+      std::swap(box[0], box[1]);
+      std::swap(box[2], box[3]);
+      std::swap(round[0], round[1]);
+    }
+    const bool ellipse = random.chance(0.5);
+    if (ellipse) round = {round[0], round[1], 1, 0, r, r};
+    all({ellipse ? VESICA_ELLIPSE : VESICA_CIRCLE, VESICA_AABB, round, box}, random);
+  }
+  EXPECT_GT(asked_, 20000 * repeat());
 }
 
 /// A shape with itself, and with itself in other numbers and as other kinds.

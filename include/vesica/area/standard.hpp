@@ -15,13 +15,13 @@ struct Lengths {
   int exponent_0, exponent_1;
 };
 
-/// By which powers of two coordinates are lifted before differences are taken: sums of the greatest numbers would
-/// overflow, halves of the smallest be rounded.
+/// By which powers of two coordinates are lifted before differences are taken: four of the greatest numbers together
+/// would overflow, and halves of subnormal ones be rounded, whatever else is beside them.
 struct Lift {
   int x, y;
 };
 
-inline int lift_for(double most) noexcept { return most > 0x1p1000 ? -16 : most < 0x1p-900 ? 64 : 0; }
+inline int lift_for(double most) noexcept { return most > 0x1p1000 ? -3 : 16; }
 
 inline double reach_x(const filter::Centre<double>& p) noexcept { return std::fabs(p.x); }
 inline double reach_y(const filter::Centre<double>& p) noexcept { return std::fabs(p.y); }
