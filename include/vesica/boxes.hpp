@@ -98,8 +98,8 @@ template <class T>
 int box_from_rect(const Rect<T>& s, AngleUnit unit, TurnedBox<T>& out) noexcept {
   if (check(s) != 0) return error_shape;
   const double ux = static_cast<double>(s.ux), uy = static_cast<double>(s.uy);
-  const auto [x, y, length] = detail::arithmetic::unit_and_length(ux, uy);
-  const auto full = [&, length = length](T half) {
+  const detail::arithmetic::Scaled length = detail::arithmetic::unit_and_length(ux, uy).length;
+  const auto full = [&](T half) {
     const auto size = detail::take_apart(static_cast<double>(half));
     return detail::multiply<T>({2 * size.value, size.exponent}, length);
   };

@@ -35,8 +35,9 @@ configure() {
   esac
   flags+=' -fno-omit-frame-pointer -g1'
   if [ "$compiler" = clang ]; then
-    # Its run-time library comes with the program alone.
-    arguments=(-DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ -DVESICA_LINKER_HAS_z_defs=OFF)
+    # Its run-time library comes with the program alone: with one in C, the part for C++ and what that needs too.
+    arguments=(-DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ -DVESICA_LINKER_HAS_z_defs=OFF
+      "-DCMAKE_C_FLAGS=$flags -fsanitize-link-c++-runtime" -DCMAKE_C_STANDARD_LIBRARIES=-lstdc++)
   fi
   cmake -S "$root" -B "$folder" -G Ninja "-DCMAKE_BUILD_TYPE=$build" -DVESICA_TESTS=ON \
     "-DCMAKE_C_FLAGS=$flags" "-DCMAKE_CXX_FLAGS=$flags" "${arguments[@]}"
