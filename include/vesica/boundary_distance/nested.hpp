@@ -44,7 +44,9 @@ inline Nested nested_distance(const Form& outer, const Form& inner) noexcept {
   const Sample& at = least.at;
   const double turn = last_turn(objective, at);
   const PlaneVector along = turn * perp(at.n);
-  const PlaneVector q = furthest(objective.second, objective.second.curved ? at.n : least.towards) + at.radius2 * along;
+  // In a box any corner of a side along the face will do.
+  const bool tied = objective.first.curved && !objective.second.curved;
+  const PlaneVector q = furthest(objective.second, tied ? least.towards : at.n) + at.radius2 * along;
   const PlaneVector p = objective.first.curved ? furthest(objective.first, at.n) + at.radius1 * along
                                                : foot_on_face(objective.first, at.n, frame.offset() + q);
   const FastDoubleDouble<double> distance = frame.value(at.n, -1) + FastDoubleDouble<double>(0.5 * at.slope * turn);

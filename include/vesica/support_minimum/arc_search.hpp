@@ -83,7 +83,8 @@ class ArcSearch {
       }
     }
     polish();
-    minimum_.towards = corners_.towards;
+    const PlaneVector& n = minimum_.at.n;
+    minimum_.towards = rule_now(corners_towards(n)) ? n : corners_.towards;
     return minimum_;
   }
 
