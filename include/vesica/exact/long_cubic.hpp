@@ -100,7 +100,7 @@ constexpr int discriminant_sign(const ContactCubic& p, Signs& signs) noexcept {
   if (small.delta_less.sign == 0) return detail::sign_of_discriminant_of_proportional(p);
   const Few by_offset = detail::discriminant_by_offset<Few>(p, small);
   if (by_offset.sign_is_certain()) return by_offset.sign;
-  signs.certain = dense > 3 * most_limbs;
+  signs.certain = dense > 2 * most_limbs;
   return signs.certain ? signs.of(detail::discriminant<Leading<most_limbs>>(p)) : 0;
 }
 
