@@ -221,7 +221,7 @@ VESICA_API int32_t vesica_overlap_f64(int32_t kind_a, const double *numbers_a, i
  * on the rim of a disc is VESICA_INSIDE_TOUCH. Exchanging the shapes always gives the converse relation.
  * Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe them.
  * Accuracy: exact.
- * Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 50 us.
+ * Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 25 us.
  */
 VESICA_API int32_t vesica_relation_f64(int32_t kind_a, const double *numbers_a,
                                        int32_t kind_b, const double *numbers_b);
@@ -324,7 +324,7 @@ VESICA_API int32_t vesica_shape_area_f64(int32_t kind, const double *numbers, do
  * Accuracy: right to 64 u times the smaller shape's area times the larger aspect ratio, at aspect ratios up to 10^4,
  * even if the outlines nearly touch or coincide and whatever the sizes are.
  * Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines
- * nearly touch or coincide, or if one shape is far larger; at worst 50 us.
+ * nearly touch or coincide, or if one shape is far larger; at worst 40 us.
  */
 VESICA_API int32_t vesica_area_f64(int32_t kind_a, const double *numbers_a,
                                    int32_t kind_b, const double *numbers_b, double *out);
@@ -353,7 +353,7 @@ VESICA_API int32_t vesica_bounds_f64(int32_t kind, const double *numbers, vesica
  * Returns: 1 if the shapes share a point (touching counts), 0 if not.
  * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
  * Accuracy: exact.
- * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+ * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
  * Since: 0.1.
  */
 

@@ -94,7 +94,7 @@ export interface C {
    * Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe them.
    * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 50 us.
+   * Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 25 us.
    * Since: 0.1.
    */
   vesica_relation_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number): number;
@@ -205,7 +205,7 @@ export interface C {
    * or coincide and whatever the sizes are. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the
    * largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is longer over shorter
    * size. "Right to x": the error is <= x. Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for
-   * two ellipses; up to 10 us if outlines nearly touch or coincide, or if one shape is far larger; at worst 50 us.
+   * two ellipses; up to 10 us if outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us.
    * Since: 0.1.
    */
   vesica_area_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
@@ -237,7 +237,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_point_point_f64(a: number, b: number): number;
@@ -247,7 +247,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_point_segment_f64(a: number, b: number): number;
@@ -257,7 +257,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_point_circle_f64(a: number, b: number): number;
@@ -267,7 +267,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_point_aabb_f64(a: number, b: number): number;
@@ -277,7 +277,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_point_rect_f64(a: number, b: number): number;
@@ -287,7 +287,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_point_ellipse_f64(a: number, b: number): number;
@@ -297,7 +297,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_segment_segment_f64(a: number, b: number): number;
@@ -307,7 +307,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_segment_circle_f64(a: number, b: number): number;
@@ -317,7 +317,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_segment_aabb_f64(a: number, b: number): number;
@@ -327,7 +327,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_segment_rect_f64(a: number, b: number): number;
@@ -337,7 +337,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_segment_ellipse_f64(a: number, b: number): number;
@@ -347,7 +347,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_circle_circle_f64(a: number, b: number): number;
@@ -357,7 +357,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_circle_aabb_f64(a: number, b: number): number;
@@ -367,7 +367,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_circle_rect_f64(a: number, b: number): number;
@@ -377,7 +377,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_circle_ellipse_f64(a: number, b: number): number;
@@ -387,7 +387,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_aabb_aabb_f64(a: number, b: number): number;
@@ -397,7 +397,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_aabb_rect_f64(a: number, b: number): number;
@@ -407,7 +407,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_aabb_ellipse_f64(a: number, b: number): number;
@@ -417,7 +417,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_rect_rect_f64(a: number, b: number): number;
@@ -427,7 +427,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_rect_ellipse_f64(a: number, b: number): number;
@@ -437,7 +437,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_ellipse_ellipse_f64(a: number, b: number): number;
@@ -801,7 +801,7 @@ export interface C {
    * Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe them.
    * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 50 us.
+   * Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 25 us.
    * Since: 0.1.
    */
   vesica_relation_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number): number;
@@ -918,7 +918,7 @@ export interface C {
    * float once. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
    * between their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the
    * error is <= x. Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10
-   * us if outlines nearly touch or coincide, or if one shape is far larger; at worst 50 us. Since: 0.1.
+   * us if outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us. Since: 0.1.
    */
   vesica_area_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
   /**
@@ -950,7 +950,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_point_point_f32(a: number, b: number): number;
@@ -960,7 +960,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_point_segment_f32(a: number, b: number): number;
@@ -970,7 +970,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_point_circle_f32(a: number, b: number): number;
@@ -980,7 +980,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_point_aabb_f32(a: number, b: number): number;
@@ -990,7 +990,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_point_rect_f32(a: number, b: number): number;
@@ -1000,7 +1000,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_point_ellipse_f32(a: number, b: number): number;
@@ -1010,7 +1010,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_segment_segment_f32(a: number, b: number): number;
@@ -1020,7 +1020,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_segment_circle_f32(a: number, b: number): number;
@@ -1030,7 +1030,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_segment_aabb_f32(a: number, b: number): number;
@@ -1040,7 +1040,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_segment_rect_f32(a: number, b: number): number;
@@ -1050,7 +1050,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_segment_ellipse_f32(a: number, b: number): number;
@@ -1060,7 +1060,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_circle_circle_f32(a: number, b: number): number;
@@ -1070,7 +1070,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_circle_aabb_f32(a: number, b: number): number;
@@ -1080,7 +1080,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_circle_rect_f32(a: number, b: number): number;
@@ -1090,7 +1090,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_circle_ellipse_f32(a: number, b: number): number;
@@ -1100,7 +1100,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_aabb_aabb_f32(a: number, b: number): number;
@@ -1110,7 +1110,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_aabb_rect_f32(a: number, b: number): number;
@@ -1120,7 +1120,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_aabb_ellipse_f32(a: number, b: number): number;
@@ -1130,7 +1130,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_rect_rect_f32(a: number, b: number): number;
@@ -1140,7 +1140,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_rect_ellipse_f32(a: number, b: number): number;
@@ -1150,7 +1150,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
    * Since: 0.1.
    */
   vesica_overlap_ellipse_ellipse_f32(a: number, b: number): number;

@@ -115,7 +115,7 @@ namespace Vesica
         /// describe them.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.</para>
         /// <para>Accuracy: exact.</para>
-        /// <para>Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 50
+        /// <para>Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 25
         /// us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -252,7 +252,7 @@ namespace Vesica
         /// numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
         /// their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.</para>
         /// <para>Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us
-        /// if outlines nearly touch or coincide, or if one shape is far larger; at worst 50 us.</para>
+        /// if outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -718,7 +718,7 @@ namespace Vesica
         /// describe them.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.</para>
         /// <para>Accuracy: exact.</para>
-        /// <para>Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 50
+        /// <para>Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 25
         /// us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -859,7 +859,7 @@ namespace Vesica
         /// 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
         /// lengths. An aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.</para>
         /// <para>Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us
-        /// if outlines nearly touch or coincide, or if one shape is far larger; at worst 50 us.</para>
+        /// if outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

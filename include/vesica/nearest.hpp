@@ -20,7 +20,6 @@
 
 #include <limits>
 #include <vesica/crossings.hpp>
-#include <vesica/depth/exact_zero.hpp>
 #include <vesica/nearest/common_point.hpp>
 #include <vesica/nearest/lane_pairs.hpp>
 #include <vesica/overlap.hpp>
@@ -107,25 +106,6 @@ VESICA_INLINE bool rounded_to(const ClosestPoints<double>& c, bool overlapping, 
   return true;
 }
 
-/// overlap_or_error() where the filter left it undecided. Of a box and an ellipse, or one without area, by
-/// exact::contact(), which takes a part of the time where exponents are unlike.
-template <class A, class B>
-VESICA_COLD std::int32_t undecided_overlap(const A& a, const B& b) noexcept {
-  if constexpr (ShapeTraits<A>::kind != Kind::point && ShapeTraits<B>::kind == Kind::ellipse) {
-    const std::int32_t answer = decide_without_errors(a, b);
-    if (answer >= 0) return answer;
-    if (check(a) != 0 || check(b) != 0) return error_shape;
-    return depth::overlap_and_depth(exact::form(a), exact::form(b)) == depth::Overlap::none ? 0 : 1;
-  } else {
-    return decide_undecided(a, b);
-  }
-}
-template <class A, class B>
-VESICA_INLINE std::int32_t overlap_in_order(const A& a, const B& b) noexcept {
-  const std::int32_t answer = decide_by_filter(a, b);
-  return answer >= 0 ? answer : undecided_overlap(a, b);
-}
-
 /// Whether shapes overlap was not asked yet.
 inline constexpr std::int32_t not_asked = -1;
 
@@ -136,11 +116,11 @@ VESICA_CALLED std::int32_t nearest_in_order(const A& a, const B& b, std::int32_t
   // Often makes the exact predicate unnecessary. The core answers only for shapes of moderate numbers, which are valid;
   // otherwise the predicate is called after all.
   const bool apart = overlapping == not_asked && apart_along_offset(a, b);
-  if (overlapping == not_asked) overlapping = apart ? 0 : overlap_in_order(a, b);
+  if (overlapping == not_asked) overlapping = apart ? 0 : overlap_or_error(a, b);
   if (overlapping < 0) return overlapping;
   ClosestPoints<double> found;
   if (!settled_points(a, b, overlapping == 1, found)) [[unlikely]] {
-    if (apart) overlapping = overlap_in_order(a, b);
+    if (apart) overlapping = overlap_or_error(a, b);
     if (overlapping < 0) return overlapping;
     found = general_points(a, b, overlapping == 1);
   }

@@ -469,7 +469,7 @@ gives the converse relation.
 
 Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe
 them. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE. Accuracy: exact. Cost: up to twice that of
-vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 50 us. Since: 0.1.""",
+vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_contains_f64": (
         c_int32,
@@ -601,7 +601,7 @@ outlines nearly touch or coincide and whatever the sizes are. Bounds on computed
 scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An
 aspect ratio is longer over shorter size. "Right to x": the error is <= x. Cost: about 50 ns for two boxes,
 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines nearly touch or coincide,
-or if one shape is far larger; at worst 50 us. Since: 0.1.""",
+or if one shape is far larger; at worst 40 us. Since: 0.1.""",
     ),
     "vesica_iou_f64": (
         c_int32,
@@ -641,7 +641,7 @@ Are the two points the same?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_segment_f64": (
         c_int32,
@@ -652,7 +652,7 @@ Does the point lie on the segment? End points count.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_circle_f64": (
         c_int32,
@@ -663,7 +663,7 @@ Does the point lie in the disc or on its rim?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_aabb_f64": (
         c_int32,
@@ -674,7 +674,7 @@ Does the point lie in the box or on its outline?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_rect_f64": (
         c_int32,
@@ -685,7 +685,7 @@ Does the point lie in the rectangle or on its outline?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_ellipse_f64": (
         c_int32,
@@ -696,7 +696,7 @@ Does the point lie in the ellipse or on its outline?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_segment_segment_f64": (
         c_int32,
@@ -707,7 +707,7 @@ Do the segments share a point? End points count, and so do stretches along one l
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_segment_circle_f64": (
         c_int32,
@@ -718,7 +718,7 @@ Does the segment meet the disc? A tangent segment does.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_segment_aabb_f64": (
         c_int32,
@@ -729,7 +729,7 @@ Does the segment meet the box? A segment inside it does.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_segment_rect_f64": (
         c_int32,
@@ -740,7 +740,7 @@ Does the segment meet the rectangle? A segment inside it does.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_segment_ellipse_f64": (
         c_int32,
@@ -751,7 +751,7 @@ Does the segment meet the ellipse? A tangent segment does.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_circle_circle_f64": (
         c_int32,
@@ -762,7 +762,7 @@ Do the discs share a point? Discs that touch from outside do.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_circle_aabb_f64": (
         c_int32,
@@ -773,7 +773,7 @@ Do the disc and the box share a point?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_circle_rect_f64": (
         c_int32,
@@ -784,7 +784,7 @@ Do the disc and the rectangle share a point?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_circle_ellipse_f64": (
         c_int32,
@@ -795,7 +795,7 @@ Do the disc and the ellipse share a point?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_aabb_aabb_f64": (
         c_int32,
@@ -806,7 +806,7 @@ Do the boxes share a point? Boxes that share an edge or a corner do.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_aabb_rect_f64": (
         c_int32,
@@ -817,7 +817,7 @@ Do the box and the rectangle share a point?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_aabb_ellipse_f64": (
         c_int32,
@@ -828,7 +828,7 @@ Do the box and the ellipse share a point?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_rect_rect_f64": (
         c_int32,
@@ -839,7 +839,7 @@ Do the rectangles share a point? Rectangles that share an edge or a corner do.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_rect_ellipse_f64": (
         c_int32,
@@ -850,7 +850,7 @@ Do the rectangle and the ellipse share a point? They do if one is inside the oth
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_ellipse_ellipse_f64": (
         c_int32,
@@ -861,7 +861,7 @@ Do the ellipses share a point? They do if one is inside the other.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_aabb_from_corners_f64": (
         c_int32,
@@ -1288,7 +1288,7 @@ gives the converse relation.
 
 Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe
 them. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE. Accuracy: exact. Cost: up to twice that of
-vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 50 us. Since: 0.1.""",
+vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_contains_f32": (
         c_int32,
@@ -1425,7 +1425,7 @@ these bounds, and then rounded to float once. Bounds on computed numbers use u =
 shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is
 longer over shorter size. "Right to x": the error is <= x. Cost: about 50 ns for two boxes, 150 ns for an
 ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines nearly touch or coincide, or if one
-shape is far larger; at worst 50 us. Since: 0.1.""",
+shape is far larger; at worst 40 us. Since: 0.1.""",
     ),
     "vesica_iou_f32": (
         c_int32,
@@ -1466,7 +1466,7 @@ Are the two points the same?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_segment_f32": (
         c_int32,
@@ -1477,7 +1477,7 @@ Does the point lie on the segment? End points count.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_circle_f32": (
         c_int32,
@@ -1488,7 +1488,7 @@ Does the point lie in the disc or on its rim?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_aabb_f32": (
         c_int32,
@@ -1499,7 +1499,7 @@ Does the point lie in the box or on its outline?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_rect_f32": (
         c_int32,
@@ -1510,7 +1510,7 @@ Does the point lie in the rectangle or on its outline?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_ellipse_f32": (
         c_int32,
@@ -1521,7 +1521,7 @@ Does the point lie in the ellipse or on its outline?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_segment_segment_f32": (
         c_int32,
@@ -1532,7 +1532,7 @@ Do the segments share a point? End points count, and so do stretches along one l
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_segment_circle_f32": (
         c_int32,
@@ -1543,7 +1543,7 @@ Does the segment meet the disc? A tangent segment does.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_segment_aabb_f32": (
         c_int32,
@@ -1554,7 +1554,7 @@ Does the segment meet the box? A segment inside it does.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_segment_rect_f32": (
         c_int32,
@@ -1565,7 +1565,7 @@ Does the segment meet the rectangle? A segment inside it does.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_segment_ellipse_f32": (
         c_int32,
@@ -1576,7 +1576,7 @@ Does the segment meet the ellipse? A tangent segment does.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_circle_circle_f32": (
         c_int32,
@@ -1587,7 +1587,7 @@ Do the discs share a point? Discs that touch from outside do.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_circle_aabb_f32": (
         c_int32,
@@ -1598,7 +1598,7 @@ Do the disc and the box share a point?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_circle_rect_f32": (
         c_int32,
@@ -1609,7 +1609,7 @@ Do the disc and the rectangle share a point?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_circle_ellipse_f32": (
         c_int32,
@@ -1620,7 +1620,7 @@ Do the disc and the ellipse share a point?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_aabb_aabb_f32": (
         c_int32,
@@ -1631,7 +1631,7 @@ Do the boxes share a point? Boxes that share an edge or a corner do.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_aabb_rect_f32": (
         c_int32,
@@ -1642,7 +1642,7 @@ Do the box and the rectangle share a point?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_aabb_ellipse_f32": (
         c_int32,
@@ -1653,7 +1653,7 @@ Do the box and the ellipse share a point?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_rect_rect_f32": (
         c_int32,
@@ -1664,7 +1664,7 @@ Do the rectangles share a point? Rectangles that share an edge or a corner do.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_rect_ellipse_f32": (
         c_int32,
@@ -1675,7 +1675,7 @@ Do the rectangle and the ellipse share a point? They do if one is inside the oth
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_ellipse_ellipse_f32": (
         c_int32,
@@ -1686,7 +1686,7 @@ Do the ellipses share a point? They do if one is inside the other.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 50 us. Since: 0.1.""",
+decide; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_aabb_from_corners_f32": (
         c_int32,

@@ -144,28 +144,29 @@ struct VisibleEdges {
   }
   /// The lesser gap of the two edges; that of the first if it is at most `enough`.
   constexpr int gap(int enough) const noexcept {
-    return decide([enough](Signs& sign, const auto&... numbers) { return least_gap(enough, sign, numbers...); }, a, b,
-                  c, s, near_x, far_x, near_y, far_y);
+    Signs sign;
+    return least_gap(enough, sign, a, b, c, s, near_x, far_x, near_y, far_y);
   }
 };
 
-}  // namespace detail
-
-/// Whether a box and an ellipse share a point.
-constexpr bool overlap(const Box& box, const Ellipse& ellipse) noexcept {
-  if (degenerate(ellipse)) return overlap(box, as_box(ellipse));
-  const detail::VisibleEdges edges(box, ellipse);
-  return edges.centre_inside || edges.gap(0) <= 0;
+/// contact(), or what is at most `enough` if it is.
+VESICA_CALLED constexpr int contact(const Box& box, const Ellipse& ellipse, int enough) noexcept {
+  const VisibleEdges edges(box, ellipse);
+  if (edges.centre_inside) return -1;
+  if (!edges.are_long()) return edges.gap(enough);
+  int gap = 0;
+  return edges.few_digits_tell(gap) ? gap : BoxAtDisc(box, ellipse).gap(edges.near_x, edges.near_y);
 }
+
+}  // namespace detail
 
 /// -1 when the inside of an ellipse that is not degenerate meets the box, 0 when only its outline does, 1 when they are
 /// disjoint. The inside of the ellipse is open, so if it meets the box, it also meets the box's relative inside.
-constexpr int contact(const Box& box, const Ellipse& ellipse) noexcept {
-  const detail::VisibleEdges edges(box, ellipse);
-  if (edges.centre_inside) return -1;
-  if (!edges.are_long()) return edges.gap(-1);
-  int gap = 0;
-  return edges.few_digits_tell(gap) ? gap : detail::BoxAtDisc(box, ellipse).gap(edges.near_x, edges.near_y);
+constexpr int contact(const Box& box, const Ellipse& ellipse) noexcept { return detail::contact(box, ellipse, -1); }
+
+/// Whether a box and an ellipse share a point.
+constexpr bool overlap(const Box& box, const Ellipse& ellipse) noexcept {
+  return degenerate(ellipse) ? overlap(box, as_box(ellipse)) : detail::contact(box, ellipse, 0) <= 0;
 }
 
 /// How far a box stays within an ellipse that is not degenerate: 1 clear of the outline, 0 up to it, -1 not within.

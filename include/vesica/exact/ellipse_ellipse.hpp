@@ -99,9 +99,13 @@ constexpr bool surely_inside(const ContactCubic& p, const Number<8>& difference)
 /// Whether a double root of p is the greater of its roots, so that p'' > 0 there: x0 = -b / (2a) > -c2 / (3 d2), a > 0
 /// unless the root is triple, and then both sides are 0. Degree 24.
 constexpr bool double_root_is_greater(const ContactCubic& p) noexcept {
-  const auto a = square(p.c2) - integer(3) * (p.d2 * p.c1);
-  const auto b = p.c1 * p.c2 - integer(9) * (p.d1 * p.d2);
-  return compare(integer(2) * (p.c2 * a), integer(3) * (p.d2 * b)) > 0;
+  const auto beyond = [](const auto& d1, const auto& c1, const auto& c2, const auto& d2) {
+    const auto a = square(c2) - times(3, d2 * c1), b = c1 * c2 - times(9, d1 * d2);
+    return times(2, c2 * a) - times(3, d2 * b);
+  };
+  using Few = Leading<few_limbs>;
+  const Few few = beyond(Few(p.d1), Few(p.c1), Few(p.c2), Few(p.d2));
+  return few.sign_is_certain() ? few.sign > 0 : beyond(p.d1, p.c1, p.c2, p.d2).sign > 0;
 }
 
 constexpr void exchange(Number<8>& a, Number<8>& b) noexcept {

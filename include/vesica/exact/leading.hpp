@@ -4,6 +4,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <vesica/exact/columns.hpp>
 #include <vesica/exact/number.hpp>
 
 namespace vesica::exact {
@@ -36,6 +37,15 @@ struct Leading {
   }
   constexpr void lose(std::int64_t exponent) noexcept { error = (error > exponent ? error : exponent) + 1; }
 
+  /// Long products are formed from here on, one limb more than is kept at least.
+  static constexpr int first_formed = limbs < 24 ? 0 : limbs - 2;
+  /// What multiply() leaves out below that, of factors that are not 0.
+  constexpr void lose_unformed(const Leading& a, const Leading& b) noexcept {
+    if constexpr (first_formed > 0) {
+      static_assert(first_formed < 64);
+      if (a.lowest() + b.lowest() < first_formed) lose(std::int64_t{64} * (a.low + b.low + first_formed + 1) + 6);
+    }
+  }
   /// As a product.
   constexpr void lose_factors(const Leading& a, const Leading& b) noexcept {
     for (const std::int64_t part : {a.top() + b.error, b.top() + a.error, a.error + b.error}) {
@@ -48,36 +58,58 @@ struct Leading {
   constexpr std::int64_t top() const noexcept {
     return sign == 0 ? nothing : 64 * (std::int64_t{low} + limbs) - std::countl_zero(limb[limbs - 1]);
   }
+  /// Its lowest limb that is not 0, unless it is 0.
+  constexpr int lowest() const noexcept {
+    int i = 0;
+    while (limb[i] == 0) ++i;
+    return i;
+  }
   constexpr bool sign_is_certain() const noexcept { return error == nothing || top() - 1 > error; }
 };
 
+namespace detail {
+
+/// a * b, the same number or two.
 template <int limbs>
-constexpr Leading<limbs> operator*(const Leading<limbs>& a, const Leading<limbs>& b) noexcept {
+constexpr Leading<limbs> product(const Leading<limbs>& a, const Leading<limbs>& b) noexcept {
   Leading<limbs> product;
   if (a.sign != 0 && b.sign != 0) {
+    constexpr int first = product.first_formed;
     Limb limb[2 * limbs];
-    detail::multiply(a.limb, limbs, b.limb, limbs, limb);
-    product.set(a.sign * b.sign, {limb, a.low + b.low, 2 * limbs});
+    if (&a == &b) {
+      multiply_by_itself(a.limb, limbs, limb, first);
+    } else {
+      multiply(a.limb, limbs, b.limb, limbs, limb, first);
+    }
+    product.set(a.sign * b.sign, {limb + first, a.low + b.low + first, 2 * limbs - first});
+    product.lose_unformed(a, b);
   }
   product.lose_factors(a, b);
   return product;
 }
 
+}  // namespace detail
+
+template <int limbs>
+constexpr Leading<limbs> operator*(const Leading<limbs>& a, const Leading<limbs>& b) noexcept {
+  return detail::product(a, b);
+}
+template <int limbs>
+constexpr Leading<limbs> square(const Leading<limbs>& a) noexcept {
+  return detail::product(a, a);
+}
+
 /// A small whole number of times.
 template <int limbs>
 constexpr Leading<limbs> times(int factor, const Leading<limbs>& a) noexcept {
-  return Leading<limbs>(integer(factor)) * a;
-}
-
-template <int limbs>
-constexpr Leading<limbs> square(const Leading<limbs>& a) noexcept {
   Leading<limbs> product;
+  const Limb size = static_cast<Limb>(factor < 0 ? -factor : factor);
   if (a.sign != 0) {
-    Limb limb[2 * limbs];
-    detail::multiply_by_itself(a.limb, limbs, limb);
-    product.set(1, {limb, 2 * a.low, 2 * limbs});
+    Limb limb[limbs + 1];
+    detail::multiply(&size, 1, a.limb, limbs, limb);
+    product.set(factor < 0 ? -a.sign : a.sign, {limb, a.low, limbs + 1});
   }
-  product.lose_factors(a, a);
+  if (a.error != product.nothing) product.lose(a.error + std::bit_width(size));
   return product;
 }
 
@@ -141,6 +173,19 @@ constexpr bool is_long(const Leading<limbs>&) noexcept {
 
 namespace detail {
 
+/// The limbs that cost time in products: those of all zeros or all ones hardly do.
+template <int Degree>
+constexpr int dense_limbs(const Number<Degree>& x) noexcept {
+  int count = 0;
+  for (int i = 0; i < x.size; ++i) count += x.limb[i] + 1 > 1 ? 1 : 0;
+  return count;
+}
+/// Whether so many leading limbs are worth while: at most two thirds of the dense ones.
+template <int Degree>
+constexpr bool is_longer(const Number<Degree>& x, int limbs) noexcept {
+  return 2 * dense_limbs(x) > 3 * limbs;
+}
+
 template <int limbs, class Polynomial, int... Degree>
 constexpr bool digits_tell(int& sign, const Polynomial& value, const Number<Degree>&... x) noexcept {
   const auto leading = value(Leading<limbs>(x)...);
@@ -153,9 +198,7 @@ template <class Polynomial, int... Degree>
 constexpr bool leading_digits_tell(int& sign, const Polynomial& value, const Number<Degree>&... x) noexcept {
   if (!(is_long(x) || ...)) return false;
   if (digits_tell<few_limbs>(sign, value, x...) || digits_tell<some_limbs>(sign, value, x...)) return true;
-  // More are worth while for twice as many alone: many limbs of such numbers are zero, and then cost nothing.
-  if (((x.size > 2 * more_limbs) || ...) && digits_tell<more_limbs>(sign, value, x...)) return true;
-  return ((x.size > 2 * most_limbs) || ...) && digits_tell<most_limbs>(sign, value, x...);
+  return (is_longer(x, more_limbs) || ...) && digits_tell<more_limbs>(sign, value, x...);
 }
 
 }  // namespace detail
@@ -167,7 +210,7 @@ constexpr int sign_of(const Polynomial& value, const Number<Degree>&... x) noexc
   return detail::leading_digits_tell(sign, value, x...) ? sign : value(x...).sign;
 }
 
-/// Sign of a b - c^2, with neither product formed where signs or magnitudes tell.
+/// Sign of a b - c^2, with neither product formed where signs, magnitudes or leading columns tell.
 template <int A, int B, int C>
 constexpr int compare_product_with_square(const Number<A>& a, const Number<B>& b, const Number<C>& c) noexcept {
   int sign = a.sign * b.sign;
@@ -176,8 +219,8 @@ constexpr int compare_product_with_square(const Number<A>& a, const Number<B>& b
   const std::int64_t left = detail::top_bit(a) + detail::top_bit(b), right = 2 * detail::top_bit(c);
   if (left + 1 < right) return -1;
   if (right + 1 < left) return 1;
-  const auto difference = [](const auto& p, const auto& q, const auto& r) { return p * q - square(r); };
-  return detail::leading_digits_tell(sign, difference, a, b, c) ? sign : compare(a * b, square(c));
+  static_assert(limb_capacity(A) <= 1024 && limb_capacity(B) <= 1024 && limb_capacity(C) <= 1024);
+  return detail::columns_tell(sign, a.span(), b.span(), c.span()) ? sign : compare(a * b, square(c));
 }
 
 /// The signs of numbers; once one was not certain nothing is.
@@ -203,19 +246,5 @@ struct Signs {
     return of(value(x, rest...));
   }
 };
-
-/// The answer to a question about signs, from a few leading digits if these suffice. Otherwise it is computed from
-/// exact numbers, of which of_polynomial() takes as many digits as it needs: most cancellation happens in the first
-/// sums.
-template <class Question, int... Degree>
-constexpr auto decide(const Question& question, const Number<Degree>&... x) noexcept {
-  if ((is_long(x) || ...)) {
-    Signs of_few;
-    const auto few = question(of_few, Leading<few_limbs>(x)...);
-    if (of_few.certain) return few;
-  }
-  Signs signs;
-  return question(signs, x...);
-}
 
 }  // namespace vesica::exact

@@ -47,13 +47,14 @@ constexpr LimbPair multiply_add(Limb a, Limb b, Limb c, Limb d) noexcept {
 #endif
 }
 
-/// out[0, na + nb) = a * b, schoolbook. Zero limbs of a are skipped.
-constexpr void multiply(const Limb* a, int na, const Limb* b, int nb, Limb* out) noexcept {
+/// out[0, na + nb) = a * b, schoolbook. Zero limbs of a are skipped. Products of limbs that lie below limb `first` <=
+/// na, nb are left out: these are less than `first` at limb first + 1.
+constexpr void multiply(const Limb* a, int na, const Limb* b, int nb, Limb* out, int first = 0) noexcept {
   for (int i = 0; i < na + nb; ++i) out[i] = 0;
   for (int i = 0; i < na; ++i) {
     if (a[i] == 0) continue;
     Limb carry = 0;
-    for (int j = 0; j < nb; ++j) {
+    for (int j = first > i ? first - i : 0; j < nb; ++j) {
       const LimbPair sum = multiply_add(a[i], b[j], out[i + j], carry);
       out[i + j] = sum.low;
       carry = sum.high;
@@ -62,13 +63,14 @@ constexpr void multiply(const Limb* a, int na, const Limb* b, int nb, Limb* out)
   }
 }
 
-/// out[0, 2 n) = a * a: products of different limbs once, doubled, and the squares.
-constexpr void multiply_by_itself(const Limb* a, int n, Limb* out) noexcept {
+/// out[0, 2 n) = a * a: products of different limbs once, doubled, and the squares. Leaves out what multiply() does,
+/// for an even `first`.
+constexpr void multiply_by_itself(const Limb* a, int n, Limb* out, int first = 0) noexcept {
   for (int i = 0; i < 2 * n; ++i) out[i] = 0;
   for (int i = 0; i < n; ++i) {
     if (a[i] == 0) continue;
     Limb carry = 0;
-    for (int j = i + 1; j < n; ++j) {
+    for (int j = first > 2 * i ? first - i : i + 1; j < n; ++j) {
       const LimbPair sum = multiply_add(a[i], a[j], out[i + j], carry);
       out[i + j] = sum.low;
       carry = sum.high;
@@ -76,7 +78,7 @@ constexpr void multiply_by_itself(const Limb* a, int n, Limb* out) noexcept {
     out[i + n] = carry;
   }
   Limb carry = 0, shifted_out = 0;
-  for (int i = 0; i < n; ++i) {
+  for (int i = first / 2; i < n; ++i) {
     const Limb low = out[2 * i] << 1 | shifted_out, high = out[2 * i + 1] << 1 | out[2 * i] >> 63;
     shifted_out = out[2 * i + 1] >> 63;
     const LimbPair sum = multiply_add(a[i], a[i], low, carry);

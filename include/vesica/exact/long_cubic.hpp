@@ -86,17 +86,22 @@ constexpr bool first_in_second(const ContactCubic& p, const Small& small, Signs&
 
 }  // namespace detail
 
-/// As the functions of the same names in ellipse_ellipse.hpp; not certain where the leading digits do not tell.
+/// As the functions of the same names in ellipse_ellipse.hpp; not certain where the leading digits do not tell, or all
+/// digits tell as soon.
 constexpr int discriminant_sign(const ContactCubic& p, Signs& signs) noexcept {
   using Few = Leading<few_limbs>;
   const Few few = detail::discriminant<Few>(p);
   if (few.sign_is_certain()) return few.sign;
+  // Of few limbs that cost time the whole discriminant is there as soon.
+  const int dense = detail::dense_limbs(p.c1) + detail::dense_limbs(p.c2);
+  signs.certain = dense > 3 * some_limbs;
+  if (!signs.certain) return 0;
   const auto small = exact_small_parts(p);
   if (small.delta_less.sign == 0) return detail::sign_of_discriminant_of_proportional(p);
   const Few by_offset = detail::discriminant_by_offset<Few>(p, small);
   if (by_offset.sign_is_certain()) return by_offset.sign;
-  signs.certain = p.c1.size > 2 * more_limbs || p.c2.size > 2 * more_limbs;
-  return signs.certain ? signs.of(detail::discriminant<Leading<more_limbs>>(p)) : 0;
+  signs.certain = dense > 2 * most_limbs;
+  return signs.certain ? signs.of(detail::discriminant<Leading<most_limbs>>(p)) : 0;
 }
 
 constexpr bool first_in_second(const ContactCubic& p, Signs& signs) noexcept {

@@ -115,6 +115,12 @@ constexpr Number<A + B> operator*(const Number<A>& a, const Number<B>& b) noexce
   return product;
 }
 
+/// A small whole number of times.
+template <int A>
+constexpr Number<A> times(int factor, const Number<A>& a) noexcept {
+  return integer(factor) * a;
+}
+
 template <int A>
 constexpr Number<2 * A> square(const Number<A>& a) noexcept {
   Number<2 * A> product;

@@ -2,7 +2,8 @@
 /// Products of numbers that are sums of terms of very different magnitudes: few of their many limbs matter.
 ///
 /// Such a number is a sum of a few stored ones, or products of them, far apart. Between them lie limbs that are all
-/// zeros, or all ones where a small number was subtracted. Those from place i up to place j are 2^(64 j) - 2^(64 i).
+/// zeros, or all ones where a small number was subtracted: then that is what is left out too, and the small number is
+/// written as what is subtracted.
 #pragma once
 
 #include <vesica/exact/limbs.hpp>
@@ -17,43 +18,54 @@ class Runs {
     Span span;
     bool negative;
   };
-  Run run[24];
+  static constexpr int most_runs = 48, most_limbs = 256;
+
+  Run run[most_runs];
   int count = 0;
   int limbs = 0;  ///< of all runs
 
-  /// False where it falls into more runs than are worth while.
+  /// False where it falls into more runs or limbs than are worth while.
   constexpr bool set(const Limb* a, int n) noexcept {
-    int from = 0;  // of limbs that are in no run yet
+    Limb carry = 0;  // into limb i: 1 above a run that is subtracted
     for (int i = 0; i < n;) {
-      const int end = end_of_filling(a, i, n);
-      if (end - i < least_filling) {
-        i = end > i ? end : i + 1;
+      if (a[i] + carry == 0) {
+        ++i;
         continue;
       }
-      if (!add({a + from, from, i - from}, false)) return false;
-      if (a[i] != 0 && (!add({&one, i, 1}, true) || !add({&one, end, 1}, false))) return false;
-      from = i = end;
+      const int end = end_of_run(a, i, n);
+      const bool negative = end < n && a[end] != 0;
+      Limb* const out = add(i, end - i, negative);
+      if (out == nullptr) return false;
+      // A negative run is what lacks to the next power of 2^64. With the carry its lowest limb is not 0.
+      for (int k = i; k < end; ++k) out[k - i] = negative ? ~a[k] : a[k];
+      out[0] = negative ? 0 - (a[i] + carry) : a[i] + carry;
+      carry = negative ? 1 : 0;
+      i = end;
     }
-    return add({a + from, from, n - from}, false);
+    if (carry == 0) return true;
+    Limb* const top = add(n, 1, false);
+    if (top != nullptr) *top = carry;
+    return top != nullptr;
   }
+  /// What multiplying by it takes, in limbs: to begin a run takes as long as two.
+  constexpr int cost() const noexcept { return limbs + 2 * count; }
 
  private:
-  static constexpr Limb one = 1;
-  static constexpr int least_filling = 2;
+  Limb limb_[most_limbs];
 
-  /// Where limbs that are all zeros, or all ones, end that begin at i.
-  static constexpr int end_of_filling(const Limb* a, int i, int n) noexcept {
-    if (a[i] + 1 > 1) return i;
+  /// Where two limbs or more begin, above limb i, that are all zeros or all ones.
+  static constexpr int end_of_run(const Limb* a, int i, int n) noexcept {
     int end = i + 1;
-    while (end < n && a[end] == a[i]) ++end;
+    while (end < n && (a[end] + 1 > 1 || end + 1 == n || a[end + 1] != a[end])) ++end;
     return end;
   }
-  constexpr bool add(const Span& span, bool negative) noexcept {
-    if (span.size == 0) return true;
-    if (count == static_cast<int>(sizeof run / sizeof run[0])) return false;
-    run[count++] = {span, negative};
-    limbs += span.size;
-    return true;
+  /// Room for another run's limbs, or null.
+  constexpr Limb* add(int low, int size, bool negative) noexcept {
+    if (count == most_runs || limbs + size > most_limbs) return nullptr;
+    Limb* const room = limb_ + limbs;
+    run[count++] = {{room, low, size}, negative};
+    limbs += size;
+    return room;
   }
 };
 
@@ -132,10 +144,10 @@ VESICA_CALLED constexpr bool multiply_sparse(const Span& a, const Span& b, Limb*
   const int n = a.size + b.size + 2;
   Runs x, y;
   if (n > most_sparse || !x.set(a.limb, a.size) || !y.set(b.limb, b.size)) return false;
-  if (2 * x.limbs * y.limbs > a.size * b.size) return false;
+  if (x.cost() * y.cost() > a.size * b.size) return false;
   for (int i = 0; i < n; ++i) out[i] = 0;
   const bool same = a.limb == b.limb;
-  Limb room[most_sparse];
+  Limb room[Runs::most_limbs + Runs::most_runs];
   if (same) {
     for (int i = 0; i < y.count; ++i) add_product(y.run[i].span, y.run[i].span, out);
     double_runs(x, room);

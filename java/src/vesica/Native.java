@@ -117,7 +117,7 @@ final class Native {
    *
    * <p>Accuracy: exact.
    *
-   * <p>Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 50 us.
+   * <p>Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 25 us.
    *
    * <p>Since: 0.1.
    */
@@ -275,7 +275,7 @@ final class Native {
    * aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.
    *
    * <p>Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if
-   * outlines nearly touch or coincide, or if one shape is far larger; at worst 50 us.
+   * outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us.
    *
    * <p>Since: 0.1.
    */
@@ -840,7 +840,7 @@ final class Native {
    *
    * <p>Accuracy: exact.
    *
-   * <p>Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 50 us.
+   * <p>Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 25 us.
    *
    * <p>Since: 0.1.
    */
@@ -1001,7 +1001,7 @@ final class Native {
    * over shorter size. "Right to x": the error is &lt;= x.
    *
    * <p>Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if
-   * outlines nearly touch or coincide, or if one shape is far larger; at worst 50 us.
+   * outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us.
    *
    * <p>Since: 0.1.
    */

@@ -380,7 +380,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 50 us.
+    /// Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_relation_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64) -> i32;
@@ -522,7 +522,7 @@ extern "C" {
     /// lengths. An aspect ratio is longer over shorter size. "Right to x": the error is \<= x.
     ///
     /// Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if
-    /// outlines nearly touch or coincide, or if one shape is far larger; at worst 50 us.
+    /// outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us.
     ///
     /// Since: 0.1.
     pub fn vesica_area_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
@@ -563,7 +563,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_point_f64(a: *const Point<f64>, b: *const Point<f64>) -> i32;
@@ -575,7 +575,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_segment_f64(a: *const Point<f64>, b: *const Segment<f64>) -> i32;
@@ -587,7 +587,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_circle_f64(a: *const Point<f64>, b: *const Circle<f64>) -> i32;
@@ -599,7 +599,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_aabb_f64(a: *const Point<f64>, b: *const Aabb<f64>) -> i32;
@@ -611,7 +611,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_rect_f64(a: *const Point<f64>, b: *const Rect<f64>) -> i32;
@@ -623,7 +623,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_ellipse_f64(a: *const Point<f64>, b: *const Ellipse<f64>) -> i32;
@@ -635,7 +635,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_segment_f64(a: *const Segment<f64>, b: *const Segment<f64>) -> i32;
@@ -647,7 +647,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_circle_f64(a: *const Segment<f64>, b: *const Circle<f64>) -> i32;
@@ -659,7 +659,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_aabb_f64(a: *const Segment<f64>, b: *const Aabb<f64>) -> i32;
@@ -671,7 +671,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_rect_f64(a: *const Segment<f64>, b: *const Rect<f64>) -> i32;
@@ -683,7 +683,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_ellipse_f64(a: *const Segment<f64>, b: *const Ellipse<f64>) -> i32;
@@ -695,7 +695,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_circle_circle_f64(a: *const Circle<f64>, b: *const Circle<f64>) -> i32;
@@ -707,7 +707,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_circle_aabb_f64(a: *const Circle<f64>, b: *const Aabb<f64>) -> i32;
@@ -719,7 +719,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_circle_rect_f64(a: *const Circle<f64>, b: *const Rect<f64>) -> i32;
@@ -731,7 +731,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_circle_ellipse_f64(a: *const Circle<f64>, b: *const Ellipse<f64>) -> i32;
@@ -743,7 +743,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_aabb_aabb_f64(a: *const Aabb<f64>, b: *const Aabb<f64>) -> i32;
@@ -755,7 +755,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_aabb_rect_f64(a: *const Aabb<f64>, b: *const Rect<f64>) -> i32;
@@ -767,7 +767,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_aabb_ellipse_f64(a: *const Aabb<f64>, b: *const Ellipse<f64>) -> i32;
@@ -779,7 +779,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_rect_rect_f64(a: *const Rect<f64>, b: *const Rect<f64>) -> i32;
@@ -791,7 +791,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_rect_ellipse_f64(a: *const Rect<f64>, b: *const Ellipse<f64>) -> i32;
@@ -803,7 +803,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_ellipse_ellipse_f64(a: *const Ellipse<f64>, b: *const Ellipse<f64>) -> i32;
@@ -1267,7 +1267,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 50 us.
+    /// Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_relation_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32) -> i32;
@@ -1412,7 +1412,7 @@ extern "C" {
     /// is longer over shorter size. "Right to x": the error is \<= x.
     ///
     /// Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if
-    /// outlines nearly touch or coincide, or if one shape is far larger; at worst 50 us.
+    /// outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us.
     ///
     /// Since: 0.1.
     pub fn vesica_area_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
@@ -1454,7 +1454,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_point_f32(a: *const Point<f32>, b: *const Point<f32>) -> i32;
@@ -1466,7 +1466,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_segment_f32(a: *const Point<f32>, b: *const Segment<f32>) -> i32;
@@ -1478,7 +1478,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_circle_f32(a: *const Point<f32>, b: *const Circle<f32>) -> i32;
@@ -1490,7 +1490,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_aabb_f32(a: *const Point<f32>, b: *const Aabb<f32>) -> i32;
@@ -1502,7 +1502,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_rect_f32(a: *const Point<f32>, b: *const Rect<f32>) -> i32;
@@ -1514,7 +1514,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_ellipse_f32(a: *const Point<f32>, b: *const Ellipse<f32>) -> i32;
@@ -1526,7 +1526,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_segment_f32(a: *const Segment<f32>, b: *const Segment<f32>) -> i32;
@@ -1538,7 +1538,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_circle_f32(a: *const Segment<f32>, b: *const Circle<f32>) -> i32;
@@ -1550,7 +1550,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_aabb_f32(a: *const Segment<f32>, b: *const Aabb<f32>) -> i32;
@@ -1562,7 +1562,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_rect_f32(a: *const Segment<f32>, b: *const Rect<f32>) -> i32;
@@ -1574,7 +1574,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_ellipse_f32(a: *const Segment<f32>, b: *const Ellipse<f32>) -> i32;
@@ -1586,7 +1586,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_circle_circle_f32(a: *const Circle<f32>, b: *const Circle<f32>) -> i32;
@@ -1598,7 +1598,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_circle_aabb_f32(a: *const Circle<f32>, b: *const Aabb<f32>) -> i32;
@@ -1610,7 +1610,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_circle_rect_f32(a: *const Circle<f32>, b: *const Rect<f32>) -> i32;
@@ -1622,7 +1622,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_circle_ellipse_f32(a: *const Circle<f32>, b: *const Ellipse<f32>) -> i32;
@@ -1634,7 +1634,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_aabb_aabb_f32(a: *const Aabb<f32>, b: *const Aabb<f32>) -> i32;
@@ -1646,7 +1646,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_aabb_rect_f32(a: *const Aabb<f32>, b: *const Rect<f32>) -> i32;
@@ -1658,7 +1658,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_aabb_ellipse_f32(a: *const Aabb<f32>, b: *const Ellipse<f32>) -> i32;
@@ -1670,7 +1670,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_rect_rect_f32(a: *const Rect<f32>, b: *const Rect<f32>) -> i32;
@@ -1682,7 +1682,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_rect_ellipse_f32(a: *const Rect<f32>, b: *const Ellipse<f32>) -> i32;
@@ -1694,7 +1694,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 50 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_ellipse_ellipse_f32(a: *const Ellipse<f32>, b: *const Ellipse<f32>) -> i32;
