@@ -83,12 +83,12 @@ template <class Polynomial, int... Degree>
 int sign_of(const Rough& rough, const Polynomial& value, const exact::Number<Degree>&... x) noexcept {
   return rough.sign_is_known() ? rough.sign() : exact::sign_of(value, x...);
 }
-/// A size and sign to 2^-52, the same way.
-template <class Polynomial, int... Degree>
-Scaled size_of(const Rough& rough, const Polynomial& value, const exact::Number<Degree>&... x) noexcept {
-  return rough.is_precise() ? rough.scaled() : exact::rounded_value(value, x...);
+/// The same, with another form between, in which less cancels.
+template <class OtherForm, class Polynomial, int... Degree>
+int sign_of_either(const Rough& rough, const OtherForm& other, const Polynomial& value,
+                   const exact::Number<Degree>&... x) noexcept {
+  return rough.sign_is_known() ? rough.sign() : sign_of(other(), value, x...);
 }
-
 /// The double that is nearest to the number, if the error leaves no doubt which that is.
 inline bool rounds_surely(const Rough& x, Scaled& nearest) noexcept {
   const auto [high, low] = x.value;
@@ -99,13 +99,18 @@ inline bool rounds_surely(const Rough& x, Scaled& nearest) noexcept {
   return true;
 }
 
-/// The same, but a number that is not precise enough is tried again in another form, in which less cancels.
+/// A size and sign to 2^-52: the nearest number to the polynomial, from the rough one if that leaves no doubt.
+template <class Polynomial, int... Degree>
+Scaled nearest_size(const Rough& rough, const Polynomial& value, const exact::Number<Degree>&... x) noexcept {
+  Scaled nearest;
+  return rounds_surely(rough, nearest) ? nearest : exact::rounded_value(value, x...);
+}
+
+/// The same from a rough number that is precise; else from another form, in which less cancels.
 template <class OtherForm, class Polynomial, int... Degree>
 Scaled size_of_either(const Rough& rough, const OtherForm& other, const Polynomial& value,
                       const exact::Number<Degree>&... x) noexcept {
-  if (rough.is_precise()) return rough.scaled();
-  Scaled nearest;
-  return rounds_surely(other(), nearest) ? nearest : exact::rounded_value(value, x...);
+  return rough.is_precise() ? rough.scaled() : nearest_size(other(), value, x...);
 }
 
 /// a b + c d, and a b - c d.
