@@ -63,15 +63,10 @@ struct DiscCorner {
     r0 = Rough(m0);
     r1 = Rough(m1);
     value = square(r0) + square(r1) - square(box.frame.rough_radius);
-    sign = value.sign_is_known() ? value.sign() : sign_of(by_factors(box.frame), value_of, m0, m1, box.frame.radius);
+    sign = sign_of_either(
+        value, [&] { return by_factors(box.frame); }, value_of, m0, m1, box.frame.radius);
   }
-  /// The value as (|m| - r) (|m| + r) + n^2, of which only the sum may cancel, m being the greater of the coordinates.
-  Rough by_factors(const DiscFrame& frame) const noexcept {
-    const bool by_m0 = exact::detail::compare_magnitude(m0.span(), m1.span()) > 0;
-    const Rough& m = by_m0 ? r0 : r1;
-    const Rough less(exact::abs(by_m0 ? m0 : m1) - frame.radius), more = (m.sign() < 0 ? -m : m) + frame.rough_radius;
-    return less * more + square(by_m0 ? r1 : r0);
-  }
+  Rough by_factors(const DiscFrame& frame) const noexcept { return squares_less(frame.radius, m0, m1); }
   Scaled size(const DiscFrame& frame) const noexcept {
     return size_of_either(
         value, [&] { return by_factors(frame); }, value_of, m0, m1, frame.radius);
@@ -103,7 +98,7 @@ class PlaneLine {
   }
   Scaled discriminant() const noexcept {
     const auto x = distance();
-    const bool by_p = exact::detail::compare_magnitude(p_.span(), q_.span()) > 0;
+    const bool by_p = is_greater(p_, q_);
     const auto greater = exact::abs(by_p ? p_ : q_), size = exact::abs(x);
     const Rough product = Rough(greater - size) * (Rough(greater) + Rough(size));
     const Rough squared_scale = square(scale());

@@ -3,6 +3,7 @@
 /// number, whose limbs, where exponents are very unlike, are many.
 #pragma once
 
+#include <utility>
 #include <vesica/crossings/points.hpp>
 
 namespace vesica::detail::crossings {
@@ -111,6 +112,29 @@ template <class OtherForm, class Polynomial, int... Degree>
 Scaled size_of_either(const Rough& rough, const OtherForm& other, const Polynomial& value,
                       const exact::Number<Degree>&... x) noexcept {
   return rough.is_precise() ? rough.scaled() : nearest_size(other(), value, x...);
+}
+
+/// Whether |a| > |b|.
+template <int A, int B>
+bool is_greater(const exact::Number<A>& a, const exact::Number<B>& b) noexcept {
+  return exact::detail::compare_magnitude(a.span(), b.span()) > 0;
+}
+
+/// The sum of the squares of parts less whole^2, as (m - |whole|) (m + |whole|) and the squares of the others, m being
+/// the greatest part: only the sum may cancel.
+template <int A, int B, class... Same>
+Rough squares_less(const exact::Number<A>& whole, const exact::Number<B>& first, const Same&... rest) noexcept {
+  const exact::Number<B>* part[] = {&first, &rest...};
+  for (auto& p : part) {
+    if (is_greater(*p, *part[0])) std::swap(p, part[0]);
+  }
+  const auto all = exact::abs(whole);
+  const auto m = exact::abs(*part[0]);
+  Rough sum = Rough(m - all) * (Rough(m) + Rough(all));
+  for (const auto* p : part) {
+    if (p != part[0]) sum = sum + square(Rough(*p));
+  }
+  return sum;
 }
 
 /// a b + c d, and a b - c d.
