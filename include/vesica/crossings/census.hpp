@@ -127,7 +127,7 @@ struct RoughCubic {
 };
 
 /// The census by rough numbers, without multiple roots. What may be far smaller than its terms is formed again, from
-/// exact factors, where its sign is not known: most cancels in their differences. 
+/// exact factors, where its sign is not known: most cancels in their differences.
 class RoughCensus {
  public:
   explicit RoughCensus(const SeenEllipses& seen) noexcept : seen_(seen), p_(seen) {}
@@ -202,7 +202,8 @@ class RoughCensus {
     const exact::Ellipse &e = seen_.e, &f = seen_.f;
     const exact::Number<3> x = e.b * seen_.e_along, y = e.a * seen_.e_across;
     const bool by_x = is_greater(x, y);
-    const Rough be_less_al = squares_less(by_x ? x : y, f.b * seen_.f_along, f.a * seen_.f_across) - square(Rough(by_x ? y : x));
+    const Rough be_less_al =
+        squares_less(by_x ? x : y, f.b * seen_.f_along, f.a * seen_.f_across) - square(Rough(by_x ? y : x));
     return p_.exchanged ? be_less_al : -be_less_al;
   }
   /// mu - 2 sqrt(d1 d2) = (c (ea fb - eb fa))^2 + (s (ea fa - eb fb))^2.
@@ -210,7 +211,8 @@ class RoughCensus {
     const Rough plain = p_.mu - times(2, p_.root1 * p_.root2);
     if (plain.is_precise()) return plain;
     const exact::Ellipse &e = seen_.e, &f = seen_.f;
-    return square(Rough(seen_.c) * Rough(e.a * f.b - e.b * f.a)) + square(Rough(seen_.s) * Rough(e.a * f.a - e.b * f.b));
+    return square(Rough(seen_.c) * Rough(e.a * f.b - e.b * f.a)) +
+           square(Rough(seen_.s) * Rough(e.a * f.a - e.b * f.b));
   }
   Rough delta_more() const noexcept { return p_.mu + times(2, p_.root1 * p_.root2); }
   /// det(S1 - S2) in the frame of e, where S1 is diagonal; each element times V is of squares.
