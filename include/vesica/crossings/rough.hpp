@@ -19,8 +19,9 @@ struct Rough {
   template <int Degree>
   explicit Rough(const exact::Number<Degree>& x) noexcept {
     if (x.sign == 0) return;
-    exponent = exact::rounded(x).exponent;
-    value = two_doubles(x, exponent);
+    const auto [high, low] = exact::rounded_twice(x);
+    value = {high.value, low};
+    exponent = high.exponent;
     error = 0x1p-105;
   }
   bool sign_is_known() const noexcept { return std::fabs(rounded(value)) > error || error == 0; }
