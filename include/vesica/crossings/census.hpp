@@ -136,10 +136,10 @@ class RoughCensus {
   bool tell(Census& census) noexcept {
     const int roots = sign(discriminant());
     if (!known_ || roots == 0) return false;
-    census = {0, 0, false};
-    if (roots < 0) {
-      census.crossing = 2;
-    } else if (sign(p_.c1) >= 0 && sign(p_.c2) >= 0) {
+    census = {roots < 0 ? 2 : 0, 0, false};
+    if (roots < 0) return true;
+    if (!p_.c1.sign_is_known() || !p_.c2.sign_is_known()) form_again();
+    if (sign(p_.c1) >= 0 && sign(p_.c2) >= 0) {
       const int order = seen_.order();
       if (order > 0) p_.exchange();
       if (order == 0 || !first_in_second()) census.crossing = 4;
@@ -157,11 +157,15 @@ class RoughCensus {
     return x.sign();
   }
 
-  Rough discriminant() noexcept {
-    const Rough plain = exact::detail::discriminant<Rough>(p_);
-    if (plain.sign_is_known() || !seen_.is_long()) return plain;
+  void form_again() noexcept {
     if (!p_.c1.is_precise()) p_.c1 = inner(seen_.e, seen_.uu, seen_.e_along, seen_.e_across, seen_.f);
     if (!p_.c2.is_precise()) p_.c2 = inner(seen_.f, seen_.ww, seen_.f_along, seen_.f_across, seen_.e);
+  }
+  Rough discriminant() noexcept {
+    const Rough plain = exact::detail::discriminant<Rough>(p_);
+    // All digits of short numbers take no longer.
+    if (plain.sign_is_known() || !seen_.is_long()) return plain;
+    form_again();
     const Rough careful = exact::detail::discriminant<Rough>(p_);
     if (careful.sign_is_known()) return careful;
     const exact::SmallParts<Rough> small{delta_less(), delta_more(), determinant(), al_less_be(), {}};

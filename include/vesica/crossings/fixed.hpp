@@ -8,7 +8,8 @@
 
 namespace vesica::detail::crossings {
 
-/// Calls f(i) for i from 0 to n - 1, without a loop: in those over limbs its steps were a third of the work.
+/// Calls f(i) for i from 0 to n - 1, unrolled: with loops over limbs, which g++ leaves as they are, a search for zeros
+/// takes a tenth longer.
 template <int n, class Function>
 VESICA_INLINE void each(const Function& f) noexcept {
   [&]<int... i>(std::integer_sequence<int, i...>) { (f(i), ...); }
