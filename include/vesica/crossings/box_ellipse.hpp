@@ -91,12 +91,12 @@ class PlaneLine {
         q_(e_.a * (along_ ? s_ : c_)),
         half_(along_ ? corners.box.hx : corners.box.hy),
         rough_half_(half_) {}
-  Scaled off() const noexcept {
+  VESICA_COLD Scaled off() const noexcept {
     const auto x = distance();
     const auto product = [](const auto& a, const auto& b) { return a * b; };
     return nearest_size(scale() * Rough(x), product, exact_scale(), x);
   }
-  Scaled discriminant() const noexcept {
+  VESICA_COLD Scaled discriminant() const noexcept {
     const auto x = distance();
     const bool by_p = is_greater(p_, q_);
     const auto greater = exact::abs(by_p ? p_ : q_), size = exact::abs(x);
@@ -112,7 +112,7 @@ class PlaneLine {
   /// Of DiscEdge: at the edge's start for an `end` of -1, at its end for 1. With m the edge's middle in the plane, as
   /// seen from the ellipse, and a > b, w times m is in the frame b^2 V (w.m) + (a + b) (a - b) (v x w) (v x m): only
   /// the sum may cancel. With a < b it is the same by a, and dot products.
-  Rough slope(int end) const noexcept {
+  VESICA_COLD Rough slope(int end) const noexcept {
     const bool across = exact::compare(e_.a, e_.b) > 0;
     const exact::Length &lesser = across ? e_.b : e_.a, &greater = across ? e_.a : e_.b;
     const Rough less(lesser), axis(exact::dot(e_.ux, e_.uy, e_.ux, e_.uy));
