@@ -63,15 +63,10 @@ struct DiscCorner {
     r0 = Rough(m0);
     r1 = Rough(m1);
     value = square(r0) + square(r1) - square(box.frame.rough_radius);
-    sign = value.sign_is_known() ? value.sign() : sign_of(by_factors(box.frame), value_of, m0, m1, box.frame.radius);
+    sign = sign_of_either(
+        value, [&] { return by_factors(box.frame); }, value_of, m0, m1, box.frame.radius);
   }
-  /// The value as (|m| - r) (|m| + r) + n^2, of which only the sum may cancel, m being the greater of the coordinates.
-  Rough by_factors(const DiscFrame& frame) const noexcept {
-    const bool by_m0 = exact::detail::compare_magnitude(m0.span(), m1.span()) > 0;
-    const Rough& m = by_m0 ? r0 : r1;
-    const Rough less(exact::abs(by_m0 ? m0 : m1) - frame.radius), more = (m.sign() < 0 ? -m : m) + frame.rough_radius;
-    return less * more + square(by_m0 ? r1 : r0);
-  }
+  Rough by_factors(const DiscFrame& frame) const noexcept { return squares_less(frame.radius, m0, m1); }
   Scaled size(const DiscFrame& frame) const noexcept {
     return size_of_either(
         value, [&] { return by_factors(frame); }, value_of, m0, m1, frame.radius);
@@ -81,32 +76,96 @@ struct DiscCorner {
 /// The line of an edge h w of a box, w its axis or across it, in the plane itself. The frame's cross products are those
 /// of the plane times the radius r = a b V: so the line's distance from the origin, times the edge's length, is 2 h r
 /// x, and its discriminant (2 h r)^2 (p^2 + q^2 - x^2), where (p, q) is w in the frame.
-struct PlaneLine {
-  exact::Number<3> p, q, x;
-  Rough scale;
-
-  PlaneLine(const DiscFrame& frame, const Corners& corners, int i) noexcept {
-    const exact::Box& box = corners.box;
-    const exact::Ellipse& e = frame.e;
-    const exact::Length dx = box.cx - e.cx, dy = box.cy - e.cy;
-    const Position c = exact::dot(e.ux, e.uy, box.ux, box.uy), s = exact::cross(e.ux, e.uy, box.ux, box.uy);
-    const Position squared_axis = exact::dot(box.ux, box.uy, box.ux, box.uy);
-    const bool along = corners.is_along_axis(i), backward = corners.is_backward(i);
-    p = e.b * (along ? c : s);
-    q = e.a * (along ? s : c);
-    // Edges in order are below the centre, to the right, above, to the left; a segment's is through it.
-    const auto off = (along ? box.hy : box.hx) * squared_axis;
-    const auto centre =
-        along ? exact::cross(box.ux, box.uy, dx, dy) : exact::integer(-1) * exact::dot(box.ux, box.uy, dx, dy);
-    x = backward ? centre + off : centre - off;
-    scale = times(backward ? -2 : 2, Rough(along ? box.hx : box.hy) * frame.rough_radius);
+class PlaneLine {
+ public:
+  PlaneLine(const DiscFrame& frame, const Corners& corners, int i) noexcept
+      : frame_(frame),
+        e_(frame.e),
+        corners_(corners),
+        edge_(i),
+        along_(corners.is_along_axis(i)),
+        backward_(corners.is_backward(i)),
+        c_(exact::dot(e_.ux, e_.uy, corners.box.ux, corners.box.uy)),
+        s_(exact::cross(e_.ux, e_.uy, corners.box.ux, corners.box.uy)),
+        p_(e_.b * (along_ ? c_ : s_)),
+        q_(e_.a * (along_ ? s_ : c_)),
+        half_(along_ ? corners.box.hx : corners.box.hy),
+        rough_half_(half_) {}
+  VESICA_COLD Scaled off() const noexcept {
+    const auto x = distance();
+    const auto product = [](const auto& a, const auto& b) { return a * b; };
+    return nearest_size(scale() * Rough(x), product, exact_scale(), x);
   }
-  Rough off() const noexcept { return scale * Rough(x); }
-  Rough discriminant() const noexcept {
-    const bool by_p = exact::detail::compare_magnitude(p.span(), q.span()) > 0;
-    const auto greater = exact::abs(by_p ? p : q), size = exact::abs(x);
+  VESICA_COLD Scaled discriminant() const noexcept {
+    const auto x = distance();
+    const bool by_p = is_greater(p_, q_);
+    const auto greater = exact::abs(by_p ? p_ : q_), size = exact::abs(x);
     const Rough product = Rough(greater - size) * (Rough(greater) + Rough(size));
-    return square(scale) * (product + square(Rough(by_p ? q : p)));
+    const Rough squared_scale = square(scale());
+    Scaled nearest;
+    if (rounds_surely(squared_scale * (product + square(Rough(by_p ? q_ : p_))), nearest)) return nearest;
+    // Of a degree of 6, where the same of the edge in the frame is one of 16.
+    const auto sum = square(p_) + square(q_) - square(x);
+    const auto all = [](const auto& s, const auto& factor) { return s * square(factor); };
+    return nearest_size(squared_scale * Rough(sum), all, sum, exact_scale());
+  }
+  /// Of DiscEdge: at the edge's start for an `end` of -1, at its end for 1. With m the edge's middle in the plane, as
+  /// seen from the ellipse, and a > b, w times m is in the frame b^2 V (w.m) + (a + b) (a - b) (v x w) (v x m): only
+  /// the sum may cancel. With a < b it is the same by a, and dot products.
+  VESICA_COLD Rough slope(int end) const noexcept {
+    const bool across = exact::compare(e_.a, e_.b) > 0;
+    const exact::Length &lesser = across ? e_.b : e_.a, &greater = across ? e_.a : e_.b;
+    const Rough less(lesser), axis(exact::dot(e_.ux, e_.uy, e_.ux, e_.uy));
+    Rough middle = times(2, square(less) * axis * Rough(centre_on_way()));
+    const exact::Length excess = greater - lesser;
+    if (excess.sign != 0) {
+      const Rough of_way(across == along_ ? s_ : c_), of_middle(twice_middle(across));
+      const Rough more = (Rough(greater) + less) * Rough(excess) * of_way * of_middle;
+      middle = across || along_ ? middle + more : middle - more;
+    }
+    const Rough half_length = times(2 * end, rough_half_ * (square(Rough(p_)) + square(Rough(q_))));
+    return rough_half_ * (half_length + (backward_ ? -middle : middle));
+  }
+
+ private:
+  const DiscFrame& frame_;
+  const exact::Ellipse& e_;
+  const Corners& corners_;
+  int edge_;
+  bool along_, backward_;
+  Position c_, s_;
+  exact::Number<3> p_, q_;
+  const exact::Length& half_;
+  Rough rough_half_;
+
+  /// 2 h r.
+  Rough scale() const noexcept { return times(factor(), rough_half_ * frame_.rough_radius); }
+  exact::Number<5> exact_scale() const noexcept { return exact::integer(factor()) * (half_ * frame_.radius); }
+  int factor() const noexcept { return backward_ ? -2 : 2; }
+  exact::Length offset_x() const noexcept { return corners_.box.cx - e_.cx; }
+  exact::Length offset_y() const noexcept { return corners_.box.cy - e_.cy; }
+  /// w.m, which is the box's centre's too.
+  Position centre_on_way() const noexcept {
+    const exact::Box& box = corners_.box;
+    return along_ ? exact::dot(box.ux, box.uy, offset_x(), offset_y())
+                  : exact::cross(box.ux, box.uy, offset_x(), offset_y());
+  }
+  /// v x 2 m, or v.2 m.
+  exact::Number<3> twice_middle(bool across) const noexcept {
+    const int next = corners_.next(edge_);
+    const Position x = corners_.x[edge_] + corners_.x[next] - exact::integer(2) * e_.cx;
+    const Position y = corners_.y[edge_] + corners_.y[next] - exact::integer(2) * e_.cy;
+    return across ? exact::cross(e_.ux, e_.uy, x, y) : exact::dot(e_.ux, e_.uy, x, y);
+  }
+  /// x.
+  exact::Number<3> distance() const noexcept {
+    const exact::Box& box = corners_.box;
+    const Position squared_axis = exact::dot(box.ux, box.uy, box.ux, box.uy);
+    // Edges in order are below the centre, to the right, above, to the left; a segment's is through it.
+    const auto off = (along_ ? box.hy : box.hx) * squared_axis;
+    const auto centre = along_ ? exact::cross(box.ux, box.uy, offset_x(), offset_y())
+                               : exact::integer(-1) * exact::dot(box.ux, box.uy, offset_x(), offset_y());
+    return backward_ ? centre + off : centre - off;
   }
 };
 
@@ -132,8 +191,19 @@ struct DiscEdge {
         square_(square(r0) + square(r1)),
         slope(from.r0 * r0 + from.r1 * r1),
         end_slope(to.r0 * r0 + to.r1 * r1) {}
-  int slope_sign() const noexcept { return sign_of(slope, SumOfProducts{}, from.m0, e0, from.m1, e1); }
-  int end_slope_sign() const noexcept { return sign_of(end_slope, SumOfProducts{}, to.m0, e0, to.m1, e1); }
+  int slope_sign() const noexcept {
+    return sign_of_either(
+        slope, [&] { return line().slope(-1); }, SumOfProducts{}, from.m0, e0, from.m1, e1);
+  }
+  int end_slope_sign() const noexcept {
+    return sign_of_either(
+        end_slope, [&] { return line().slope(1); }, SumOfProducts{}, to.m0, e0, to.m1, e1);
+  }
+  /// Worked out where it is asked for.
+  const PlaneLine& line() const noexcept { return line_ ? *line_ : line_.emplace(frame, corners, number); }
+
+ private:
+  mutable std::optional<PlaneLine> line_;
 };
 
 /// The roots strictly between 0 and 1, ascending; on which side of the chord's middle each is, 0 of a double root; and
@@ -157,24 +227,17 @@ inline Roots roots_inside(const DiscEdge& edge) noexcept {
   if (end == 0 && edge.end_slope_sign() <= 0) return roots;
   const bool both_outside = start > 0 && end > 0;
   if (both_outside && !(edge.slope_sign() < 0 && edge.end_slope_sign() > 0)) return roots;
-  const Rough off = edge.from.r1 * edge.r0 - edge.from.r0 * edge.r1;
   const DiscCorner& m = edge.from;
-  // `off`: of the edge's line from the origin, times the edge's length.
-  const auto discriminant = [](const auto& m0, const auto& m1, const auto& e0, const auto& e1, const auto& r) {
-    return (square(e0) + square(e1)) * square(r) - square(m1 * e0 - m0 * e1);
-  };
-  std::optional<PlaneLine> known;
-  const auto line = [&]() -> const PlaneLine& {
-    return known ? *known : known.emplace(edge.frame, edge.corners, edge.number);
-  };
-  const Scaled d = size_of_either(
-      edge.square_ * square(edge.frame.rough_radius) - square(off), [&] { return line().discriminant(); }, discriminant,
-      m.m0, m.m1, edge.e0, edge.e1, edge.frame.radius);
+  // Of the edge's line from the origin, times the edge's length.
+  const Rough off = m.r1 * edge.r0 - m.r0 * edge.r1;
+  const Rough discriminant = edge.square_ * square(edge.frame.rough_radius) - square(off);
+  const Scaled d = discriminant.is_precise() ? discriminant.scaled() : edge.line().discriminant();
   if (d.value < 0 || (d.value == 0 && !both_outside)) return roots;
-  roots.off = size_of_either(
-      off, [&] { return line().off(); }, DifferenceOfProducts{}, m.m1, edge.e0, m.m0, edge.e1);
+  roots.off = off.is_precise() ? off.scaled() : edge.line().off();
   roots.discriminant = d;
-  const Scaled a = edge.square_.scaled(), b = size_of(edge.slope, SumOfProducts{}, m.m0, edge.e0, m.m1, edge.e1);
+  const Scaled a = edge.square_.scaled();
+  const Scaled b = size_of_either(
+      edge.slope, [&] { return edge.line().slope(-1); }, SumOfProducts{}, m.m0, edge.e0, m.m1, edge.e1);
   if (d.value == 0) {
     roots.add(-quotient(b, a), 0);
     return roots;

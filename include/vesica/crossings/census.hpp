@@ -99,86 +99,143 @@ struct SeenEllipses {
         f_across(exact::cross(f.ux, f.uy, dx, dy)) {}
 };
 
-/// The coefficients of the contact cubic in numbers with a bound on their error.
-template <class Bounded>
-struct BoundedCubic {
-  Bounded d1, c1, c2, d2, mu, al, be;
+/// The coefficients of the contact cubic in rough numbers.
+struct RoughCubic {
+  Rough d1, c1, c2, d2, mu, al, be;
+  Rough root1, root2;  ///< of d1 and d2
+  bool exchanged = false;
 
-  explicit BoundedCubic(const SeenEllipses& seen) noexcept {
-    const Bounded ea(seen.e.a), eb(seen.e.b), fa(seen.f.a), fb(seen.f.b);
-    const Bounded a0 = square(ea), a1 = square(eb), b0 = square(fa), b1 = square(fb);
-    mu = square(Bounded(seen.c)) * (a0 * b1 + a1 * b0) + square(Bounded(seen.s)) * (a0 * b0 + a1 * b1);
-    al = square(eb * Bounded(seen.e_along)) + square(ea * Bounded(seen.e_across));
-    be = square(fb * Bounded(seen.f_along)) + square(fa * Bounded(seen.f_across));
-    d1 = square(ea * eb * Bounded(seen.uu));
-    d2 = square(fa * fb * Bounded(seen.ww));
+  explicit RoughCubic(const SeenEllipses& seen) noexcept {
+    const Rough ea(seen.e.a), eb(seen.e.b), fa(seen.f.a), fb(seen.f.b);
+    const Rough a0 = square(ea), a1 = square(eb), b0 = square(fa), b1 = square(fb);
+    mu = square(Rough(seen.c)) * (a0 * b1 + a1 * b0) + square(Rough(seen.s)) * (a0 * b0 + a1 * b1);
+    al = square(eb * Rough(seen.e_along)) + square(ea * Rough(seen.e_across));
+    be = square(fb * Rough(seen.f_along)) + square(fa * Rough(seen.f_across));
+    root1 = ea * eb * Rough(seen.uu);
+    root2 = fa * fb * Rough(seen.ww);
+    d1 = square(root1);
+    d2 = square(root2);
     c1 = d1 + mu - al;
     c2 = d2 + mu - be;
   }
+  void exchange() noexcept {
+    exchanged = true;
+    std::swap(d1, d2);
+    std::swap(c1, c2);
+    std::swap(al, be);
+  }
 };
 
-/// Signs of such numbers, and whether all that were asked for were known.
-struct KnownSigns {
-  bool known = true;
+/// The census by rough numbers, without multiple roots. What may be far smaller than its terms is formed again, from
+/// exact factors, where its sign is not known: most cancels in their differences.
+class RoughCensus {
+ public:
+  explicit RoughCensus(const SeenEllipses& seen) noexcept : seen_(seen), p_(seen) {}
 
-  int operator()(const Rough& x) noexcept {
-    known = known && x.sign_is_known();
+  /// False where rough numbers do not tell.
+  bool tell(Census& census) noexcept {
+    const int roots = sign(discriminant());
+    if (!known_ || roots == 0) return false;
+    census = {roots < 0 ? 2 : 0, 0, false};
+    if (roots < 0) return true;
+    if (!p_.c1.sign_is_known() || !p_.c2.sign_is_known()) form_again();
+    if (sign(p_.c1) >= 0 && sign(p_.c2) >= 0) {
+      const int order = seen_.order();
+      if (order > 0) p_.exchange();
+      if (order == 0 || !first_in_second()) census.crossing = 4;
+    }
+    return known_;
+  }
+
+ private:
+  const SeenEllipses& seen_;
+  RoughCubic p_;
+  bool known_ = true;
+
+  int sign(const Rough& x) noexcept {
+    known_ = known_ && x.sign_is_known();
     return x.sign();
   }
-  template <int limbs>
-  int operator()(const exact::Leading<limbs>& x) noexcept {
-    known = known && x.sign_is_certain();
-    return x.sign;
+
+  void form_again() noexcept {
+    if (!p_.c1.is_precise()) p_.c1 = inner(seen_.e, seen_.uu, seen_.e_along, seen_.e_across, seen_.f);
+    if (!p_.c2.is_precise()) p_.c2 = inner(seen_.f, seen_.ww, seen_.f_along, seen_.f_across, seen_.e);
   }
-  /// Of a + b sqrt(delta), delta >= 0.
-  template <class Bounded>
-  int with_root(const Bounded& a, const Bounded& b, const Bounded& delta) noexcept {
-    const int sign_a = (*this)(a), sign_b = (*this)(b);
-    if (sign_a == sign_b) return sign_a;
-    return (*this)(square(b) * delta - square(a)) > 0 ? sign_b : sign_a;
+  Rough discriminant() noexcept {
+    const Rough plain = exact::detail::discriminant<Rough>(p_);
+    // All digits of short numbers take no longer.
+    if (plain.sign_is_known() || !seen_.is_long()) return plain;
+    form_again();
+    const Rough careful = exact::detail::discriminant<Rough>(p_);
+    if (careful.sign_is_known()) return careful;
+    const exact::SmallParts<Rough> small{delta_less(), delta_more(), determinant(), al_less_be(), {}};
+    return exact::detail::discriminant_by_offset<Rough>(p_, small);
+  }
+  /// As exact::detail::first_in_second, where its signs are known and not 0.
+  bool first_in_second() noexcept {
+    const auto& [d1, c1, c2, d2, mu, al, be, root1, root2, exchanged] = p_;
+    const Rough delta = delta_less() * delta_more(), slope = times(2, c2) - times(3, mu);
+    const int slope_sign = sign(slope);
+    if (slope_sign > 0 && sign(square(slope) - times(9, delta)) > 0) return true;
+    Rough rest = slope * mu + times(2, d2 * (times(3, d1) - c1));
+    if (!rest.sign_is_known()) rest = times(2, d2 * al - be * mu) - delta;
+    const int rest_sign = sign(rest);
+    if (slope_sign == rest_sign) return rest_sign > 0;
+    Rough difference = square(slope) * delta - square(rest);
+    if (!difference.sign_is_known()) {
+      const Rough g = determinant(), h = al_less_be() - be;
+      difference = delta * (g + h) + h * (times(2, be * d1) - al * d2) - times(2, al * be * g);
+    }
+    return sign(difference) > 0 ? slope_sign > 0 : rest_sign > 0;
+  }
+
+  /// d1 + mu - al = a^2 ((c g)^2 + (s h)^2 - across^2) + b^2 ((c h)^2 + (s g)^2 - along^2) + (a b V)^2 for half lengths
+  /// h and g of the other ellipse.
+  Rough inner(const exact::Ellipse& e, const Position& axis, const Position& along, const Position& across,
+              const exact::Ellipse& other) const noexcept {
+    const exact::Number<2>&c = seen_.c, &s = seen_.s;
+    const exact::Number<3> ch = other.a * c, cg = other.b * c, sh = other.a * s, sg = other.b * s;
+    const bool by_across = is_greater(e.a * across, e.b * along);
+    const Rough by_a = by_across ? squares_less(across, e.b * axis, cg, sh) : squares_less(across, cg, sh);
+    const Rough by_b = by_across ? squares_less(along, ch, sg) : squares_less(along, e.a * axis, ch, sg);
+    return square(Rough(e.a)) * by_a + square(Rough(e.b)) * by_b;
+  }
+  Rough al_less_be() const noexcept {
+    const Rough plain = p_.al - p_.be;
+    if (plain.is_precise()) return plain;
+    const exact::Ellipse &e = seen_.e, &f = seen_.f;
+    const exact::Number<3> x = e.b * seen_.e_along, y = e.a * seen_.e_across;
+    const bool by_x = is_greater(x, y);
+    const Rough be_less_al =
+        squares_less(by_x ? x : y, f.b * seen_.f_along, f.a * seen_.f_across) - square(Rough(by_x ? y : x));
+    return p_.exchanged ? be_less_al : -be_less_al;
+  }
+  /// mu - 2 sqrt(d1 d2) = (c (ea fb - eb fa))^2 + (s (ea fa - eb fb))^2.
+  Rough delta_less() const noexcept {
+    const Rough plain = p_.mu - times(2, p_.root1 * p_.root2);
+    if (plain.is_precise()) return plain;
+    const exact::Ellipse &e = seen_.e, &f = seen_.f;
+    return square(Rough(seen_.c) * Rough(e.a * f.b - e.b * f.a)) +
+           square(Rough(seen_.s) * Rough(e.a * f.a - e.b * f.b));
+  }
+  Rough delta_more() const noexcept { return p_.mu + times(2, p_.root1 * p_.root2); }
+  /// det(S1 - S2) in the frame of e, where S1 is diagonal; each element times V is of squares.
+  Rough determinant() const noexcept {
+    const Rough plain = p_.d1 + p_.d2 - p_.mu;
+    if (plain.is_precise()) return plain;
+    const exact::Ellipse &e = seen_.e, &f = seen_.f;
+    const Rough along = squares_less(e.a * seen_.uu, f.a * seen_.c, f.b * seen_.s);
+    const Rough across = squares_less(e.b * seen_.uu, f.a * seen_.s, f.b * seen_.c);
+    const Rough beside = Rough(f.a - f.b) * (Rough(f.a) + Rough(f.b)) * Rough(seen_.c) * Rough(seen_.s);
+    return (along * across - square(beside)) / square(Rough(seen_.uu));
   }
 };
 
-/// As exact::detail::first_in_second, where its signs are known and not 0.
-template <class Bounded>
-bool first_in_second(const BoundedCubic<Bounded>& p, KnownSigns& sign) noexcept {
-  const Bounded delta = square(p.mu) - times(4, p.d1 * p.d2), slope = times(2, p.c2) - times(3, p.mu);
-  if (sign.with_root(slope, Bounded(exact::integer(-3)), delta) > 0) return true;
-  const Bounded rest = slope * p.mu + times(2, p.d2 * (times(3, p.d1) - p.c1));
-  return sign.with_root(rest, slope, delta) > 0;
-}
-
-/// Without multiple roots. False where such numbers do not tell.
-template <class Bounded>
-bool bounded_census(const SeenEllipses& seen, Census& census) noexcept {
-  BoundedCubic<Bounded> p(seen);
-  const Bounded a = square(p.c2) - times(3, p.d2 * p.c1), b = p.c1 * p.c2 - times(9, p.d1 * p.d2),
-                c = square(p.c1) - times(3, p.d1 * p.c2), discriminant = times(4, a * c) - square(b);
-  KnownSigns sign;
-  const int roots = sign(discriminant);
-  if (!sign.known || roots == 0) return false;
-  if (roots < 0) {
-    census = {2, 0, false};
-    return true;
-  }
-  census = {0, 0, false};
-  if (sign(p.c1) < 0 || sign(p.c2) < 0) return sign.known;
-  const int order = seen.order();
-  if (order > 0) {
-    std::swap(p.d1, p.d2);
-    std::swap(p.c1, p.c2);
-    std::swap(p.al, p.be);
-  }
-  if (order == 0 || !first_in_second(p, sign)) census = {4, 0, false};
-  return sign.known;
-}
-
-/// Rough numbers tell where little cancels, leading digits where more does: all digits of long numbers are many.
+/// Rough numbers nearly always tell: all digits of long numbers are many.
 inline bool census_is_known(const exact::Ellipse& e, const exact::Ellipse& f, Census& census) noexcept {
   if (exact::compare(e.cx, f.cx) == 0 && exact::compare(e.cy, f.cy) == 0) return false;
   const SeenEllipses seen(e, f);
-  if (bounded_census<Rough>(seen, census)) return true;
-  return seen.is_long() && bounded_census<exact::Leading<exact::few_limbs>>(seen, census);
+  return RoughCensus(seen).tell(census);
 }
 
 inline Census census(const exact::Ellipse& e, const exact::Ellipse& f) noexcept {

@@ -3,9 +3,18 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 #include <vesica/exact/rounded.hpp>
 
 namespace vesica::detail::crossings {
+
+/// Calls f(i) for i from 0 to n - 1, unrolled: with loops over limbs, which g++ leaves as they are, a search for zeros
+/// takes a tenth longer.
+template <int n, class Function>
+VESICA_INLINE void each(const Function& f) noexcept {
+  [&]<int... i>(std::integer_sequence<int, i...>) { (f(i), ...); }
+  (std::make_integer_sequence<int, n>{});
+}
 
 /// A value below 1 in magnitude: limbs in two's complement, the least first, over 2^383. Callers keep values below 1/4,
 /// so that sums and differences fit.
@@ -19,11 +28,12 @@ struct Fixed {
     return any == 0;
   }
   bool negative() const noexcept { return limb[limbs - 1] >> 63 != 0; }
-  /// Below 2^-319: no larger than what rounding may have left.
+  /// Below 2^-319: no larger than what rounding may have left. Of a number that the lowest n limbs hold.
+  template <int n = limbs>
   bool negligible() const noexcept {
-    const exact::Limb fill = exact::Limb{0} - limb[limbs - 1] / (exact::Limb{1} << 63);
+    const exact::Limb fill = exact::Limb{0} - limb[n - 1] / (exact::Limb{1} << 63);
     exact::Limb differing = 0;
-    for (int i = 1; i < limbs; ++i) differing |= limb[i] ^ fill;
+    each<n - 1>([&](int i) { differing |= limb[i + 1] ^ fill; });
     return differing == 0;
   }
   /// The limbs above the lowest n repeat the sign, as in numbers that these hold.
@@ -62,12 +72,12 @@ inline Fixed operator-(const Fixed& a) noexcept { return Fixed{} - a; }
 template <int n>
 void move_halfway(Fixed& a, const Fixed& b) noexcept {
   exact::Limb carry = 0, below = 0;
-  for (int i = 0; i < n; ++i) {
+  each<n>([&](int i) {
     const auto sum = exact::detail::multiply_add(1, a.limb[i], b.limb[i], carry);
     carry = sum.high;
     if (i > 0) a.limb[i - 1] = below >> 1 | sum.low << 63;
     below = sum.low;
-  }
+  });
   a.limb[n - 1] = below >> 1 | (below & exact::Limb{1} << 63);
 }
 
@@ -103,10 +113,11 @@ struct Quartic {
   }
   /// The most changes of sign there can be, negligible coefficients having either sign. Without branches: which are
   /// negligible cannot be foreseen.
+  template <int n = Fixed::limbs>
   int sign_changes() const noexcept {
     unsigned changes = 0, known = 0, last = 0;
     for (const Fixed& c : coefficient) {
-      const unsigned tiny = c.negligible() ? 1 : 0, negative = c.negative() ? 1 : 0;
+      const unsigned tiny = c.negligible<n>() ? 1 : 0, negative = c.negative() ? 1 : 0;
       changes += tiny | (known & (negative ^ last));
       known |= tiny ^ 1;
       last = (tiny & ~last) | (~tiny & negative);
@@ -146,13 +157,13 @@ void move_towards(Fixed& a, const Fixed& b, exact::Limb s) noexcept {
   const exact::Limb excess =
       ((exact::Limb{0} - (a.limb[n - 1] >> 63)) & rest) + ((exact::Limb{0} - (b.limb[n - 1] >> 63)) & s);
   exact::Limb carry_a = 0, carry_b = 0;
-  for (int i = 0; i < n; ++i) {
+  each<n>([&](int i) {
     const auto part = exact::detail::multiply_add(a.limb[i], rest, carry_a, 0);
     const auto sum = exact::detail::multiply_add(b.limb[i], s, carry_b, part.low);
     carry_a = part.high;
     carry_b = sum.high;
     if (i > 0) a.limb[i - 1] = sum.low;
-  }
+  });
   a.limb[n - 1] = carry_a + carry_b - excess;
 }
 
@@ -166,12 +177,11 @@ void interpolate(Fixed* c, int count, exact::Limb s) noexcept {
 /// part() from an end, which is at c[0], to s / 2^64 of the way to the other.
 template <int n, class Coefficient>
 bool set_part_from_end(Fixed* c, exact::Limb s, int changes, const Coefficient& coefficient) noexcept {
-  if (changes == 1 && c[0].negligible()) {
+  if (changes == 1 && c[0].negligible<n>()) {
     // Where the first two are negligible there are two changes.
     Fixed second[] = {c[0], c[1]};
     interpolate<n>(second, 1, s);
-    second[0].extend_sign<n>();
-    if (second[0].negligible()) return false;
+    if (second[0].negligible<n>()) return false;
   }
   for (int i = 0; i <= 4; ++i) {
     coefficient(i) = c[0];
@@ -200,7 +210,7 @@ bool set_part(const Quartic& q, exact::Limb from, exact::Limb to, int changes, Q
     }
   }
   out.extend_signs<n>();
-  return out.sign_changes() == changes;
+  return out.sign_changes<n>() == changes;
 }
 
 /// The same quartic from t = from / 2^64 to t = to / 2^64, or to t = 1 for a `to` of 0, but not all of it, by its polar
@@ -212,18 +222,26 @@ inline bool part(const Quartic& q, exact::Limb from, exact::Limb to, int limbs, 
   return as_many;
 }
 
+/// Of the halves of a quartic.
+struct HalvesChanges {
+  int low, high;
+};
+
 /// Cuts a quartic whose coefficients the lowest `limbs` limbs hold into halves: in place, since copies would take as
-/// long.
-inline void halve(Quartic& to_high, Quartic& low, int limbs) noexcept {
+/// long. Returns their changes of sign.
+inline HalvesChanges halve(Quartic& to_high, Quartic& low, int limbs) noexcept {
+  HalvesChanges changes{};
   with_limbs(limbs, [&]<int n>() {
     Fixed* high = to_high.coefficient;
     for (int i = 0; i < 5; ++i) {
-      for (int k = 0; k < n; ++k) low.coefficient[i].limb[k] = high[0].limb[k];
+      each<n>([&](int k) { low.coefficient[i].limb[k] = high[0].limb[k]; });
       for (int k = 0; k < 4 - i; ++k) move_halfway<n>(high[k], high[k + 1]);
     }
     low.extend_signs<n>();
     to_high.extend_signs<n>();
+    changes = {low.sign_changes<n>(), to_high.sign_changes<n>()};
   });
+  return changes;
 }
 
 /// A quartic's coefficients as doubles over 2^exponent, which makes the greatest about 1: between 1/2 and 1, or 0. Each
@@ -237,17 +255,7 @@ struct InDoubles {
   explicit InDoubles(const Quartic& q, int most_limbs = Fixed::limbs) noexcept {
     Fixed magnitude[5];
     exact::Limb seen[Fixed::limbs] = {};
-    for (int i = 0; i < 5; ++i) {
-      const exact::Limb* c = q.coefficient[i].limb;
-      const exact::Limb flip = exact::Limb{0} - (c[Fixed::limbs - 1] >> 63);
-      exact::Limb carry = flip & 1;
-      for (int k = 0; k < most_limbs; ++k) {
-        const exact::Limb m = (c[k] ^ flip) + carry;
-        carry &= static_cast<exact::Limb>(m == 0);
-        magnitude[i].limb[k] = m;
-        seen[k] |= m;
-      }
-    }
+    with_limbs(most_limbs, [&]<int n>() { set_magnitudes<n>(q, magnitude, seen); });
     int top = most_limbs - 1;
     while (top > 0 && seen[top] == 0) --top;
     const int shift = std::countl_zero(seen[top]);
@@ -264,6 +272,22 @@ struct InDoubles {
     exponent = 64 * (top + 1) - shift - (64 * Fixed::limbs - 1);
     const int needed = top + (shift >= 2 ? 1 : 2);
     limbs = needed < 2 ? 2 : needed;
+  }
+
+ private:
+  template <int n>
+  static void set_magnitudes(const Quartic& q, Fixed* magnitude, exact::Limb* seen) noexcept {
+    for (int i = 0; i < 5; ++i) {
+      const exact::Limb* c = q.coefficient[i].limb;
+      const exact::Limb flip = exact::Limb{0} - (c[n - 1] >> 63);
+      exact::Limb carry = flip & 1;
+      each<n>([&](int k) {
+        const exact::Limb m = (c[k] ^ flip) + carry;
+        carry &= static_cast<exact::Limb>(m == 0);
+        magnitude[i].limb[k] = m;
+        seen[k] |= m;
+      });
+    }
   }
 };
 

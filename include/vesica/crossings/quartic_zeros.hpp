@@ -249,14 +249,14 @@ class ZeroSearch {
   }
   /// The higher half stays where the whole was.
   void visit_halves(Interval& high, Interval& low) noexcept {
-    halve(high.q, low.q, high.limbs);
+    const HalvesChanges changes = halve(high.q, low.q, high.limbs);
     low.from = high.from;
     low.opposite_from = high.opposite_from;
     low.limbs = high.limbs;
     low.length = high.length = 0.5 * high.length;
     step(high, high.length);
-    high.changes = high.q.sign_changes();
-    low.changes = low.q.sign_changes();
+    high.changes = changes.high;
+    low.changes = changes.low;
     if (high.changes == 0) {
       --count_;
       std::swap(pending_[count_], pending_[count_ + 1]);

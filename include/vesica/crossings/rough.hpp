@@ -3,6 +3,7 @@
 /// number, whose limbs, where exponents are very unlike, are many.
 #pragma once
 
+#include <utility>
 #include <vesica/crossings/points.hpp>
 
 namespace vesica::detail::crossings {
@@ -18,8 +19,9 @@ struct Rough {
   template <int Degree>
   explicit Rough(const exact::Number<Degree>& x) noexcept {
     if (x.sign == 0) return;
-    exponent = exact::rounded(x).exponent;
-    value = two_doubles(x, exponent);
+    const auto [high, low] = exact::rounded_twice(x);
+    value = {high.value, low};
+    exponent = high.exponent;
     error = 0x1p-105;
   }
   bool sign_is_known() const noexcept { return std::fabs(rounded(value)) > error || error == 0; }
@@ -83,12 +85,12 @@ template <class Polynomial, int... Degree>
 int sign_of(const Rough& rough, const Polynomial& value, const exact::Number<Degree>&... x) noexcept {
   return rough.sign_is_known() ? rough.sign() : exact::sign_of(value, x...);
 }
-/// A size and sign to 2^-52, the same way.
-template <class Polynomial, int... Degree>
-Scaled size_of(const Rough& rough, const Polynomial& value, const exact::Number<Degree>&... x) noexcept {
-  return rough.is_precise() ? rough.scaled() : exact::rounded_value(value, x...);
+/// The same, with another form between, in which less cancels.
+template <class OtherForm, class Polynomial, int... Degree>
+int sign_of_either(const Rough& rough, const OtherForm& other, const Polynomial& value,
+                   const exact::Number<Degree>&... x) noexcept {
+  return rough.sign_is_known() ? rough.sign() : sign_of(other(), value, x...);
 }
-
 /// The double that is nearest to the number, if the error leaves no doubt which that is.
 inline bool rounds_surely(const Rough& x, Scaled& nearest) noexcept {
   const auto [high, low] = x.value;
@@ -99,13 +101,41 @@ inline bool rounds_surely(const Rough& x, Scaled& nearest) noexcept {
   return true;
 }
 
-/// The same, but a number that is not precise enough is tried again in another form, in which less cancels.
+/// A size and sign to 2^-52: the nearest number to the polynomial, from the rough one if that leaves no doubt.
+template <class Polynomial, int... Degree>
+Scaled nearest_size(const Rough& rough, const Polynomial& value, const exact::Number<Degree>&... x) noexcept {
+  Scaled nearest;
+  return rounds_surely(rough, nearest) ? nearest : exact::rounded_value(value, x...);
+}
+
+/// The same from a rough number that is precise; else from another form, in which less cancels.
 template <class OtherForm, class Polynomial, int... Degree>
 Scaled size_of_either(const Rough& rough, const OtherForm& other, const Polynomial& value,
                       const exact::Number<Degree>&... x) noexcept {
-  if (rough.is_precise()) return rough.scaled();
-  Scaled nearest;
-  return rounds_surely(other(), nearest) ? nearest : exact::rounded_value(value, x...);
+  return rough.is_precise() ? rough.scaled() : nearest_size(other(), value, x...);
+}
+
+/// Whether |a| > |b|.
+template <int A, int B>
+bool is_greater(const exact::Number<A>& a, const exact::Number<B>& b) noexcept {
+  return exact::detail::compare_magnitude(a.span(), b.span()) > 0;
+}
+
+/// The sum of the squares of parts less whole^2, as (m - |whole|) (m + |whole|) and the squares of the others, m being
+/// the greatest part: only the sum may cancel.
+template <int A, int B, class... Same>
+Rough squares_less(const exact::Number<A>& whole, const exact::Number<B>& first, const Same&... rest) noexcept {
+  const exact::Number<B>* part[] = {&first, &rest...};
+  for (auto& p : part) {
+    if (is_greater(*p, *part[0])) std::swap(p, part[0]);
+  }
+  const auto all = exact::abs(whole);
+  const auto m = exact::abs(*part[0]);
+  Rough sum = Rough(m - all) * (Rough(m) + Rough(all));
+  for (const auto* p : part) {
+    if (p != part[0]) sum = sum + square(Rough(*p));
+  }
+  return sum;
 }
 
 /// a b + c d, and a b - c d.

@@ -43,8 +43,8 @@ inline Overlap overlap_and_depth(const exact::Box& a, const exact::Ellipse& b) n
   return gap > 0 ? Overlap::none : gap == 0 ? Overlap::some_without_depth : Overlap::some_with_depth;
 }
 
-/// As exact::overlap and exact::relation decide it.
-inline Overlap overlap_and_depth(const exact::Ellipse& a, const exact::Ellipse& b) noexcept {
+/// As exact::overlap and exact::relation decide it. Never inlined: its numbers would stay on its callers' stacks.
+VESICA_CALLED inline Overlap overlap_and_depth(const exact::Ellipse& a, const exact::Ellipse& b) noexcept {
   if (degenerate(a)) return overlap_and_depth(as_box(a), b);
   if (degenerate(b)) return overlap_and_depth(as_box(b), a);
   const exact::ContactCubic p = exact::contact_cubic(a, b);

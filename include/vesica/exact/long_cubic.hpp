@@ -32,8 +32,8 @@ constexpr SmallParts<Real> leading_small_parts(const ContactCubic& p) noexcept {
 namespace detail {
 
 /// The discriminant from the cubic's coefficients.
-template <class Real>
-constexpr Real discriminant(const ContactCubic& p) noexcept {
+template <class Real, class Cubic>
+constexpr Real discriminant(const Cubic& p) noexcept {
   const Real d1(p.d1), c1(p.c1), c2(p.c2), d2(p.d2);
   const Real a = square(c2) - times(3, d2 * c1), b = c1 * c2 - times(9, d1 * d2), c = square(c1) - times(3, d1 * c2);
   return times(4, a * c) - square(b);
@@ -41,8 +41,8 @@ constexpr Real discriminant(const ContactCubic& p) noexcept {
 
 /// A third of it, in powers of al and be: with both 0 it is delta g^2. So nothing cancels where the ellipses' centres
 /// are close to each other, as seen from an ellipse that is large or thin.
-template <class Real, class Small>
-constexpr Real discriminant_by_offset(const ContactCubic& p, const Small& small) noexcept {
+template <class Real, class Cubic, class Small>
+constexpr Real discriminant_by_offset(const Cubic& p, const Small& small) noexcept {
   const Real d1(p.d1), d2(p.d2), mu(p.mu), al(p.al), be(p.be), g(small.g);
   const Real delta = Real(small.delta_less) * Real(small.delta_more);
   const Real al_al = square(al), be_be = square(be), al_be = al * be, d1_d2 = d1 * d2;

@@ -78,8 +78,25 @@ struct RoundedTwice {
 };
 template <int Degree>
 constexpr RoundedTwice rounded_twice(const Number<Degree>& x) noexcept {
-  const auto high = rounded(x), low = rounded(x - from_double(high.value, high.exponent));
-  return {high, vesica::detail::arithmetic::scale_far(low.value, low.exponent - high.exponent)};
+  using vesica::detail::arithmetic::Scaled, vesica::detail::arithmetic::scale_far;
+  const auto with_low = [](const Scaled& high, const Scaled& low) {
+    return RoundedTwice{high, scale_far(low.value, low.exponent - high.exponent)};
+  };
+  const Scaled high = rounded(x);
+  const auto less = from_double(high.value, high.exponent);
+  // What is below the leading limbs only says that there is more, where 128 bits or more are left above it.
+  constexpr int kept = 6;
+  if (x.size > kept) {
+    Number<1> leading;
+    leading.sign = x.sign;
+    leading.size = kept;
+    leading.low = x.low + x.size - kept;
+    detail::move_limbs(x.limb + x.size - kept, kept, leading.limb);
+    leading.limb[0] |= 1;
+    const Number<1> rest = leading - less;
+    if (rest.low + rest.size - leading.low >= 3) return with_low(high, rounded(rest));
+  }
+  return with_low(high, rounded(x - less));
 }
 
 }  // namespace vesica::exact
