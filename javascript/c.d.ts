@@ -2293,8 +2293,8 @@ export interface C {
    * computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and
    * of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is <= x. Cost: 30 to 50
    * ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two ellipses, see the typed
-   * functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly unlike exponents most take 20
-   * to 70 us; the dearest that searches found took 1 ms (AMD EPYC, Zen 4). Since: 0.1.
+   * functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly unlike exponents most take 10
+   * to 40 us; the dearest that searches found took 0.5 ms (AMD EPYC, Zen 4). Since: 0.1.
    */
   vesica_cast_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, vx: number, vy: number,
     t_end: number, out: number): number;
@@ -2474,8 +2474,8 @@ export interface C {
    * computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and
    * of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is <= x. Cost: 30 to 50
    * ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two ellipses, see the typed
-   * functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly unlike exponents most take 20
-   * to 70 us; the dearest that searches found took 1 ms (AMD EPYC, Zen 4). Since: 0.1.
+   * functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly unlike exponents most take 10
+   * to 40 us; the dearest that searches found took 0.5 ms (AMD EPYC, Zen 4). Since: 0.1.
    */
   vesica_cast_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, vx: number, vy: number,
     t_end: number, out: number): number;

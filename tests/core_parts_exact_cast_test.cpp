@@ -69,7 +69,7 @@ TEST(ExactCastParts, Window) {
 
 TEST(ExactCastParts, HoldsPlaces) {
   const auto holds = [](double x, double v, double least, double most) {
-    return pair_of(Point<double>{0, 0}, Circle<double>{x, 0, 1}, v, 0).holds_places(least, most);
+    return pair_of(Point<double>{0, 0}, Circle<double>{x, 0, 1}, v, 0).place_bits().have_room(least, most);
   };
   EXPECT_TRUE(holds(1, -1, 1, 1));
   EXPECT_TRUE(holds(1, -1, 0x1p-500, 0x1p500));
@@ -194,40 +194,31 @@ TEST(ExactCastParts, FloorsOfTimes) {
   EXPECT_EQ(floor(thin, Point<double>{0x1p-1030, 0x1p989}, -0x1p-1030, 0), 1);
 }
 
-/// Trials from any start: contact of insides comes after t0.
+/// Trials from any start and with any guess: contact of insides comes after t0, and the witness after that.
 TEST(ExactCastParts, FloorByTrials) {
-  const auto floor = [](double start, double t0) {
-    return floor_by_trials(start, [t0](double t) { return Trial{true, t > t0}; });
+  const auto floor = [](double start, double t0, double guess = 0, Between witness = {largest, infinity}) {
+    return floor_by_trials(start, witness, guess, [t0](double t) { return Trial{true, t > t0}; });
   };
   for (const double t0 : {0x1p-1074, 0x1p-1022, 0x1.8p-3, 1.0, before(2.0), 0x1.5555p100, before(0x1p1023)}) {
     for (const double start : {0x1p-1074, 1.0, next(t0), t0, largest}) EXPECT_EQ(floor(start, t0), t0) << start;
+  }
+  for (const double t0 : {0x1p-1074, 0x1.8p-3, before(2.0), 0x1.5555p100}) {
+    for (const double guess : {0x1p-1074, 0x1p-900, t0, 16 * t0, 0x1p900, infinity}) EXPECT_EQ(floor(0, t0, guess), t0);
+    EXPECT_EQ(floor(0, t0, 0, {t0, next(next(t0))}), t0);
+    EXPECT_EQ(floor(0, t0, 0, {before(before(t0)), 2 * t0}), t0);
+    EXPECT_EQ(floor(0, t0, 0, {1.5 * t0 + 0x1p-1073, 2 * t0 + 0x1p-1072}), t0);
+    EXPECT_EQ(floor(0, t0, 0, {0x1p900, 0x1p901}), t0);
   }
   EXPECT_EQ(floor(0x1.8p1023, before(0x1.8p1023)), before(0x1.8p1023));
   EXPECT_EQ(floor(1, 0x1.8p1023), -1);
   EXPECT_EQ(floor(1, largest), infinity);
 }
 
-/// Which comes first, the time or the witness, where both are equal and digits are cut off.
-TEST(ExactCastParts, LeadingWitnessAtATie) {
-  // Mirror images about the line of motion but for the offset across it: the witness is at q = 0.
-  for (const double thin : {0.5, 0x1p-400}) {
-    const auto pair = [&](const Ellipse<double>& e) { return exact_body(body(e)); };
-    const ExactBody a = pair({0, 0, 1, 1, 1, thin}), b = pair({4, 1, 1, -1, 1, thin});
-    const Number<1> vx = from_double(-1), vy = from_double(0), dx = from_double(4), dy = from_double(1);
-    const ExactReach of_a(a, vx, vy), of_b(b, vx, vy);
-    const LeadingWitness witness(of_a, of_b, exact::cross(vx, vy, dx, dy), exact::dot(dx, dy, vx, vy),
-                                 exact::dot(vx, vy, vx, vy));
-    EXPECT_EQ(witness.after(4), 0);
-    EXPECT_EQ(witness.after(3.75), 1);
-    EXPECT_EQ(witness.after(4.25), -1);
-  }
-}
-
 /// Two ellipses whose contact rounds to a place of more digits than there is room for.
 TEST(ExactCastParts, FloorOfEllipsesBeyondTheDigits) {
   const Circle<double> large{0, 0, 0x1p1000};
   const Ellipse<double> small{0x1p1001, 0, 1, 0, 0x1p-54, 0x1p-54};
-  const auto floor = [&](double vy) { return floor_of_ellipses(pair_of(large, small, -0x1p1002, vy), next(0.25)); };
+  const auto floor = [&](double vy) { return floor_of_ellipses(pair_of(large, small, -0x1p1002, vy), next(0.25), 0); };
   EXPECT_EQ(floor(0), before(0.25));
   EXPECT_EQ(floor(0x1p-1074), -1);
 }

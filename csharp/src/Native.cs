@@ -2280,7 +2280,8 @@ namespace Vesica
         /// aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.</para>
         /// <para>Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two
         /// ellipses, see the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly
-        /// unlike exponents most take 20 to 70 us; the dearest that searches found took 1 ms (AMD EPYC, Zen 4).</para>
+        /// unlike exponents most take 10 to 40 us; the dearest that searches found took 0.5 ms (AMD EPYC, Zen
+        /// 4).</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2524,7 +2525,8 @@ namespace Vesica
         /// aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.</para>
         /// <para>Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two
         /// ellipses, see the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly
-        /// unlike exponents most take 20 to 70 us; the dearest that searches found took 1 ms (AMD EPYC, Zen 4).</para>
+        /// unlike exponents most take 10 to 40 us; the dearest that searches found took 0.5 ms (AMD EPYC, Zen
+        /// 4).</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

@@ -45,7 +45,7 @@ bool check(const Body& a, const Body& b, const core::Motion& m, bool by_search) 
   if (!line.meets) return false;
   const core::WideTime found = core::known_time(pair);
   double t = 0;
-  if (!found.certain || core::floor_of_time(pair, found.time, t) != 0) return false;
+  if (!found.tells() || core::floor_of_time(pair, found.time, t) != 0) return false;
   if (by_search) expect_found_by_search(pair, t);
   if (t > std::numeric_limits<double>::max()) {
     EXPECT_LE(pair.contact_before(std::numeric_limits<double>::max()), 0);
@@ -56,7 +56,7 @@ bool check(const Body& a, const Body& b, const core::Motion& m, bool by_search) 
   EXPECT_EQ(pair.contact_before(next(t)), 1) << std::hexfloat << t;
   // From 2^1023 on trials leave the time open.
   if (pair.of_ellipses() && !line.graze.grazes && t < 0x1p1023) {
-    EXPECT_EQ(core::floor_of_ellipses(pair, 1), t);
+    EXPECT_EQ(core::floor_of_ellipses(pair, 1, 0), t);
   }
   return true;
 }
@@ -138,7 +138,7 @@ TEST(CastAtUnlikeExponents, KnownTimes) {
     const ExactPair pair(k.a, k.b, k.motion);
     const core::WideTime found = core::known_time(pair);
     double t = 0;
-    ASSERT_TRUE(found.certain);
+    ASSERT_TRUE(found.tells());
     ASSERT_EQ(core::floor_of_time(pair, found.time, t), 0);
     EXPECT_EQ(t, k.time);
     EXPECT_EQ(pair.contact_before(t), 0);

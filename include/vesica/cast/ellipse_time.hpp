@@ -11,20 +11,10 @@
 /// time, and never a wrong answer.
 #pragma once
 
-#include <vesica/arithmetic/wide.hpp>
-#include <vesica/cast/wide.hpp>
+#include <vesica/cast/ellipse_contact.hpp>
 
 namespace vesica::detail::cast {
 
-using arithmetic::Wide;
-
-template <int limbs>
-Wide wide(const Leading<limbs>& x) noexcept {
-  constexpr int top = limbs - 1;
-  if (x.sign == 0) return {};
-  const double value = static_cast<double>(x.limb[top]) + 0x1p-64 * static_cast<double>(x.limb[top - 1]);
-  return {x.sign * value, 64 * (x.low + top)};
-}
 template <int Degree>
 Wide wide(const Number<Degree>& x) noexcept {
   return Wide(exact::rounded(x));
@@ -100,61 +90,40 @@ inline BesideBend place_of_rest(const Bends& b) noexcept {
 template <int limbs>
 class SeenEllipses {
   using Digits = Leading<limbs>;
+  using Seen = EllipseDigits<limbs>;
 
  public:
-  explicit SeenEllipses(const ExactPair& pair) noexcept
-      : seen_{Seen(pair.a_.box, pair.reach_a_, pair), Seen(pair.b_.box, pair.reach_b_, pair)},
-        axes_along_(exact::dot(pair.a_.box.ux, pair.a_.box.uy, pair.b_.box.ux, pair.b_.box.uy)),
-        axes_across_(exact::cross(pair.a_.box.ux, pair.a_.box.uy, pair.b_.box.ux, pair.b_.box.uy)),
-        w_(pair.w_),
-        vv_(pair.vv_) {}
+  explicit SeenEllipses(const PairDigits<limbs>& pair) noexcept : pair_(pair) {}
 
   /// The greatest T(n).
   WideTime time() const noexcept {
     Bends bends;
     if (!reach_less_offset(bends.gap)) return {};
-    const auto& [a, b] = seen_;
-    const bool mirrored = w_.sign < 0;
+    const auto& [a, b] = pair_.ellipse;
+    const bool mirrored = pair_.w.sign < 0;
     for (int i = 0; i < 2; ++i) {
-      bends.width[i] = wide(seen_[i].area) * wide(vv_) / wide(seen_[i].squared);
-      bends.reach[i] = arithmetic::root(wide(seen_[i].squared));
+      bends.width[i] = wide(pair_.ellipse[i].area) * wide(pair_.vv) / wide(pair_.ellipse[i].squared);
+      bends.reach[i] = arithmetic::root(wide(pair_.ellipse[i].squared));
     }
-    bends.slope = arithmetic::abs(wide(w_));
+    bends.slope = arithmetic::abs(wide(pair_.w));
     bends.way = wide(b.m * a.squared - a.m * b.squared) / (wide(a.squared) * wide(b.squared));
     if (mirrored) bends.way = -bends.way;
     const BesideBend found = place_of_rest(bends);
-    const Wide unit = wide(seen_[found.bend].squared);
-    const FromBend from(*this, found.bend);
+    const Wide unit = wide(pair_.ellipse[found.bend].squared);
+    const FromBend from(pair_, found.bend);
     Digits beside = digits((mirrored ? -found.way : found.way) * unit);
-    Evaluated at = evaluate(from, beside, seen_[found.bend].squared);
+    Evaluated at = evaluate(from, beside, pair_.ellipse[found.bend].squared);
     for (int i = 0; i < 2 && at.is_usable && !at.is_precise(); ++i) {
       beside = beside + digits(at.step * unit);
       beside.error = Digits::nothing;  // this is the direction now
-      at = evaluate(from, beside, seen_[found.bend].squared);
+      at = evaluate(from, beside, pair_.ellipse[found.bend].squared);
     }
     if (at.is_usable && at.is_below_all_doubles()) return {Rough(crossings::Real(1.0), 0, least_exponent), true};
-    return {at.time, at.is_usable && at.is_precise()};
+    return {at.time, at.is_usable, at.more_digits};
   }
 
  private:
   static Digits digits(const Wide& x) noexcept { return Digits(exact::from_double(x.value, x.exponent)); }
-
-  struct Seen {
-    Digits squared, m, area, uu, hx, hy, c, k, along_d, across_d;
-
-    Seen(const exact::Box& e, const ExactReach& reach, const ExactPair& p) noexcept
-        : squared(reach.squared),
-          m(reach.m),
-          uu(exact::dot(e.ux, e.uy, e.ux, e.uy)),
-          hx(e.hx),
-          hy(e.hy),
-          c(exact::dot(e.ux, e.uy, p.vx_, p.vy_)),
-          k(exact::cross(e.ux, e.uy, p.vx_, p.vy_)),
-          along_d(exact::dot(e.ux, e.uy, p.dx_, p.dy_)),
-          across_d(exact::cross(e.ux, e.uy, p.dx_, p.dy_)) {
-      area = hx * hy * uu;
-    }
-  };
 
   /// At the middle of an ellipse's bend n, times r^2, is -(v.v) (b^2 c u + a^2 k perp(u)); for both ellipses what u.n
   /// and u x n then are, and n.D.
@@ -162,13 +131,13 @@ class SeenEllipses {
     int bend;
     Digits along[2], across[2], way;
 
-    FromBend(const SeenEllipses& pair, int of) noexcept : bend(of) {
-      const Seen& e = pair.seen_[bend];
-      const Digits x = -(pair.vv_ * (square(e.hy) * e.c)), y = -(pair.vv_ * (square(e.hx) * e.k));
+    FromBend(const PairDigits<limbs>& pair, int of) noexcept : bend(of) {
+      const Seen& e = pair.ellipse[bend];
+      const Digits x = -(pair.vv * (square(e.hy) * e.c)), y = -(pair.vv * (square(e.hx) * e.k));
       along[bend] = x * e.uu;
       across[bend] = y * e.uu;
       // The other's axis by this one's; a cross product changes its sign.
-      const Digits &dot = pair.axes_along_, cross = bend == 0 ? -pair.axes_across_ : pair.axes_across_;
+      const Digits &dot = pair.axes_along, cross = bend == 0 ? -pair.axes_across : pair.axes_across;
       along[1 - bend] = x * dot - y * cross;
       across[1 - bend] = x * cross + y * dot;
       way = x * e.along_d + y * e.across_d;
@@ -181,7 +150,7 @@ class SeenEllipses {
   struct Evaluated {
     Rough time;
     Wide step;
-    bool is_usable = false;
+    bool is_usable = false, more_digits = true;
 
     bool is_precise() const noexcept { return std::fabs(rounded(time.value)) * 0x1p-66 >= time.error; }
     bool is_below_all_doubles() const noexcept {
@@ -191,10 +160,11 @@ class SeenEllipses {
 
   /// H - |w|, in which terms cancel where the line almost grazes.
   bool reach_less_offset(Wide& gap) const noexcept {
-    const auto& [a, b] = seen_;
-    const Digits rest = square(w_) - a.squared - b.squared, product = times(4, a.squared * b.squared);
+    const auto& [a, b] = pair_.ellipse;
+    const Digits rest = square(pair_.w) - a.squared - b.squared, product = times(4, a.squared * b.squared);
     const Wide twice_root = arithmetic::root(wide(product));
-    const Wide sum = arithmetic::root(wide(a.squared)) + arithmetic::root(wide(b.squared)) + arithmetic::abs(wide(w_));
+    const Wide sum =
+        arithmetic::root(wide(a.squared)) + arithmetic::root(wide(b.squared)) + arithmetic::abs(wide(pair_.w));
     if (rest.sign <= 0) {
       gap = (twice_root - wide(rest)) / sum;
       return true;
@@ -206,12 +176,12 @@ class SeenEllipses {
 
   /// At a bend's n and `beside` perp(v) more.
   Evaluated evaluate(const FromBend& from, const Digits& beside, const Digits& squared) const noexcept {
-    const Digits offset = from.way + beside * w_;
+    const Digits offset = from.way + beside * pair_.w;
     Digits heights[2];
     Rough height, slopes;
     Wide fall, narrowest;
     for (int i = 0; i < 2; ++i) {
-      const Seen& e = seen_[i];
+      const Seen& e = pair_.ellipse[i];
       // u.perp(v) = -(u x v), u x perp(v) = u.v.
       const Digits p = e.hx * (from.along[i] - beside * e.k), q = e.hy * (from.across[i] + beside * e.c);
       heights[i] = square(p) + square(q);
@@ -220,12 +190,12 @@ class SeenEllipses {
       height = height + h;
       // Of the bend's own ellipse all but this cancels.
       slopes = slopes + rough(i == from.bend ? squared * beside : q * (e.hy * e.c) - p * (e.hx * e.k)) / h;
-      const Wide of_unit = Wide(h.scaled()) / wide(squared), area = wide(e.area) * wide(vv_);
+      const Wide of_unit = Wide(h.scaled()) / wide(squared), area = wide(e.area) * wide(pair_.vv);
       fall = fall + area * area / (of_unit * of_unit * of_unit);
       const Wide room = of_unit / (arithmetic::root(wide(e.squared)) * Wide{8, 0});
       if (i == 0 || room < narrowest) narrowest = room;
     }
-    const Rough slope = rough(w_) - slopes;
+    const Rough slope = rough(pair_.w) - slopes;
     const Wide steepest(std::fabs(rounded(slope.value)) + slope.error, slope.exponent);
     Evaluated out;
     out.step = Wide(slope.scaled()) / fall;
@@ -234,16 +204,16 @@ class SeenEllipses {
     if (offset.sign <= 0 || rest.sign <= 0) return {};
     const Rough sums = (rough(rest) + root(rough(product))) * (rough(offset) + height);
     if (!sums.is_precise()) return {};
-    out.time = rough(square(rest) - product) / (sums * rough(squared * vv_));
+    out.time = rough(square(rest) - product) / (sums * rough(squared * pair_.vv));
     out.is_usable = steepest / fall < narrowest;
-    const Wide gain = steepest * steepest / (fall * wide(vv_));
-    // As a number of its own: where T is 0, in whatever unit, the gain is all that there is.
+    const Wide gain = steepest * steepest / (fall * wide(pair_.vv));
+    // The gain as a number of its own: where T is 0, in whatever unit, it is all that there is.
+    out.more_digits = gain < Wide(out.time.error, out.time.exponent);
     out.time = out.time + Rough({}, 1.01 * gain.value, gain.exponent);
     return out;
   }
 
-  Seen seen_[2];
-  Digits axes_along_, axes_across_, w_, vv_;
+  const PairDigits<limbs>& pair_;
 };
 
 }  // namespace vesica::detail::cast

@@ -5,85 +5,9 @@
 #pragma once
 
 #include <vesica/arithmetic/rounding.hpp>
-#include <vesica/cast/wide.hpp>
+#include <vesica/cast/ellipse_contact.hpp>
 
 namespace vesica::detail::cast {
-
-/// What a trial tells: whether there is contact of insides before the time, and where known the discriminant of the
-/// cubic, which is positive before contact, and falls through 0 at it.
-struct Trial {
-  bool known = false, after = false, has_value = false;
-  arithmetic::Scaled value{0, 0};
-};
-
-/// An ellipse, and another's centre that passes: d + t v in its frame, each coordinate times the other half length.
-struct LeadingFrame {
-  using Few = exact::Leading<exact::few_limbs>;
-  Few at_x, at_y, by_x, by_y, squared_area;
-
-  LeadingFrame(const exact::Box& e, const Passage& p) noexcept
-      : at_x(e.hy * exact::dot(e.ux, e.uy, p.dx, p.dy)),
-        at_y(e.hx * exact::cross(e.ux, e.uy, p.dx, p.dy)),
-        by_x(e.hy * exact::dot(e.ux, e.uy, p.vx, p.vy)),
-        by_y(e.hx * exact::cross(e.ux, e.uy, p.vx, p.vy)),
-        squared_area(square(Few(e.hx * e.hy * exact::dot(e.ux, e.uy, e.ux, e.uy)))) {}
-
-  /// al or be of the cubic.
-  Few offset(const Few& t) const noexcept { return square(at_x + t * by_x) + square(at_y + t * by_y); }
-};
-
-/// The cubic at a time.
-class LeadingContact {
-  using Few = LeadingFrame::Few;
-
- public:
-  LeadingContact(const exact::Box& e, const exact::Box& f, const Passage& p) noexcept
-      : first_(e, p), second_(f, p), mixed_(mixed(e, f)), product_(first_.squared_area * second_.squared_area) {}
-
-  /// As exact::overlap decides it: contact if both inner coefficients are not negative or the discriminant is not
-  /// positive; of insides unless it is 0.
-  Trial at(double time) const noexcept {
-    const Few t(exact::from_double(time)), &d1 = first_.squared_area, &d2 = second_.squared_area;
-    const Few c1 = d1 + mixed_ - first_.offset(t), c2 = d2 + mixed_ - second_.offset(t);
-    Trial trial;
-    if (!c1.sign_is_certain() || !c2.sign_is_certain()) return trial;
-    if (c1.sign >= 0 && c2.sign >= 0) return {true, true};
-    const Few a = square(c2) - times(3, d2 * c1), b = c1 * c2 - times(9, product_), c = square(c1) - times(3, d1 * c2);
-    const Few discriminant = times(4, a * c) - square(b);
-    if (!discriminant.sign_is_certain() || discriminant.sign == 0) return trial;
-    const double value = discriminant.sign * static_cast<double>(discriminant.limb[exact::few_limbs - 1]) * 0x1p-64;
-    return {true, discriminant.sign < 0, true, {value, 64 * (discriminant.low + exact::few_limbs)}};
-  }
-
- private:
-  static Few mixed(const exact::Box& e, const exact::Box& f) noexcept {
-    const Few c(exact::dot(e.ux, e.uy, f.ux, f.uy)), s(exact::cross(e.ux, e.uy, f.ux, f.uy));
-    const Few a0 = square(Few(e.hx)), a1 = square(Few(e.hy)), b0 = square(Few(f.hx)), b1 = square(Few(f.hy));
-    return square(c) * (a0 * b1 + a1 * b0) + square(s) * (a0 * b0 + a1 * b1);
-  }
-
-  LeadingFrame first_, second_;
-  Few mixed_, product_;  // mu, and d1 d2
-};
-
-/// The sign of t_w - t, as witness_sign() finds it.
-class LeadingWitness {
-  using Few = LeadingFrame::Few;
-
- public:
-  LeadingWitness(const ExactReach& a, const ExactReach& b, const Number<2>& w, const Number<2>& q,
-                 const Number<2>& vv) noexcept
-      : squared_a_(a.squared), squared_b_(b.squared), along_a_(w * a.m), along_b_(w * b.m), q_(q), vv_(vv) {}
-
-  /// 0 where these digits do not tell.
-  int after(double time) const noexcept {
-    const Few q = q_ + Few(exact::from_double(time)) * vv_;
-    return sum_of_roots(along_a_ - q * squared_a_, squared_b_, along_b_ - q * squared_b_, squared_a_);
-  }
-
- private:
-  Few squared_a_, squared_b_, along_a_, along_b_, q_, vv_;
-};
 
 /// y / x for values x, y.
 inline double ratio(const arithmetic::Scaled& y, const arithmetic::Scaled& x) noexcept {
@@ -146,52 +70,66 @@ class Bracket {
 
 /// The greatest double with no contact before it, for which ask(t) is answered by trials; infinite where there is no
 /// contact before the largest, negative where it is about that. Where wide formulas do not tell it, it is often 0, or
-/// the one before `start`. Else first the power of two is bisected, then the zero of the discriminant is approached by
-/// secants.
+/// the one before `start`, or about the witness, which it never is after. Else first the power of two is bisected, from
+/// a guess on unless that is 0, then the zero of the discriminant is approached by secants.
 template <class Ask>
-double floor_by_trials(double start, const Ask& ask) noexcept {
+double floor_by_trials(double start, const Between& witness, double guess, const Ask& ask) noexcept {
   constexpr int least = -1074;
+  constexpr double largest = std::numeric_limits<double>::max(), infinity = std::numeric_limits<double>::infinity();
   Trial at_no = ask(arithmetic::scale_far(1, least)), at_yes;
   if (at_no.after) return 0;
   const double before = arithmetic::at_rank<double>(arithmetic::rank(start) - 1);
   if (before > 0 && ask(start).after && !ask(before).after) return before;
+  const auto narrowed = [&ask](Bracket bracket) {
+    while (!bracket.is_closed()) {
+      const std::uint64_t at = bracket.next();
+      bracket.narrow(at, ask(arithmetic::at_rank<double>(at)));
+    }
+    return bracket.floor();
+  };
   int no = least, yes = 1024;
+  if (witness.least > 0 && witness.most <= largest) {
+    const Trial at_witness = ask(witness.least);
+    if (!at_witness.after) return narrowed({witness.least, witness.most, at_witness, {}});
+    yes = arithmetic::exponent_of(witness.most);
+  }
+  int at = guess > 0 ? arithmetic::exponent_of(guess) : yes, step = 1;
   while (yes - no > 1) {
-    const int middle = (yes + no) / 2;
-    const Trial trial = ask(arithmetic::scale_far(1, middle));
-    (trial.after ? yes : no) = middle;
+    const bool is_led = no < at && at < yes;
+    if (!is_led) at = (yes + no) / 2;
+    const Trial trial = ask(arithmetic::scale_far(1, at));
+    (trial.after ? yes : no) = at;
     (trial.after ? at_yes : at_no) = trial;
+    at = is_led ? (trial.after ? yes - step : no + step) : yes;
+    step *= 2;
   }
   if (yes == 1024) {
-    constexpr double largest = std::numeric_limits<double>::max(), infinity = std::numeric_limits<double>::infinity();
     return ask(largest).after ? -1 : infinity;
   }
-  Bracket bracket(arithmetic::scale_far(1, no), arithmetic::scale_far(1, yes), at_no, at_yes);
-  while (!bracket.is_closed()) {
-    const std::uint64_t at = bracket.next();
-    bracket.narrow(at, ask(arithmetic::at_rank<double>(at)));
-  }
-  return bracket.floor();
+  return narrowed({arithmetic::scale_far(1, no), arithmetic::scale_far(1, yes), at_no, at_yes});
 }
 
 /// For a pair of ellipses whose line enters M after the start and does not graze it. Negative where the place then is
 /// beyond exact numbers.
-VESICA_COLD inline double floor_of_ellipses(const ExactPair& pair, double start) noexcept {
-  const LeadingContact contact(pair.a_.box, pair.b_.box, {pair.dx_, pair.dy_, pair.vx_, pair.vy_});
-  const LeadingWitness witness(pair.reach_a_, pair.reach_b_, pair.w_, pair.q_, pair.vv_);
-  bool beyond = false;
+VESICA_COLD inline double floor_of_ellipses(const ExactPair& pair, double start, double guess) noexcept {
+  const LeadingContact contact{PairDigits<exact::few_limbs>(pair)};
+  const Rough witness = pair.rough_witness();
+  bool beyond = false, digits_tell = true;
   const auto ask = [&](double t) -> Trial {
-    const Trial trial = contact.at(t);
-    if (trial.known && trial.after) return trial;
     // Without contact it is before the witness or after.
-    const int witness_after = witness.after(t);
-    if (witness_after < 0) return {true, true};
-    if (trial.known && witness_after > 0) return trial;
+    const Rough left = witness - Rough(exact::from_double(t));
+    if (left.sign_is_known() && left.sign() < 0) return {true, true};
+    Trial trial = contact.at(t);
+    if (!trial.known && digits_tell) {
+      trial = LeadingContact::exactly_at(pair, t);
+      digits_tell = trial.after || trial.has_value;
+    }
+    if (trial.known && (trial.after || left.sign_is_known())) return trial;
     const int before = pair.contact_before(t);
     beyond = beyond || before < 0;
     return {true, before != 0};
   };
-  const double t = floor_by_trials(start, ask);
+  const double t = floor_by_trials(start, between(witness), guess, ask);
   return beyond ? -1 : t;
 }
 

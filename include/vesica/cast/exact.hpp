@@ -173,11 +173,50 @@ class Window {
     return length;
   }
 
+  /// By how many limbs lengths are moved up.
+  std::int32_t limbs() const noexcept { return limbs_; }
+
   static constexpr std::int64_t lowest = -1075, highest = 1026, widest = highest - lowest - 64;
 
  private:
   std::int64_t top_ = INT64_MIN / 4, low_ = INT64_MAX / 4;
   std::int32_t limbs_ = 0;
+};
+
+/// Where the bits are of what does not change, axes and the offset at the start, and of the velocity. So it takes no
+/// exact sum to see that the place at a time has room: a sum has at most a bit above its terms, and none below.
+struct PlaceBits {
+  Window fixed, velocity;
+
+  /// At a time t > 0.
+  bool have_room(double t) const noexcept {
+    const auto bits = std::bit_cast<std::uint64_t>(t);
+    const int field = static_cast<int>(bits >> 52);
+    const std::uint64_t fraction = bits & 0xfffffffffffffu, digits = field == 0 ? fraction : fraction | 1ull << 52;
+    const int place = (field == 0 ? 1 : field) - 1075;
+    const Extent e = extent(place + std::countr_zero(digits), place + 64 - std::countl_zero(digits));
+    return e.is_within_window() || e.is_as_narrow();
+  }
+  /// At each time between two, 0 < least <= most. With the exponent of the time the highest and the lowest bit of a
+  /// coordinate rise as convex and concave functions. So they span at most what they do at either end.
+  bool have_room(double least, double most) const noexcept {
+    const int first = arithmetic::exponent_of(least), last = arithmetic::exponent_of(most);
+    const Extent low = extent(first - 53, first), high = extent(last - 53, last);
+    return Extent{low.low, high.top}.is_within_window() || (low.is_as_narrow() && high.is_as_narrow());
+  }
+
+ private:
+  struct Extent {
+    std::int64_t low, top;
+
+    bool is_within_window() const noexcept { return top <= Window::highest && low >= Window::lowest; }
+    bool is_as_narrow() const noexcept { return top - low <= Window::widest; }
+  };
+  /// At times t > 0 whose bits are in [below, above).
+  Extent extent(int below, int above) const noexcept {
+    const std::int64_t low = velocity.low() + below, top = velocity.top() + above;
+    return {low < fixed.low() ? low : fixed.low(), (top > fixed.top() ? top : fixed.top()) + 1};
+  }
 };
 
 /// What contact is at a time: none, of outlines alone, or of insides. `beyond` where the place has more digits than
@@ -186,7 +225,8 @@ enum class Contact { none, touch, inside, beyond };
 
 struct WideTime;
 template <int limbs>
-class SeenEllipses;
+struct PairDigits;
+class LeadingContact;
 
 /// A pair and its motion, v != 0, in exact numbers.
 class ExactPair {
@@ -226,18 +266,26 @@ class ExactPair {
     return witness_sign(reach_a_, reach_b_, w_, q_ + exact::from_double(t) * vv_);
   }
 
-  VESICA_COLD Contact contact_at(double t) const noexcept {
-    const Place place(*this, t);
-    Window window = place.window;
-    if (!window.place()) return Contact::beyond;
-    const ExactBody a = placed(a_, {}, {}, window),
-                    b = placed(b_, window.moved(place.x), window.moved(place.y), window);
-    if (a.round) return b.round ? contact(a.ellipse(), b.ellipse()) : contact(b.box, a.ellipse());
-    return b.round ? contact(a.box, b.ellipse()) : contact(a.box, b.box);
+  /// The end is often the time of contact too, so that the last answer is remembered.
+  Contact contact_at(double t) const noexcept {
+    if (t != asked_.time) asked_ = {t, find_contact(t)};
+    return asked_.contact;
   }
 
   /// Whether contact_at() has storage for the place at this time.
   bool holds_place(double t) const noexcept { return Place(*this, t).window.place(); }
+  PlaceBits place_bits() const noexcept {
+    PlaceBits bits;
+    for (const ExactBody* body : {&a_, &b_}) {
+      bits.fixed.hold(body->box.ux);
+      bits.fixed.hold(body->box.uy);
+    }
+    bits.fixed.hold(dx_);
+    bits.fixed.hold(dy_);
+    bits.velocity.hold(vx_);
+    bits.velocity.hold(vy_);
+    return bits;
+  }
 
   /// Whether there is contact before t, given that there is some after 0: 1, 0, or error_range where that is beyond
   /// exact numbers. The witness is in the inside of the interval of contact unless the line grazes. So up to it contact
@@ -253,23 +301,15 @@ class ExactPair {
     return contact == Contact::beyond ? error_range : contact == Contact::inside ? 1 : 0;
   }
 
-  /// Whether contact_at() certainly has storage for the place at each time from `least` to `most`, 0 < least <= most.
-  /// With the exponent of the time the highest and the lowest bit of a coordinate rise as convex and concave functions.
-  /// So the window spans at most what it does at either end.
-  bool holds_places(double least, double most) const noexcept {
-    const Extent low = extent(least), high = extent(most);
-    return (high.top <= Window::highest && low.low >= Window::lowest) ||
-           (low.top - low.low <= Window::widest && high.top - high.low <= Window::widest);
-  }
-
   bool of_ellipses() const noexcept { return a_.round && b_.round; }
   bool is_long() const noexcept { return reach_a_.is_long() || reach_b_.is_long(); }
 
   friend WideTime wide_time(const ExactPair& pair) noexcept;
+  friend WideTime wide_time_of_thin(const ExactPair& pair) noexcept;
   friend WideTime wide_grazing_time(const ExactPair& pair) noexcept;
   template <int limbs>
-  friend class SeenEllipses;
-  friend double floor_of_ellipses(const ExactPair& pair, double start) noexcept;
+  friend struct PairDigits;
+  friend class LeadingContact;
 
  private:
   Rough find_witness() const noexcept {
@@ -301,24 +341,6 @@ class ExactPair {
     return sum_over_roots(straight, exact::integer(1), round(r), r.squared);
   }
 
-  /// All bits of the place at times of this exponent, and of the axes, are in [low, top).
-  struct Extent {
-    std::int64_t top, low;
-  };
-  Extent extent(double t) const noexcept {
-    const std::int64_t exponent = arithmetic::exponent_of(t);
-    Window window;
-    for (const ExactBody* body : {&a_, &b_}) {
-      window.hold(body->box.ux);
-      window.hold(body->box.uy);
-    }
-    window.hold(dx_);
-    window.hold(dy_);
-    window.hold(vx_, exponent - 53, exponent);
-    window.hold(vy_, exponent - 53, exponent);
-    return {window.top() + 1, window.low()};
-  }
-
   /// The offset of centres at a time, and the window of all lengths then.
   struct Place {
     Number<2> x, y;
@@ -335,6 +357,26 @@ class ExactPair {
     }
   };
 
+  /// action(a, b, window) for both bodies as they are at a time; false where there is no storage.
+  template <class Action>
+  bool with_placed(double t, const Action& action) const noexcept {
+    const Place place(*this, t);
+    Window window = place.window;
+    if (!window.place()) return false;
+    action(placed(a_, {}, {}, window), placed(b_, window.moved(place.x), window.moved(place.y), window), window);
+    return true;
+  }
+  VESICA_COLD Contact find_contact(double t) const noexcept {
+    Contact found = Contact::beyond;
+    with_placed(t, [&found](const ExactBody& a, const ExactBody& b, const Window&) {
+      if (a.round) {
+        found = b.round ? contact(a.ellipse(), b.ellipse()) : contact(b.box, a.ellipse());
+      } else {
+        found = b.round ? contact(a.box, b.ellipse()) : contact(a.box, b.box);
+      }
+    });
+    return found;
+  }
   static ExactBody placed(const ExactBody& body, const exact::Length& x, const exact::Length& y,
                           const Window& window) noexcept {
     return {{x, y, window.moved(body.box.ux), window.moved(body.box.uy), body.box.hx, body.box.hy}, body.round};
@@ -352,6 +394,10 @@ class ExactPair {
   ExactReach reach_a_, reach_b_;
   int gap_;
   Rough witness_;  ///< of long numbers, and a line that meets M
+  mutable struct {
+    double time;
+    Contact contact;
+  } asked_{-1, Contact::none};
 };
 
 }  // namespace vesica::detail::cast

@@ -12,27 +12,16 @@
 
 namespace vesica::detail::cast {
 
-/// The doubles between which a time is.
-struct Between {
-  double least, most;
-
-  explicit Between(const Rough& t) noexcept {
-    const double value = rounded(t.value), error = 1.01 * t.error + 0x1p-52 * std::fabs(value);
-    least = arithmetic::scale_far(value - error, t.exponent) * (1 - 0x1p-52);
-    most = arithmetic::scale_far(value + error, t.exponent) * (1 + 0x1p-52) + std::numeric_limits<double>::denorm_min();
-  }
-};
-
 /// Whether no double that search_up() tries between a start and a time is beyond ExactPair::contact_at(). It goes at
 /// most as far beyond the time as the start is from it; and after the witness no place is asked for.
-inline bool holds_trials(const ExactPair& pair, double start, double t, double witness) noexcept {
+inline bool have_room_for_trials(const PlaceBits& places, double start, double t, double witness) noexcept {
   const std::uint64_t bottom = arithmetic::rank(0.0) + 1, top = arithmetic::rank(std::numeric_limits<double>::max());
   const std::uint64_t from = arithmetic::rank(start), to = t > 0 ? arithmetic::rank(t) : bottom,
                       way = (from < to ? to - from : from - to) + 3;
   const std::uint64_t least = from < to ? from : to - bottom > way ? to - way : bottom;
   const std::uint64_t most = from > to ? from : top - to > way ? to + way : top;
   const double last = lane::min(arithmetic::at_rank<double>(most), witness);
-  return pair.holds_places(arithmetic::at_rank<double>(least), lane::max(last, t));
+  return places.have_room(arithmetic::at_rank<double>(least), lane::max(last, t));
 }
 
 /// The smallest double from which on reaches() holds. A negative answer of it, an error, ends the search.
@@ -52,25 +41,36 @@ std::int32_t search(double start, const Reaches& reaches, double& out) noexcept 
 /// The search for a time that is known, or infinite: an error if it would end with one.
 inline std::int32_t repeat_search(const ExactPair& pair, double start, double t) noexcept {
   if (!(t <= std::numeric_limits<double>::max())) return error_range;
-  const Between witness(pair.rough_witness());
-  if (pair.line_grazes() || holds_trials(pair, start, t, witness.most)) return 0;
+  const Between witness = between(pair.rough_witness());
+  const PlaceBits places = pair.place_bits();
+  if (pair.line_grazes() || have_room_for_trials(places, start, t, witness.most)) return 0;
   const auto reaches = [&](double x) -> std::int32_t {
     if (!(x > 0)) return 0;
     const bool is_after_witness = x > witness.most || (x >= witness.least && pair.witness_after(x) < 0);
     if (is_after_witness) return 1;
-    return pair.holds_place(x) ? (x > t ? 1 : 0) : static_cast<std::int32_t>(error_range);
+    const bool holds = places.have_room(x) || pair.holds_place(x);
+    return holds ? (x > t ? 1 : 0) : static_cast<std::int32_t>(error_range);
   };
   double out;
   return search(start, reaches, out);
 }
 
-/// The time, if it is known without trials and to a few digits more than a double has.
-inline WideTime known_time(const ExactPair& pair) noexcept {
-  WideTime found = pair.line_grazes()   ? wide_grazing_time(pair)
-                   : pair.of_ellipses() ? SeenEllipses<exact::few_limbs>(pair).time()
-                                        : wide_time(pair);
-  found.certain = found.certain && found.time.is_precise() && found.time.sign() > 0;
-  return found;
+/// The time, as far as it is known from few digits. `is_beside_start`: whether double leaves open that it is 0.
+inline WideTime known_time_of_ellipses(const ExactPair& pair, bool is_beside_start) noexcept {
+  const PairDigits<exact::few_limbs> digits(pair);
+  const auto soon = [&] { return LeadingContact(digits).soon(pair); };
+  WideTime found;
+  if (is_beside_start) found = soon();
+  if (!found.tells()) found = SeenEllipses(digits).time();
+  if (found.tells()) return found;
+  const WideTime straight = is_beside_start ? WideTime{} : soon();
+  if (straight.tells()) return straight;
+  if (found.more_digits && pair.is_long()) found = SeenEllipses(PairDigits<exact::some_limbs>(pair)).time();
+  return found.certain ? found : WideTime{straight.time, false, found.more_digits};
+}
+inline WideTime known_time(const ExactPair& pair, bool is_beside_start = false) noexcept {
+  if (pair.line_grazes()) return wide_grazing_time(pair);
+  return pair.of_ellipses() ? known_time_of_ellipses(pair, is_beside_start) : wide_time(pair);
 }
 
 /// Contact at one time; where the shapes touch is not told.
@@ -82,7 +82,7 @@ inline std::int32_t exact_contact_at(const ExactPair& pair, double t) noexcept {
 /// Whether there is contact at the end, where the witness comes after it; or an error. The time, if known, tells
 /// mostly.
 inline std::int32_t contact_at_end(const ExactPair& pair, double end, const WideTime& found) noexcept {
-  if (found.certain) {
+  if (found.tells()) {
     const Rough left = found.time - Rough(exact::from_double(end));
     // The errors of two times of boxes are within 2^-90 of either.
     const double error = left.error + arithmetic::scale(0x1p-88, found.time.exponent - left.exponent);
@@ -94,34 +94,40 @@ inline std::int32_t contact_at_end(const ExactPair& pair, double end, const Wide
 }
 
 /// Where a few digits do not tell the time of two ellipses: from more of them, or by trials. Negative where unknown.
-VESICA_COLD inline double tried_floor(const ExactPair& pair, double start, std::int32_t& error) noexcept {
+VESICA_COLD inline double tried_floor(const ExactPair& pair, double start, WideTime found,
+                                      std::int32_t& error) noexcept {
   if (pair.line_grazes() || !pair.of_ellipses()) return -1;
-  WideTime found;
-  if (pair.is_long()) found = SeenEllipses<exact::some_limbs>(pair).time();
-  if (!found.certain) found = SeenEllipses<exact::more_limbs>(pair).time();
-  if (!found.certain) return floor_of_ellipses(pair, start);
+  const double guess = found.time.sign() > 0 ? between(found.time).most : 0;
+  const WideTime of_thin = pair.is_long() ? wide_time_of_thin(pair) : WideTime{};
+  if (of_thin.tells()) {
+    found = of_thin;
+  } else if (found.more_digits) {
+    found = SeenEllipses(PairDigits<exact::more_limbs>(pair)).time();
+  }
+  if (!found.tells()) return floor_of_ellipses(pair, start, guess);
   double t;
   error = floor_of_time(pair, found.time, t);
   return t;
 }
 
-/// For a line that enters M after the start, and a witness that comes after the end if that is `late`. Returns 1, or 0
-/// where there is no contact up to the end, or error_range where the time or a place is beyond the numbers.
+/// For a line that enters M after the start, and a witness that comes after the end if that is `late`. `bounds`: what
+/// is known of the time. Returns 1, or 0 where there is no contact up to the end, or error_range where the time or a
+/// place is beyond the numbers.
 VESICA_COLD inline std::int32_t exact_floor(const ExactPair& pair, double end, bool late, double estimate,
-                                            double& out) noexcept {
+                                            const WideTime& bounds, double& out) noexcept {
   const bool usable = estimate > 0 && estimate < std::numeric_limits<double>::max();
   const double start = usable ? arithmetic::at_rank<double>(arithmetic::rank(estimate) + 1) : 1.0;
-  const WideTime found = known_time(pair);
+  const WideTime found = bounds.tells() ? bounds : known_time(pair, bounds.certain);
   if (late) {
     const std::int32_t at_end = contact_at_end(pair, end, found);
     if (at_end <= 0) return at_end;
   }
   std::int32_t error = 0;
   double t;
-  if (found.certain) {
+  if (found.tells()) {
     error = floor_of_time(pair, found.time, t);
   } else {
-    t = tried_floor(pair, start, error);
+    t = tried_floor(pair, usable ? start : 0, found, error);
   }
   if (error != 0) return error;
   if (t >= 0) {

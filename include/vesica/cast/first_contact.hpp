@@ -57,6 +57,14 @@ inline double known_floor(const Scene& scene, const TimeBounds& time) noexcept {
   return t.low < 0 ? arithmetic::at_rank<double>(arithmetic::rank(nearest) - 1) : nearest;
 }
 
+/// What the bounds tell of t0.
+inline WideTime as_wide(const Scene& scene, const TimeBounds& time) noexcept {
+  const double error = time.error + time.gain;
+  if (!scene.faithful || !time.tells() || !time.certain || !finite(time.value.high) || !finite(error)) return {};
+  const Twofold<double> t = arithmetic::renormalised(time.value);
+  return {Rough({t.high, t.low}, 1.01 * error, scene.time), true};
+}
+
 /// Where a line that grazes enters: the point of M farthest across v, of an edge along v the end that comes first.
 inline Found grazing(const Scene& scene, int side) noexcept {
   using Products = SplitProducts;
@@ -166,7 +174,8 @@ inline Impact<double> impact(const Body& a, const Scene& scene, const Meeting& m
   std::int32_t reached = 1;
   if (t < 0) {
     const double estimate = arithmetic::scale_far(arithmetic::rounded(found.time.value), seen.time);
-    reached = pair.exactly([&](const ExactPair& exact) { return exact_floor(exact, end, late, estimate, t); });
+    const WideTime bounds = graze.grazes ? WideTime{} : as_wide(seen, found.time);
+    reached = pair.exactly([&](const ExactPair& exact) { return exact_floor(exact, end, late, estimate, bounds, t); });
   } else if (late && t >= end) {
     reached = t > end ? 0 : pair.exactly([t](const ExactPair& exact) { return exact_contact_at(exact, t); });
   }

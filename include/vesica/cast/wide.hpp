@@ -22,11 +22,26 @@
 
 namespace vesica::detail::cast {
 
-/// A time, and whether it is t0 to its error.
+/// A time, and whether it is t0 to its error. That may leave open what is asked: `more_digits` says whether it would be
+/// less from more digits.
 struct WideTime {
   Rough time;
   bool certain = false;
+  bool more_digits = true;
+
+  /// t0 to a few digits more than a double has.
+  bool tells() const noexcept { return certain && time.is_precise() && time.sign() > 0; }
 };
+
+/// The doubles between which a time is.
+struct Between {
+  double least, most;
+};
+inline Between between(const Rough& t) noexcept {
+  const double value = rounded(t.value), error = 1.01 * t.error + 0x1p-52 * std::fabs(value);
+  return {arithmetic::scale_far(value - error, t.exponent) * (1 - 0x1p-52),
+          arithmetic::scale_far(value + error, t.exponent) * (1 + 0x1p-52) + std::numeric_limits<double>::denorm_min()};
+}
 
 /// x - sqrt(y) for exact numbers, without cancellation; false unless it is positive.
 inline bool less_root(const Number<3>& x, const Number<6>& y, Rough& out) noexcept {
@@ -188,6 +203,27 @@ VESICA_COLD inline WideTime wide_time(const ExactPair& pair) noexcept {
   latest_of_axes(SeenBox(a, p.vx, p.vy), b.box, p, latest);
   latest_of_axes(SeenBox(b, p.vx, p.vy), a.box, p, latest);
   return latest;
+}
+
+/// Of two ellipses of which one is so small or thin that how it is rounded does not count. It lies in the box of its
+/// numbers, and the segment of its longer axis lies in it. So contact begins after that of the box and before that of
+/// the segment, where the line meets that one's sum; if not, wide_time() finds no time.
+VESICA_COLD inline WideTime wide_time_of_thin(const ExactPair& pair) noexcept {
+  const Passage p{pair.dx_, pair.dy_, pair.vx_, pair.vy_};
+  const auto shorter = [](const exact::Box& e) -> const exact::Length& {
+    return exact::compare(e.hx, e.hy) < 0 ? e.hx : e.hy;
+  };
+  const bool a_is_thin = exact::compare(shorter(pair.a_.box), shorter(pair.b_.box)) < 0;
+  ExactBody thin = a_is_thin ? pair.a_ : pair.b_;
+  const ExactBody& other = a_is_thin ? pair.b_ : pair.a_;
+  const SeenEllipse round(other, a_is_thin ? pair.reach_b_ : pair.reach_a_, p);
+  const WideTime of_box = wide_time(SeenBox(thin, p.vx, p.vy), round, pair.w_);
+  if (!of_box.tells()) return {};
+  (exact::compare(thin.box.hx, thin.box.hy) < 0 ? thin.box.hx : thin.box.hy) = {};
+  const WideTime of_segment = wide_time(SeenBox(thin, p.vx, p.vy), round, pair.w_);
+  if (!of_segment.tells()) return {};
+  const Rough later = of_segment.time - of_box.time;
+  return {of_box.time + Rough({}, std::fabs(rounded(later.value)) + later.error, later.exponent), true};
 }
 
 /// The time at which a line that grazes enters: at the witness, or where the edge along v begins that it meets. As |w|
