@@ -25,10 +25,6 @@ struct Trial {
   arithmetic::Scaled value{0, 0};
 };
 
-template <int Degree>
-Number<Degree> times(int factor, const Number<Degree>& x) noexcept {
-  return exact::integer(factor) * x;
-}
 using exact::times;
 
 /// Three times the discriminant of the cubic; product: d1 d2.
