@@ -27,13 +27,6 @@ struct Trial {
 
 using exact::times;
 
-/// Three times the discriminant of the cubic; product: d1 d2.
-template <class C, class D>
-auto discriminant(const C& d1, const C& c1, const C& c2, const C& d2, const D& product) noexcept {
-  const auto a = square(c2) - times(3, d2 * c1), b = c1 * c2 - times(9, product), c = square(c1) - times(3, d1 * c2);
-  return times(4, a * c) - square(b);
-}
-
 /// An ellipse as seen along v, and the offset of centres by its axis.
 template <int limbs>
 struct EllipseDigits {
@@ -116,7 +109,7 @@ class LeadingContact {
     Trial trial;
     if (!c1.sign_is_certain() || !c2.sign_is_certain()) return trial;
     if (c1.sign >= 0 && c2.sign >= 0) return {true, true};
-    const Few discriminant = cast::discriminant(d1, c1, c2, d2, product_);
+    const Few discriminant = exact::detail::discriminant(d1, c1, c2, d2, product_);
     if (!discriminant.sign_is_certain() || discriminant.sign == 0) return trial;
     return {true, discriminant.sign < 0, true, scaled(discriminant)};
   }
@@ -151,7 +144,7 @@ class LeadingContact {
     const Few by_c1 = times(9, product_ * c2) + c1 * square(c2) - times(6, d2 * square(c1));
     const Few by_c2 = times(9, product_ * c1) + c2 * square(c1) - times(6, d1 * square(c2));
     const Rough fall = rough(times(12, by_c1 * first_.half_slope() + by_c2 * second_.half_slope()));
-    Rough value = rough(discriminant(d1, c1, c2, d2, product_));
+    Rough value = rough(exact::detail::discriminant(d1, c1, c2, d2, product_));
     if (!fall.is_precise() || fall.sign() <= 0) return {};
     const double size = std::fabs(rounded(value.value)) + value.error;
     if (size == 0) return {};
@@ -205,7 +198,7 @@ class LeadingContact {
       const Rough value = rough(leading_discriminant(p));
       if (value.is_precise()) return value;
     }
-    return Rough(discriminant(p.d1, p.c1, p.c2, p.d2, p.d1 * p.d2));
+    return Rough(exact::detail::discriminant(p.d1, p.c1, p.c2, p.d2, p.d1 * p.d2));
   }
 
   LeadingFrame first_, second_;

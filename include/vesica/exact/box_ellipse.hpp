@@ -149,13 +149,18 @@ struct VisibleEdges {
   }
 };
 
+/// A function of its own, as the disc's numbers take stack that the edges do not need.
+VESICA_CALLED constexpr int gap_at_disc(const Box& box, const Ellipse& ellipse, const VisibleEdges& edges) noexcept {
+  return BoxAtDisc(box, ellipse).gap(edges.near_x, edges.near_y);
+}
+
 /// contact(), or what is at most `enough` if it is.
 VESICA_CALLED constexpr int contact(const Box& box, const Ellipse& ellipse, int enough) noexcept {
   const VisibleEdges edges(box, ellipse);
   if (edges.centre_inside) return -1;
   if (!edges.are_long()) return edges.gap(enough);
   int gap = 0;
-  return edges.few_digits_tell(gap) ? gap : BoxAtDisc(box, ellipse).gap(edges.near_x, edges.near_y);
+  return edges.few_digits_tell(gap) ? gap : gap_at_disc(box, ellipse, edges);
 }
 
 }  // namespace detail
@@ -165,7 +170,7 @@ VESICA_CALLED constexpr int contact(const Box& box, const Ellipse& ellipse, int 
 constexpr int contact(const Box& box, const Ellipse& ellipse) noexcept { return detail::contact(box, ellipse, -1); }
 
 /// Whether a box and an ellipse share a point.
-constexpr bool overlap(const Box& box, const Ellipse& ellipse) noexcept {
+VESICA_CALLED constexpr bool overlap(const Box& box, const Ellipse& ellipse) noexcept {
   return degenerate(ellipse) ? overlap(box, as_box(ellipse)) : detail::contact(box, ellipse, 0) <= 0;
 }
 

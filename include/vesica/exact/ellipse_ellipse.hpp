@@ -24,14 +24,24 @@ VESICA_CALLED constexpr int discriminant_sign(const ContactCubic& p) noexcept {
   return compare_product_with_square(integer(4) * a, c, b);
 }
 
-/// Whether two ellipses share a point: both inner coefficients non-negative, or a discriminant that is not positive
-/// (p has one real root, which is negative, or a multiple one).
-constexpr bool overlap(const Ellipse& e, const Ellipse& f) noexcept {
-  if (degenerate(e)) return overlap(as_box(e), f);
-  if (degenerate(f)) return overlap(as_box(f), e);
+namespace detail {
+
+/// Of ellipses that are not degenerate: both inner coefficients non-negative, or a discriminant that is not positive (p
+/// has one real root, which is negative, or a multiple one). A function of its own, as its numbers take stack that
+/// boxes do not need.
+VESICA_CALLED constexpr bool overlap_by_cubic(const Ellipse& e, const Ellipse& f) noexcept {
   const ContactCubic p = contact_cubic(e, f);
   if (p.c1.sign >= 0 && p.c2.sign >= 0) return true;
   return discriminant_sign(p) <= 0;
+}
+
+}  // namespace detail
+
+/// Whether two ellipses share a point.
+constexpr bool overlap(const Ellipse& e, const Ellipse& f) noexcept {
+  if (degenerate(e)) return overlap(as_box(e), f);
+  if (degenerate(f)) return overlap(as_box(f), e);
+  return detail::overlap_by_cubic(e, f);
 }
 
 namespace detail {

@@ -109,7 +109,7 @@ constexpr Leading<limbs> times(int factor, const Leading<limbs>& a) noexcept {
     detail::multiply(&size, 1, a.limb, limbs, limb);
     product.set(factor < 0 ? -a.sign : a.sign, {limb, a.low, limbs + 1});
   }
-  if (a.error != product.nothing) product.lose(a.error + std::bit_width(size));
+  if (a.error != product.nothing) product.lose(a.error + static_cast<std::int64_t>(std::bit_width(size)));
   return product;
 }
 

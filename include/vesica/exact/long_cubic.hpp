@@ -31,12 +31,16 @@ constexpr SmallParts<Real> leading_small_parts(const ContactCubic& p) noexcept {
 
 namespace detail {
 
-/// The discriminant from the cubic's coefficients.
+/// The discriminant from the cubic's coefficients and d1 d2.
+template <class C, class D>
+constexpr auto discriminant(const C& d1, const C& c1, const C& c2, const C& d2, const D& d1_d2) noexcept {
+  const auto a = square(c2) - times(3, d2 * c1), b = c1 * c2 - times(9, d1_d2), c = square(c1) - times(3, d1 * c2);
+  return times(4, a * c) - square(b);
+}
 template <class Real, class Cubic>
 constexpr Real discriminant(const Cubic& p) noexcept {
   const Real d1(p.d1), c1(p.c1), c2(p.c2), d2(p.d2);
-  const Real a = square(c2) - times(3, d2 * c1), b = c1 * c2 - times(9, d1 * d2), c = square(c1) - times(3, d1 * c2);
-  return times(4, a * c) - square(b);
+  return discriminant(d1, c1, c2, d2, d1 * d2);
 }
 
 /// A third of it, in powers of al and be: with both 0 it is delta g^2. So nothing cancels where the ellipses' centres
