@@ -14,8 +14,8 @@ limit() {
 }
 
 modules=$1
-limit "$modules/vesica.wasm" 1250 415
-limit "$modules/simd/vesica.wasm" 1450 475
+limit "$modules/vesica.wasm" 1250 420
+limit "$modules/simd/vesica.wasm" 1450 480
 limit "$modules/vesica-overlap.wasm" 450 150
 limit "$modules/simd/vesica-overlap.wasm" 600 180
 limit "$modules/vesica-methods.wasm" 125 57
