@@ -118,7 +118,9 @@ TYPED_TEST(CastsOfArrays, AboutGrazing) {
       check_many<T>(s, static_cast<T>(about.front().motion.end));
       check_many<T>(s, static_cast<T>(about.back().motion.end));
     }
-    EXPECT_GT(grazed, kind_a == VESICA_POINT && kind_b == VESICA_POINT ? -1 : 0) << kind_a << ' ' << kind_b;
+    if (properties::draws_all()) {
+      EXPECT_GT(grazed, kind_a == VESICA_POINT && kind_b == VESICA_POINT ? -1 : 0) << kind_a << ' ' << kind_b;
+    }
   });
 }
 

@@ -2,6 +2,7 @@
 #include "cast/motions.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace cast_test {
 namespace {
@@ -71,8 +72,8 @@ std::vector<Moving> about_grazing(const Moving& hit, Scalar scalar, properties::
   if (touches(m, scalar)) no = random.chance(0.5) ? lowest : highest;
   x = properties::at_ordinal(scalar, no);
   if (touches(m, scalar)) return {};
-  while (std::max(yes, no) - std::min(yes, no) > 1) {
-    const std::int64_t middle = std::min(yes, no) + (std::max(yes, no) - std::min(yes, no)) / 2;
+  // Of opposite signs their difference may be too long.
+  for (std::int64_t middle = std::midpoint(yes, no); middle != yes && middle != no; middle = std::midpoint(yes, no)) {
     x = properties::at_ordinal(scalar, middle);
     (touches(m, scalar) ? yes : no) = middle;
   }

@@ -121,6 +121,7 @@ TEST_P(Swept, AnswersAndTimes) {
   print(flat_, "degenerate");
   print(exactly_at_a_number_, "ends at a contact");
   std::printf("%lld wrong\n", static_cast<long long>(wrong_));
+  if (!properties::draws_all()) return;
   for (const std::int64_t n : answers_) EXPECT_GT(n, 0);
   EXPECT_GT(beside_[VESICA_CAST_MISS], 0);
   EXPECT_GT(beside_[VESICA_CAST_HIT], 0);
