@@ -3056,16 +3056,15 @@ Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VES
 VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity
 that is not finite, a t_end that is negative or NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a
 coordinate of the point, would overflow; or an exact position would take more than 2000 bits, as with
-magnitudes of both 2^1000 and 2^-1000; or the normal is lost, as where a circle's radius is below 2^-500 of
-the other shape). Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale
-of a's outline; along the outline it may be off by (8 u scale + 4 u R) / |n.v|, n and v of unit length, R
-the greatest radius of curvature of a: of an ellipse its long half length squared over the short one, far
-more than its size if it is thin. The normal has length 1 to 4 u. Bounds on computed numbers use u = 2^-53.
-The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An
-aspect ratio is longer over shorter size. "Right to x": the error is <= x. Cost: 30 to 50 ns for a miss, 0.2
-to 0.6 us for a hit; less for rays (b a point), two circles and two ellipses, see the typed functions; 0.7
-to 20 us for contact that only exact arithmetic can decide. At wildly unlike exponents most take 10 to 40
-us; the dearest that searches found took 0.5 ms (AMD EPYC, Zen 4). Since: 0.1.""",
+magnitudes of both 2^1000 and 2^-1000). Accuracy: the answer is exact, and the time is rounded down. The
+point is within 8 u scale of a's outline; along the outline it may be off by (8 u scale + 4 u R) / |n.v|, n
+and v of unit length, R the greatest radius of curvature of a: of an ellipse its long half length squared
+over the short one, far more than its size if it is thin. The normal has length 1 to 4 u. Bounds on computed
+numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
+their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is <= x. Cost: 30
+to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two ellipses, see
+the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly unlike
+exponents most take 10 to 40 us; the dearest that searches found took 0.16 ms (AMD EPYC, Zen 4). Since: 0.1.""",
     ),
     "vesica_cast_many_f64": (
         c_int64,
@@ -3282,16 +3281,15 @@ Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VES
 VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity
 that is not finite, a t_end that is negative or NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a
 coordinate of the point, would overflow; or an exact position would take more than 2000 bits, as with
-magnitudes of both 2^1000 and 2^-1000; or the normal is lost, as where a circle's radius is below 2^-500 of
-the other shape). Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale
-of a's outline; along the outline it may be off by (8 u scale + 4 u R) / |n.v|, n and v of unit length, R
-the greatest radius of curvature of a: of an ellipse its long half length squared over the short one, far
-more than its size if it is thin. The normal has length 1 to 4 u. Bounds on computed numbers use u = 2^-53.
-The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An
-aspect ratio is longer over shorter size. "Right to x": the error is <= x. Cost: 30 to 50 ns for a miss, 0.2
-to 0.6 us for a hit; less for rays (b a point), two circles and two ellipses, see the typed functions; 0.7
-to 20 us for contact that only exact arithmetic can decide. At wildly unlike exponents most take 10 to 40
-us; the dearest that searches found took 0.5 ms (AMD EPYC, Zen 4). Since: 0.1.""",
+magnitudes of both 2^1000 and 2^-1000). Accuracy: the answer is exact, and the time is rounded down. The
+point is within 8 u scale of a's outline; along the outline it may be off by (8 u scale + 4 u R) / |n.v|, n
+and v of unit length, R the greatest radius of curvature of a: of an ellipse its long half length squared
+over the short one, far more than its size if it is thin. The normal has length 1 to 4 u. Bounds on computed
+numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
+their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is <= x. Cost: 30
+to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two ellipses, see
+the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly unlike
+exponents most take 10 to 40 us; the dearest that searches found took 0.16 ms (AMD EPYC, Zen 4). Since: 0.1.""",
     ),
     "vesica_cast_many_f32": (
         c_int64,

@@ -43,7 +43,8 @@ bool check(const Body& a, const Body& b, const core::Motion& m, bool by_search) 
   if (pair.contact_at(0) != core::Contact::none) return false;
   const core::LineMeeting line = core::exact_line(pair, m.end);
   if (!line.meets) return false;
-  const core::WideTime found = core::known_time(pair);
+  core::EllipsePlace place;
+  const core::WideTime found = core::known_time(pair, false, place);
   double t = 0;
   if (!found.tells() || core::floor_of_time(pair, found.time, t) != 0) return false;
   if (by_search) expect_found_by_search(pair, t);
@@ -127,6 +128,13 @@ TEST(CastAtUnlikeExponents, KnownTimes) {
        {Kind::circle, {-0x1.4p-789, 0x1p-790, 0x1p-790, 0, 0, 0}},
        {0, 0x1.4p-790, infinity},
        0x1.47ae147ae147ap-105},
+      // Two ellipses, of whose direction double has no digit.
+      {{Kind::circle, {-0x1p+527, -0x1.69b78e35e0be8p-481, 0x1p+819, 0, 0, 0}},
+       {Kind::ellipse,
+        {-0x0.000000001cbbfp-1022, -0x1p+819, 0x1.afcbada07a9b5p-823, 0x1.4051e1527e1b9p+223, 0x1.304d3f8983797p-14,
+         0x1p+100}},
+       {0x1p+162, 0x1p+0, 0x1.0000000000002p+234},
+       0x1.fffffe833e1c4p+233},
       // Lines that graze: the edge of a box, an ellipse at one point.
       {{Kind::aabb, {0, 0, 1, 1, 0, 0}}, {Kind::aabb, {-5, 1, -3, 2, 0, 0}}, {0x1p-900, 0, infinity}, 0x1.8p+901},
       {{Kind::point, {0x1p+301, -0x1p-262, 0, 0, 0, 0}},
@@ -136,7 +144,8 @@ TEST(CastAtUnlikeExponents, KnownTimes) {
   };
   for (const Known& k : all) {
     const ExactPair pair(k.a, k.b, k.motion);
-    const core::WideTime found = core::known_time(pair);
+    core::EllipsePlace place;
+    const core::WideTime found = core::known_time(pair, false, place);
     double t = 0;
     ASSERT_TRUE(found.tells());
     ASSERT_EQ(core::floor_of_time(pair, found.time, t), 0);

@@ -92,8 +92,14 @@ inline nearest::UnscaledShape form_times(const Body& body, double k) noexcept {
   return with_shape(body, [k](const auto& s) { return nearest::form_times(s, k); });
 }
 
+/// A circle smaller than this share of the pair is taken for a point: the product of four of its radii would vanish.
+inline constexpr double smallest_circle = 0x1p-240;
+
 inline Side side(const nearest::ScaledShape& p) noexcept {
-  if (p.radius > 0) return {{{1, 0}, {0, 0}}, {p.radius, 0}, {p.radius, 0}, true};
+  if (p.radius > 0) {
+    const double r = p.radius >= smallest_circle ? p.radius : 0;
+    return {{{1, 0}, {0, 0}}, {r, 0}, {r, 0}, r > 0};
+  }
   return {p.box.u, p.box.hx, p.box.hy, p.curved};
 }
 

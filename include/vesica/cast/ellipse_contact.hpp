@@ -3,20 +3,10 @@
 /// of exact/contact_cubic.hpp.
 #pragma once
 
-#include <vesica/arithmetic/wide.hpp>
+#include <vesica/cast/leading_root.hpp>
 #include <vesica/cast/wide.hpp>
 
 namespace vesica::detail::cast {
-
-using arithmetic::Wide;
-
-template <int limbs>
-Wide wide(const Leading<limbs>& x) noexcept {
-  constexpr int top = limbs - 1;
-  if (x.sign == 0) return {};
-  const double value = static_cast<double>(x.limb[top]) + 0x1p-64 * static_cast<double>(x.limb[top - 1]);
-  return {x.sign * value, 64 * (x.low + top)};
-}
 
 /// What a trial tells: whether there is contact of insides before the time, and where known the discriminant of the
 /// cubic, which is positive before contact, and falls through 0 at it.

@@ -7,8 +7,8 @@
 ///     rest(s) = r (1 - x / sqrt(1 + x^2)),   x = (s - s_i) / c,
 ///
 /// adds up to r_a + r_b - |w|; for w < 0 both are mirrored. That s is found in doubles of any exponent. Then T is
-/// evaluated there from leading digits, and its error includes a bound on what a better s would gain. So a bad s costs
-/// time, and never a wrong answer.
+/// evaluated there from leading digits, and its error includes a bound on what a better s would gain; Newton's method
+/// gives a better one from the same digits. So a bad s costs time, and never a wrong answer.
 #pragma once
 
 #include <vesica/cast/ellipse_contact.hpp>
@@ -86,6 +86,21 @@ inline BesideBend place_of_rest(const Bends& b) noexcept {
   return {bend, at(d)};
 }
 
+/// A direction n, by what it has of perp(v) more than an ellipse's bend has, times r^2 of that one.
+struct EllipsePlace {
+  int bend = -1;
+  Leading<exact::more_limbs> beside;
+
+  bool is_known() const noexcept { return bend >= 0; }
+};
+template <int limbs, int from>
+Leading<limbs> with_limbs(const Leading<from>& x) noexcept {
+  Leading<limbs> out;
+  if (x.sign != 0) out.set(x.sign, x.span());
+  out.error = out.nothing;
+  return out;
+}
+
 /// A pair of ellipses whose line enters M after the start and does not graze it, in so many leading digits.
 template <int limbs>
 class SeenEllipses {
@@ -95,10 +110,30 @@ class SeenEllipses {
  public:
   explicit SeenEllipses(const PairDigits<limbs>& pair) noexcept : pair_(pair) {}
 
-  /// The greatest T(n).
-  WideTime time() const noexcept {
+  /// The greatest T(n). `place`: where to look first, if it is known; then where it is, for more digits to go on from.
+  WideTime time(EllipsePlace& place) const noexcept {
+    if (!place.is_known() && !find_place(place)) return {};
+    const Digits& unit = pair_.ellipse[place.bend].squared;
+    const FromBend from(pair_, place.bend);
+    Digits beside = with_limbs<limbs>(place.beside);
+    Evaluated at = evaluate(from, beside, unit);
+    for (int i = 0; i < most_steps && at.step.sign() != 0 && at.needs_better_place(); ++i) {
+      beside = beside + leading<limbs>(at.step * wide(unit));
+      beside.error = Digits::nothing;  // this is the direction now
+      const Evaluated next = evaluate(from, beside, unit);
+      const bool is_nearer = arithmetic::abs(next.step) < arithmetic::abs(at.step);
+      at = next;
+      if (!is_nearer) break;
+    }
+    place = at.is_near ? EllipsePlace{place.bend, with_limbs<exact::more_limbs>(beside)} : EllipsePlace{};
+    if (at.is_usable && at.is_below_all_doubles()) return {Rough(crossings::Real(1.0), 0, least_exponent), true};
+    return {at.time, at.is_usable, at.more_digits};
+  }
+
+ private:
+  bool find_place(EllipsePlace& place) const noexcept {
     Bends bends;
-    if (!reach_less_offset(bends.gap)) return {};
+    if (!reach_less_offset(bends.gap)) return false;
     const auto& [a, b] = pair_.ellipse;
     const bool mirrored = pair_.w.sign < 0;
     for (int i = 0; i < 2; ++i) {
@@ -109,21 +144,11 @@ class SeenEllipses {
     bends.way = wide(b.m * a.squared - a.m * b.squared) / (wide(a.squared) * wide(b.squared));
     if (mirrored) bends.way = -bends.way;
     const BesideBend found = place_of_rest(bends);
+    place = {found.bend, {}};
     const Wide unit = wide(pair_.ellipse[found.bend].squared);
-    const FromBend from(pair_, found.bend);
-    Digits beside = digits((mirrored ? -found.way : found.way) * unit);
-    Evaluated at = evaluate(from, beside, pair_.ellipse[found.bend].squared);
-    for (int i = 0; i < 2 && at.is_usable && !at.is_precise(); ++i) {
-      beside = beside + digits(at.step * unit);
-      beside.error = Digits::nothing;  // this is the direction now
-      at = evaluate(from, beside, pair_.ellipse[found.bend].squared);
-    }
-    if (at.is_usable && at.is_below_all_doubles()) return {Rough(crossings::Real(1.0), 0, least_exponent), true};
-    return {at.time, at.is_usable, at.more_digits};
+    place.beside = leading<exact::more_limbs>((mirrored ? -found.way : found.way) * unit);
+    return true;
   }
-
- private:
-  static Digits digits(const Wide& x) noexcept { return Digits(exact::from_double(x.value, x.exponent)); }
 
   /// At the middle of an ellipse's bend n, times r^2, is -(v.v) (b^2 c u + a^2 k perp(u)); for both ellipses what u.n
   /// and u x n then are, and n.D.
@@ -145,13 +170,17 @@ class SeenEllipses {
   };
 
   static constexpr int least_exponent = -1100;  ///< below those of doubles
+  static constexpr int most_steps = 6;          ///< of Newton's method, each of some 50 bits
 
   /// T(n), with all that a better n can gain in the error; how far off the best s is.
   struct Evaluated {
     Rough time;
     Wide step;
+    bool is_near = false;  ///< the step is so short that what it gains has a bound
     bool is_usable = false, more_digits = true;
 
+    /// Not where it is better digits that it needs.
+    bool needs_better_place() const noexcept { return !is_usable || !(is_precise() || more_digits); }
     bool is_precise() const noexcept { return std::fabs(rounded(time.value)) * 0x1p-66 >= time.error; }
     bool is_below_all_doubles() const noexcept {
       return arithmetic::scale(std::fabs(rounded(time.value)) + time.error, time.exponent - least_exponent) < 1;
@@ -177,38 +206,36 @@ class SeenEllipses {
   /// At a bend's n and `beside` perp(v) more.
   Evaluated evaluate(const FromBend& from, const Digits& beside, const Digits& squared) const noexcept {
     const Digits offset = from.way + beside * pair_.w;
-    Digits heights[2];
-    Rough height, slopes;
+    Digits heights[2], slopes[2];
     Wide fall, narrowest;
     for (int i = 0; i < 2; ++i) {
       const Seen& e = pair_.ellipse[i];
       // u.perp(v) = -(u x v), u x perp(v) = u.v.
       const Digits p = e.hx * (from.along[i] - beside * e.k), q = e.hy * (from.across[i] + beside * e.c);
-      heights[i] = square(p) + square(q);
-      const Rough h = root(rough(heights[i]));
-      if (!h.is_precise()) return {};
-      height = height + h;
+      const Digits squared_height = square(p) + square(q);
+      if (squared_height.sign <= 0 || !squared_height.sign_is_certain()) return {};
+      heights[i] = root(squared_height);
+      if (!rough(heights[i]).is_precise()) return {};
       // Of the bend's own ellipse all but this cancels.
-      slopes = slopes + rough(i == from.bend ? squared * beside : q * (e.hy * e.c) - p * (e.hx * e.k)) / h;
-      const Wide of_unit = Wide(h.scaled()) / wide(squared), area = wide(e.area) * wide(pair_.vv);
+      slopes[i] = i == from.bend ? squared * beside : q * (e.hy * e.c) - p * (e.hx * e.k);
+      const Wide of_unit = wide(heights[i]) / wide(squared), area = wide(e.area) * wide(pair_.vv);
       fall = fall + area * area / (of_unit * of_unit * of_unit);
       const Wide room = of_unit / (arithmetic::root(wide(e.squared)) * Wide{8, 0});
       if (i == 0 || room < narrowest) narrowest = room;
     }
-    const Rough slope = rough(pair_.w) - slopes;
+    const Digits &h = heights[0], &g = heights[1], sum = pair_.w * h * g - slopes[0] * g - slopes[1] * h;
+    const Rough slope = rough(sum) / rough(h * g);
     const Wide steepest(std::fabs(rounded(slope.value)) + slope.error, slope.exponent);
     Evaluated out;
     out.step = Wide(slope.scaled()) / fall;
-    // n.D - h_a - h_b, twice without cancellation: times the sum of all it is a difference with a root.
-    const Digits rest = square(offset) - heights[0] - heights[1], product = times(4, heights[0] * heights[1]);
-    if (offset.sign <= 0 || rest.sign <= 0) return {};
-    const Rough sums = (rough(rest) + root(rough(product))) * (rough(offset) + height);
-    if (!sums.is_precise()) return {};
-    out.time = rough(square(rest) - product) / (sums * rough(squared * pair_.vv));
-    out.is_usable = steepest / fall < narrowest;
+    out.is_near = steepest / fall < narrowest;
+    const Digits gap = offset - h - g;
+    if (gap.sign <= 0) return out;
+    out.time = rough(gap) / rough(squared * pair_.vv);
+    out.is_usable = out.is_near;
     const Wide gain = steepest * steepest / (fall * wide(pair_.vv));
     // The gain as a number of its own: where T is 0, in whatever unit, it is all that there is.
-    out.more_digits = gain < Wide(out.time.error, out.time.exponent);
+    out.more_digits = !out.is_usable || gain < Wide(out.time.error, out.time.exponent);
     out.time = out.time + Rough({}, 1.01 * gain.value, gain.exponent);
     return out;
   }

@@ -69,17 +69,14 @@ class Bracket {
 };
 
 /// The greatest double with no contact before it, for which ask(t) is answered by trials; infinite where there is no
-/// contact before the largest, negative where it is about that. Where wide formulas do not tell it, it is often 0, or
-/// the one before `start`, or about the witness, which it never is after. Else first the power of two is bisected, from
-/// a guess on unless that is 0, then the zero of the discriminant is approached by secants.
+/// contact before the largest, negative where it is about that. A guess above 0 is T(n) of some n (bound.hpp), which is
+/// not after contact, and mostly not long before it. Where wide formulas do not tell the time, it is often 0, or the
+/// one before `start`, or about the witness, which it never is after. Else first the power of two is bisected, from the
+/// guess on, then the zero of the discriminant is approached by secants.
 template <class Ask>
 double floor_by_trials(double start, const Between& witness, double guess, const Ask& ask) noexcept {
   constexpr int least = -1074;
   constexpr double largest = std::numeric_limits<double>::max(), infinity = std::numeric_limits<double>::infinity();
-  Trial at_no = ask(arithmetic::scale_far(1, least)), at_yes;
-  if (at_no.after) return 0;
-  const double before = arithmetic::at_rank<double>(arithmetic::rank(start) - 1);
-  if (before > 0 && ask(start).after && !ask(before).after) return before;
   const auto narrowed = [&ask](Bracket bracket) {
     while (!bracket.is_closed()) {
       const std::uint64_t at = bracket.next();
@@ -87,6 +84,21 @@ double floor_by_trials(double start, const Between& witness, double guess, const
     }
     return bracket.floor();
   };
+  if (guess > 0 && guess < 0x1p1023) {
+    Trial at_before = ask(guess);
+    double before = guess;
+    for (std::uint64_t way = 1; way < 0x100000 && !at_before.after; way *= 4) {
+      const double later = arithmetic::at_rank<double>(arithmetic::rank(before) + way);
+      const Trial at_later = ask(later);
+      if (at_later.after) return narrowed({before, later, at_before, at_later});
+      before = later;
+      at_before = at_later;
+    }
+  }
+  Trial at_no = ask(arithmetic::scale_far(1, least)), at_yes;
+  if (at_no.after) return 0;
+  const double before = arithmetic::at_rank<double>(arithmetic::rank(start) - 1);
+  if (before > 0 && ask(start).after && !ask(before).after) return before;
   int no = least, yes = 1024;
   if (witness.least > 0 && witness.most <= largest) {
     const Trial at_witness = ask(witness.least);

@@ -305,6 +305,7 @@ class ExactPair {
   bool is_long() const noexcept { return reach_a_.is_long() || reach_b_.is_long(); }
 
   friend WideTime wide_time(const ExactPair& pair) noexcept;
+  friend WideTime wide_time_of_circles(const ExactPair& pair) noexcept;
   friend WideTime wide_time_of_thin(const ExactPair& pair) noexcept;
   friend WideTime wide_grazing_time(const ExactPair& pair) noexcept;
   template <int limbs>

@@ -190,6 +190,18 @@ inline WideTime wide_time(const SeenBox& seen, const SeenEllipse& round, const N
   return {met.time, met.certain && out.certain};
 }
 
+/// Of two circles: of a point and the circle of both radii. Not certain for other ellipses.
+VESICA_COLD inline WideTime wide_time_of_circles(const ExactPair& pair) noexcept {
+  const exact::Box &a = pair.a_.box, &b = pair.b_.box;
+  const auto are_same = [](const auto& x, const auto& y) { return exact::compare(x, y) == 0; };
+  const bool are_circles = are_same(a.hx, a.hy) && are_same(b.hx, b.hy) && are_same(a.ux, b.ux) && are_same(a.uy, b.uy);
+  if (!are_circles) return {};
+  ExactBody sum = pair.a_;
+  sum.box.hx = sum.box.hy = a.hx + b.hx;
+  const ExactReach reach(sum, pair.vx_, pair.vy_);
+  return SeenEllipse(sum, reach, {pair.dx_, pair.dy_, pair.vx_, pair.vy_}).meets_corner(pair.dx_, pair.dy_);
+}
+
 /// Of a pair whose line enters M after the start and does not graze it; of two ellipses nothing is known.
 VESICA_COLD inline WideTime wide_time(const ExactPair& pair) noexcept {
   const Passage p{pair.dx_, pair.dy_, pair.vx_, pair.vy_};

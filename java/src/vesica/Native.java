@@ -2713,8 +2713,7 @@ final class Native {
    *
    * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity that is not finite, a t_end that is negative
    * or NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a coordinate of the point, would overflow; or an exact
-   * position would take more than 2000 bits, as with magnitudes of both 2^1000 and 2^-1000; or the normal is lost, as
-   * where a circle's radius is below 2^-500 of the other shape).
+   * position would take more than 2000 bits, as with magnitudes of both 2^1000 and 2^-1000).
    *
    * <p>Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline; along
    * the outline it may be off by (8 u scale + 4 u R) / |n.v|, n and v of unit length, R the greatest radius of
@@ -2725,7 +2724,7 @@ final class Native {
    *
    * <p>Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two ellipses,
    * see the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly unlike exponents
-   * most take 10 to 40 us; the dearest that searches found took 0.5 ms (AMD EPYC, Zen 4).
+   * most take 10 to 40 us; the dearest that searches found took 0.16 ms (AMD EPYC, Zen 4).
    *
    * <p>Since: 0.1.
    */
@@ -3015,8 +3014,7 @@ final class Native {
    *
    * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity that is not finite, a t_end that is negative
    * or NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a coordinate of the point, would overflow; or an exact
-   * position would take more than 2000 bits, as with magnitudes of both 2^1000 and 2^-1000; or the normal is lost, as
-   * where a circle's radius is below 2^-500 of the other shape).
+   * position would take more than 2000 bits, as with magnitudes of both 2^1000 and 2^-1000).
    *
    * <p>Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline; along
    * the outline it may be off by (8 u scale + 4 u R) / |n.v|, n and v of unit length, R the greatest radius of
@@ -3027,7 +3025,7 @@ final class Native {
    *
    * <p>Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two ellipses,
    * see the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly unlike exponents
-   * most take 10 to 40 us; the dearest that searches found took 0.5 ms (AMD EPYC, Zen 4).
+   * most take 10 to 40 us; the dearest that searches found took 0.16 ms (AMD EPYC, Zen 4).
    *
    * <p>Since: 0.1.
    */

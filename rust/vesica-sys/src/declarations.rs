@@ -3165,8 +3165,7 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity that is not finite, a t_end that is negative
     /// or NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a coordinate of the point, would overflow; or an exact
-    /// position would take more than 2000 bits, as with magnitudes of both 2^1000 and 2^-1000; or the normal is lost,
-    /// as where a circle's radius is below 2^-500 of the other shape).
+    /// position would take more than 2000 bits, as with magnitudes of both 2^1000 and 2^-1000).
     ///
     /// Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline; along
     /// the outline it may be off by (8 u scale + 4 u R) / |n.v|, n and v of unit length, R the greatest radius of
@@ -3177,7 +3176,7 @@ extern "C" {
     ///
     /// Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two ellipses,
     /// see the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly unlike
-    /// exponents most take 10 to 40 us; the dearest that searches found took 0.5 ms (AMD EPYC, Zen 4).
+    /// exponents most take 10 to 40 us; the dearest that searches found took 0.16 ms (AMD EPYC, Zen 4).
     ///
     /// Since: 0.1.
     pub fn vesica_cast_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64, vx: f64, vy: f64,
@@ -3428,8 +3427,7 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity that is not finite, a t_end that is negative
     /// or NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a coordinate of the point, would overflow; or an exact
-    /// position would take more than 2000 bits, as with magnitudes of both 2^1000 and 2^-1000; or the normal is lost,
-    /// as where a circle's radius is below 2^-500 of the other shape).
+    /// position would take more than 2000 bits, as with magnitudes of both 2^1000 and 2^-1000).
     ///
     /// Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline; along
     /// the outline it may be off by (8 u scale + 4 u R) / |n.v|, n and v of unit length, R the greatest radius of
@@ -3440,7 +3438,7 @@ extern "C" {
     ///
     /// Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two ellipses,
     /// see the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly unlike
-    /// exponents most take 10 to 40 us; the dearest that searches found took 0.5 ms (AMD EPYC, Zen 4).
+    /// exponents most take 10 to 40 us; the dearest that searches found took 0.16 ms (AMD EPYC, Zen 4).
     ///
     /// Since: 0.1.
     pub fn vesica_cast_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32, vx: f32, vy: f32,
