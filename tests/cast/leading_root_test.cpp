@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Square roots to as many digits as a number has: the number lies between the squares of what the error allows, and the
+/// Square roots to as many digits as a number has: the number is between the squares of what the error allows, and the
 /// error is of the last digits.
 #include <gtest/gtest.h>
 

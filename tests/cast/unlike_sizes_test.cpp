@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A shape far smaller than the other one is cast as its centre is: the same answer, and nearly the same time, place and
-/// normal.
+/// A shape far smaller than the other one is cast as its centre is: the same answer, and nearly the same time, place
+/// and normal.
 #include <gtest/gtest.h>
 
 #include <cmath>
