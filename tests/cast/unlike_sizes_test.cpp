@@ -65,6 +65,37 @@ TEST_P(CastOfUnlikeSizes, TheSmallOneIsCastAsItsCentre) {
   EXPECT_GT(hits, 0);
 }
 
+class CastAtCorner : public testing::TestWithParam<int> {};  // the box
+
+TEST_P(CastAtCorner, TheSmallOneHitsThatCorner) {
+  Random random(properties::seed() + 68);
+  for (int i = 0; i < 6000 * properties::repeat(); ++i) {
+    // All places are exact.
+    const double unit = std::ldexp(1, random.integer(-300, 300)), small = std::ldexp(unit, -random.integer(40, 650));
+    const bool is_segment = GetParam() == VESICA_SEGMENT;
+    const double x = unit * random.integer(1, 64), y = unit * random.integer(is_segment ? -64 : 1, 64);
+    const Numbers box = GetParam() == VESICA_RECT ? Numbers{0, 0, 0, 1, y, x} : Numbers{-x, -y, x, y};
+    const double from_x = x + unit * random.integer(1, 64),
+                 from_y = y + unit * random.integer(is_segment ? -64 : 0, 64);
+    // Ahead of that end of a segment, else its face may be hit first.
+    if (is_segment && (from_x - x) * x + (from_y - y) * y <= 0) continue;
+    const int kind = random.chance(0.5) ? VESICA_CIRCLE : random.chance(0.5) ? VESICA_ELLIPSE : VESICA_RECT;
+    const Pair pair{GetParam(), kind, box, shape(kind, from_x, from_y, small, random)};
+    const Motion m{x - from_x, y - from_y, infinity};
+    SCOPED_TRACE(describe(pair, m));
+    const Answer found = cast(Scalar::f64, pair, m);
+    ASSERT_EQ(found.code, VESICA_CAST_HIT);
+    const double error = 0x1p-44 + 64 * small / unit;
+    EXPECT_NEAR(found.t, 1, error);
+    EXPECT_NEAR(found.x / unit, x / unit, 64 * error);
+    EXPECT_NEAR(found.y / unit, y / unit, 64 * error);
+    if (HasFailure()) return;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Cast, CastAtCorner, testing::Values(VESICA_SEGMENT, VESICA_AABB, VESICA_RECT),
+                         [](const auto& test) { return std::string(vesica_kind_name(test.param)); });
+
 INSTANTIATE_TEST_SUITE_P(Cast, CastOfUnlikeSizes,
                          testing::Values(VESICA_SEGMENT, VESICA_AABB, VESICA_RECT, VESICA_CIRCLE, VESICA_ELLIPSE),
                          [](const auto& test) { return std::string(vesica_kind_name(test.param)); });

@@ -75,6 +75,18 @@ Numbers thinned(int kind, Numbers n, Random& random) {
   return n;
 }
 
+/// Far smaller than it is, where it is: to a shape of another size about a dot.
+Numbers shrunk(Scalar scalar, int kind, Numbers n, Random& random) {
+  const double by = std::ldexp(1, -random.integer(20, scalar == Scalar::f32 ? 120 : 700));
+  if (kind == VESICA_SEGMENT || kind == VESICA_AABB) {
+    for (const std::size_t i : {0U, 1U}) n[i + 2] = n[i] + (n[i + 2] - n[i]) * by;
+  }
+  for (int i = 0; i < properties::field_count(kind); ++i) {
+    if (properties::role(kind, i) == Role::size) n[static_cast<std::size_t>(i)] *= by;
+  }
+  return properties::nearest_shape(scalar, kind, n);
+}
+
 Pair shifted(Pair p, double x, double y) {
   p.a = properties::moved(p.kind_a, p.a, {x, y});
   p.b = properties::moved(p.kind_b, p.b, {x, y});
@@ -105,6 +117,8 @@ Pair altered(Scalar scalar, Pair p, Random& random) {
   const Limits& l = limits(scalar);
   if (random.chance(0.15)) p.a = thinned(p.kind_a, p.a, random);
   if (random.chance(0.15)) p.b = thinned(p.kind_b, p.b, random);
+  if (random.chance(0.03)) p.a = shrunk(scalar, p.kind_a, p.a, random);
+  if (random.chance(0.03)) p.b = shrunk(scalar, p.kind_b, p.b, random);
   if (random.chance(0.05)) p.a = properties::collapsed(p.kind_a, p.a, random);
   if (random.chance(0.05)) p.b = properties::collapsed(p.kind_b, p.b, random);
   if (random.chance(0.1)) {

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """join_test.py JOIN: what it answers for files good and bad, in the folder it is called in."""
+import contextlib
 import os
 import pty
 import random
 import resource
 import subprocess
 import sys
+import time
 
 import numpy
 import vesica
@@ -221,11 +223,20 @@ with open("/dev/full", "w") as full:
 check("a full disk", (2, "join: cannot write the pairs\n"), (done.returncode, done.stderr))
 
 # ---- What a terminal shows ----------------------------------------------------------------------------------------
+# Progress is shown after half a second: the pipe is full for longer, however quick the machine.
 master, terminal = pty.openpty()
 write("same.txt", "point 0 0\n" * 4000)
-subprocess.run([sys.argv[1], "same.txt"], stdout=subprocess.DEVNULL, stderr=terminal, check=True)
-os.close(terminal)
-shown = os.read(master, 65536).decode()
-check("progress on a terminal", True, "joining: " in shown and shown.rstrip().endswith("a shape"))
+with subprocess.Popen([sys.argv[1], "same.txt"], stdout=subprocess.PIPE, stderr=terminal) as join:
+    os.close(terminal)
+    join.stdout.read(1)
+    time.sleep(0.6)
+    while join.stdout.read(1 << 20):
+        pass
+shown = ""
+with contextlib.suppress(OSError):  # That is how a terminal ends. What was written comes in pieces.
+    while piece := os.read(master, 65536):
+        shown += piece.decode()
+check("status", 0, join.returncode)
+check("progress on a terminal", (True, True), ("joining: " in shown, shown.rstrip().endswith("a shape")))
 
 sys.exit(failures != 0)

@@ -104,7 +104,10 @@ VESICA_INLINE Feature<V> feature(const nearest::Box<V>& box, const Twofold<V>& c
   const MaskOf<V> along_first = along_at < across_at;
   const Twofold<V> first = choose(along_first, of_hy, of_hx), second = choose(along_first, of_hx, of_hy);
   const V at_first = e.slope(min(across_at, along_at)), at_second = e.slope(max(across_at, along_at));
-  const Twofold<V> left = w + first + second, middle = w - first + second, right = w - first - second;
+  // The terms cancel where the curve is far less than the box: what is left is then in the lower part.
+  const auto left_over = [&](const Twofold<V>& a, const Twofold<V>& b) { return renormalised(w + a + b); };
+  const Twofold<V> left = left_over(first, second), middle = left_over(-first, second),
+                   right = left_over(-first, -second);
   // A side of no length is no face, however exactly the curve's slope is that between the two beside it.
   const MaskOf<V> on_left = left.high < at_first;
   const MaskOf<V> first_face = and_not(and_not(middle.high <= at_first, is_zero(first)), on_left);
