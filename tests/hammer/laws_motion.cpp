@@ -86,6 +86,27 @@ Extent extent(int kind, const Numbers& n) {
 
 double aspect(const Numbers& ellipse) { return std::fmax(ellipse[4], ellipse[5]) / std::fmin(ellipse[4], ellipse[5]); }
 
+/// Whether v is along (x, y) to 2^-79. Exactly so is known only where both are along an axis of the plane.
+bool is_nearly_along(double x, double y, const Motion& v) {
+  if ((x == 0 && v.vx == 0) || (y == 0 && v.vy == 0)) return false;
+  const double longer = std::fmax(std::fabs(x), std::fabs(y)), speed = std::fmax(std::fabs(v.vx), std::fabs(v.vy));
+  return std::fabs((x / longer) * (v.vy / speed) - (y / longer) * (v.vx / speed)) < 0x1p-79;
+}
+
+/// A face that is met at so small an angle may be taken for the one beside it, as vesica_motion.h tells.
+bool is_nearly_along_a_face(int kind, const Numbers& n, const Motion& v) {
+  switch (kind) {
+    case VESICA_SEGMENT:
+      return is_nearly_along(n[2] / 2 - n[0] / 2, n[3] / 2 - n[1] / 2, v);
+    case VESICA_AABB:
+      return is_nearly_along(1, 0, v) || is_nearly_along(0, 1, v);
+    case VESICA_RECT:
+      return is_nearly_along(n[2], n[3], v) || is_nearly_along(-n[3], n[2], v);
+    default:
+      return false;
+  }
+}
+
 /// The point is on the first outline, and about on the other one: how far that may be off goes with how slowly it comes.
 void demand_point(Judge& j, const Case& c, const Answer& r) {
   const double u = c.scalar == Scalar::f64 ? 0x1p-53 : 0x1p-24, x = r.numbers[1], y = r.numbers[2];
@@ -96,6 +117,8 @@ void demand_point(Judge& j, const Case& c, const Answer& r) {
   if (off.code < 0 || !std::isfinite(scale)) return;
   const double rounding = u * (std::fabs(x) + std::fabs(y)) + 4 * step(c.scalar, 0);
   j.demand(off.numbers[0] <= 9 * u * scale + rounding, "point_on_outline", 9 * u * scale, off.numbers[0]);
+  if (is_nearly_along_a_face(c.pair.kind_a, c.pair.a, c.motion)) return;
+  if (is_nearly_along_a_face(c.pair.kind_b, c.pair.b, c.motion)) return;
   // Where the other one is then: as all numbers round, and along the outline.
   const double t = r.numbers[0], vx = c.motion.vx, vy = c.motion.vy, way_x = vx * t, way_y = vy * t;
   const Numbers later = properties::moved(c.pair.kind_b, c.pair.b, {way_x, way_y});

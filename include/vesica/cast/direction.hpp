@@ -316,29 +316,44 @@ Found polished(const Scene& scene, double s) noexcept {
   }
 }
 
+/// Of what was found at a vertex and of the faces' normals that which tells the latest time. Beside a face the vertex's
+/// normals may end nearer than numbers of s lie, and beyond them another vertex lies farthest.
+template <class Products>
+Found latest_beside_faces(const Scene& scene, const Side& box, Found found) noexcept {
+  for (const Vector& u : {box.u, perpendicular(box.u)}) {
+    const Vector n = against<Products>(scene, u);
+    const TimeBounds time = time_bounds<Products>(scene, n);
+    if (time.tells() && (!found.time.tells() || difference(time.value, found.time.value) > 0)) found = {n, time};
+  }
+  return found;
+}
+
+template <class Products>
+Found latest_of_box_and_round(const Scene& scene, const Side& box, const Side& round) noexcept {
+  const Curve e = curve(scene, round);
+  const auto v = factor_of_v<Products>(scene);
+  const DotAndCross of_v = dot_and_cross<Products>(box.u, v);
+  const Feature<double> met = feature<Products>(nearest::Box<double>{box.u, box.hx, box.hy}, of_v.dot, of_v.cross,
+                                                cross(v, Products::factor(scene.d)), e);
+  if (met.face) {
+    const Vector normal = against<Products>(scene, met.lengthwise ? box.u : perpendicular(box.u));
+    return {normal, time_bounds<Products>(scene, normal)};
+  }
+  const Twofold<double> w = arithmetic::renormalised(met.w);
+  const double s = maximum_of_one(e, w.high, gap_of(reach_across<Products>(scene, round), w));
+  const Found found = polished<Products>(scene, s);
+  if (found.time.certain || !found.has_direction()) return found;
+  return latest_beside_faces<Products>(scene, box, found);
+}
+
 /// steps: how many the search of two ellipses took, which tests look at.
 template <class Products>
 Found latest_direction(const Scene& scene, int& steps) noexcept {
   steps = 0;
-  if (!scene.a.round && !scene.b.round) return latest_axis<Products>(scene);
-  double s;
-  if (scene.a.round && scene.b.round) {
-    s = maximum_of_ellipses<Products>(scene, steps);
-  } else {
-    const Side &round = scene.a.round ? scene.a : scene.b, &box = scene.a.round ? scene.b : scene.a;
-    const Curve e = curve(scene, round);
-    const auto v = factor_of_v<Products>(scene);
-    const DotAndCross of_v = dot_and_cross<Products>(box.u, v);
-    const Feature<double> met = feature<Products>(nearest::Box<double>{box.u, box.hx, box.hy}, of_v.dot, of_v.cross,
-                                                  cross(v, Products::factor(scene.d)), e);
-    if (met.face) {
-      const Vector normal = against<Products>(scene, met.lengthwise ? box.u : perpendicular(box.u));
-      return {normal, time_bounds<Products>(scene, normal)};
-    }
-    const Twofold<double> w = arithmetic::renormalised(met.w);
-    s = maximum_of_one(e, w.high, gap_of(reach_across<Products>(scene, round), w));
-  }
-  return polished<Products>(scene, s);
+  const Side &a = scene.a, &b = scene.b;
+  if (!a.round && !b.round) return latest_axis<Products>(scene);
+  if (a.round && b.round) return polished<Products>(scene, maximum_of_ellipses<Products>(scene, steps));
+  return a.round ? latest_of_box_and_round<Products>(scene, b, a) : latest_of_box_and_round<Products>(scene, a, b);
 }
 
 }  // namespace vesica::detail::cast

@@ -94,8 +94,8 @@ struct Meeting {
 
 template <class Products>
 void look_along_normal(const Scene& scene, Meeting& m) noexcept {
-  m.of_a = foremost<Products>(scene.a, m.found.normal);
-  if (m.of_a.is_edge()) m.of_b = foremost<Products>(scene.b, opposite(m.found.normal));
+  m.of_a = foremost<Products>(scene.a, m.found.normal, scene.size);
+  if (m.of_a.is_edge()) m.of_b = foremost<Products>(scene.b, opposite(m.found.normal), scene.size);
 }
 
 /// False where these products do not suffice.

@@ -18,9 +18,10 @@ struct Foremost {
   bool is_edge() const noexcept { return half.x != 0 || half.y != 0; }
 };
 
-/// From the shape's own centre.
+/// From the shape's own centre. An edge of a box is met whole where the times of its ends cannot be told apart in a
+/// scene of this size: either end may then be far from where the shapes touch.
 template <class Products>
-Foremost foremost(const Side& s, const Vector& normal) noexcept {
+Foremost foremost(const Side& s, const Vector& normal, double scene_size) noexcept {
   const Offset along{s.u.x.high, s.u.y.high}, across{-s.u.y.high, s.u.x.high};
   const double a = s.hx.high, b = s.hy.high;
   if (a == 0 && b == 0) return {{0, 0}, {0, 0}};
@@ -39,10 +40,15 @@ Foremost foremost(const Side& s, const Vector& normal) noexcept {
     const double h = sqrt((a * p.high) * (a * p.high) + (b * q.high) * (b * q.high));
     return {(a * (a * p.high / h)) * along + (b * (b * q.high / h)) * across, {0, 0}};
   }
+  const double n_size = abs(normal.x.high) + abs(normal.y.high);
+  const double slight = 0x1p-48 * n_size * (abs(along.x) + abs(along.y)), doubt = 0x1p-92 * n_size * scene_size;
+  const auto is_edge = [&](const Twofold<double>& towards, double half) {
+    return abs(towards.high) <= slight && abs(towards.high) * half <= doubt;
+  };
   Foremost out{{0, 0}, {0, 0}};
-  (is_zero(p) ? out.half : out.middle) = lane::flip_sign(a, p.high) * along;
+  (is_edge(p, a) ? out.half : out.middle) = lane::flip_sign(a, p.high) * along;
   const Offset second = lane::flip_sign(b, q.high) * across;
-  Offset& to = is_zero(q) ? out.half : out.middle;
+  Offset& to = is_edge(q, b) ? out.half : out.middle;
   to = {to.x + second.x, to.y + second.y};
   return out;
 }

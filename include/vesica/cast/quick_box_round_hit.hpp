@@ -128,7 +128,7 @@ VESICA_INLINE bool quick_meeting(const Scene& scene, Meeting& out) noexcept {
   if (scene.a.round) {
     out.of_a = {at, {0, 0}};
   } else {
-    out.of_a = foremost<Products>(box, met.normal);
+    out.of_a = foremost<Products>(box, met.normal, scene.size);
     out.of_b = {{-at.x, -at.y}, {0, 0}};
   }
   return true;
