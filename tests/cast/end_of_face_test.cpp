@@ -53,9 +53,34 @@ TEST(CastAtEndOfFace, OfFacesNearlyParallel) {
   const Pair pair{VESICA_AABB, VESICA_SEGMENT, {0, -1, 4, -1}, {0, 0, 1, -0x1p-101}};
   const Answer found = cast(Scalar::f64, pair, {0, -1, infinity});
   ASSERT_EQ(found.code, VESICA_CAST_HIT);
-  EXPECT_GE(found.x, 0);
-  EXPECT_LE(found.x, 1);
+  EXPECT_EQ(found.x, 1);
   EXPECT_EQ(found.y, -1);
+}
+
+TEST(CastAtEndOfFace, OfAFaceNearlyAlongTheWay) {
+  // Met 2^-47 of its length above its lower end, at an angle of 2^-71.
+  const Pair pair{VESICA_SEGMENT, VESICA_POINT, {0, 0, 0, 0x1p-168}, {-0x1p-286, 0}};
+  const Answer found = cast(Scalar::f64, pair, {0x1p-240, 0x1p-169, infinity});
+  ASSERT_EQ(found.code, VESICA_CAST_HIT);
+  EXPECT_EQ(found.x, 0);
+  EXPECT_EQ(found.y, 0x1p-215);
+  EXPECT_EQ(found.nx, -1);
+  EXPECT_EQ(found.ny, 0);
+}
+
+TEST(CastAtEndOfFace, OfAnEllipseThinnerThanTheSearchSees) {
+  // Beside its long axis, along which the point comes.
+  const Pair pair{VESICA_ELLIPSE, VESICA_POINT, {0, 0, 1, 0, 1, 0x1p75}, {0x1.8p-1, 0x1.8p74}};
+  for (const bool mirrored : {false, true}) {
+    Pair p = pair;
+    if (mirrored) p.b[0] = -p.b[0];
+    const Answer found = cast(Scalar::f64, p, {0, -0x1p34, infinity});
+    ASSERT_EQ(found.code, VESICA_CAST_HIT);
+    const double height = 0x1p75 * std::sqrt(1 - 0.75 * 0.75);
+    EXPECT_NEAR(found.t, (0x1.8p74 - height) / 0x1p34, 0x1p-10);
+    EXPECT_EQ(found.nx, mirrored ? -1 : 1);
+    EXPECT_EQ(found.ny, 0);
+  }
 }
 
 TEST(CastAtEndOfFace, OfThinOnesThatWereMistaken) {

@@ -86,11 +86,11 @@ Extent extent(int kind, const Numbers& n) {
 
 double aspect(const Numbers& ellipse) { return std::fmax(ellipse[4], ellipse[5]) / std::fmin(ellipse[4], ellipse[5]); }
 
-/// Whether v is along (x, y) to 2^-79. Exactly so is known only where both are along an axis of the plane.
+/// Whether v is along (x, y) to 2^-77. Exactly so is known only where both are along an axis of the plane.
 bool is_nearly_along(double x, double y, const Motion& v) {
   if ((x == 0 && v.vx == 0) || (y == 0 && v.vy == 0)) return false;
   const double longer = std::fmax(std::fabs(x), std::fabs(y)), speed = std::fmax(std::fabs(v.vx), std::fabs(v.vy));
-  return std::fabs((x / longer) * (v.vy / speed) - (y / longer) * (v.vx / speed)) < 0x1p-79;
+  return std::fabs((x / longer) * (v.vy / speed) - (y / longer) * (v.vx / speed)) < 0x1p-77;
 }
 
 /// A face that is met at so small an angle may be taken for the one beside it, as vesica_motion.h tells.
@@ -123,12 +123,12 @@ void demand_point(Judge& j, const Case& c, const Answer& r) {
   const double t = r.numbers[0], vx = c.motion.vx, vy = c.motion.vy, way_x = vx * t, way_y = vy * t;
   const Numbers later = properties::moved(c.pair.kind_b, c.pair.b, {way_x, way_y});
   const double most = std::fmax(std::fabs(vx), std::fabs(vy)), length = std::hypot(vx / most, vy / most);
-  const double approach = std::fabs(r.numbers[3] * (vx / most) + r.numbers[4] * (vy / most)) / length;
+  const double approach = std::fabs(r.numbers[3] * (vx / most) + r.numbers[4] * (vy / most)) / length - 8 * u;
   const double radius = c.pair.kind_a == VESICA_ELLIPSE ? a.half_length * aspect(c.pair.a) : a.half_length;
   const double place =
       std::fabs(way_x) + std::fabs(way_y) + std::fabs(b.x) + std::fabs(b.y) + std::fabs(x) + std::fabs(y);
   const double most_off = 16 * (u * (scale + place + radius) + most * step(c.scalar, t) + step(c.scalar, 0)) / approach;
-  if (!(most_off < scale) || !properties::valid(c.pair.kind_b, later)) return;
+  if (!(approach > 0) || !(most_off < scale) || !properties::valid(c.pair.kind_b, later)) return;
   const Answer away = ask(Query::nearest, Scalar::f64, {VESICA_POINT, c.pair.kind_b, {x, y}, later});
   j.demand(away.code < 0 || away.numbers[0] <= most_off, "point_on_other", most_off, away.numbers[0]);
 }

@@ -195,6 +195,9 @@ struct SideSupport {
 
 inline bool has_no_size(const Side& s) noexcept { return s.hx.high == 0 && s.hy.high == 0; }
 
+inline Vector perpendicular(const Vector& u) noexcept { return {-u.y, u.x}; }
+inline Vector opposite(const Vector& u) noexcept { return {-u.x, -u.y}; }
+
 /// u.n and u x n. The axis of circles and points is (1, 0), for which these are n itself, to the bit.
 struct DotAndCross {
   Twofold<double> dot, cross;

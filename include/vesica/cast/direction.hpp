@@ -10,6 +10,7 @@
 ///     a box: p = hx |k| at s = -c / k, the normal perp(u), and p = hy |c| at s = k / c, the normal u.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <limits>
 #include <vesica/cast/bound.hpp>
@@ -58,9 +59,6 @@ inline Curve curve(const Scene& scene, const Side& e) noexcept {
   const double area = a * b * uu * vv;
   return {((b - a) * (b + a)) * (c * k) / al, al, area * area / al, sqrt(al)};
 }
-
-inline Vector perpendicular(const Vector& u) noexcept { return {-u.y, u.x}; }
-inline Vector opposite(const Vector& u) noexcept { return {-u.x, -u.y}; }
 
 /// The normal turned against v. Double mostly knows whether it must be; nobody can foresee it, so there is no branch.
 template <class Products>
@@ -206,10 +204,16 @@ double maximum_of_ellipses(const Scene& scene, int& steps) noexcept {
 }
 
 /// A direction and what it tells of t0; no direction where the products that were asked for do not suffice.
+/// `beside`, where there is one, is the normal of a face nearly along v, of whose time errors hide much: it is met
+/// instead where there is contact only after `until`.
 struct Found {
   Vector normal;
   TimeBounds time;
+  Vector beside{};
+  double until = 0;
 
+  bool has_beside() const noexcept { return beside.x.high != 0 || beside.y.high != 0; }
+  bool is_met_beside(double t) const noexcept { return t > until && has_beside(); }
   bool has_direction() const noexcept { return normal.x.high != 0 || normal.y.high != 0; }
 };
 
@@ -253,6 +257,31 @@ Axis axis(const Scene& scene, const Vector& normal) noexcept {
   return {n, t - error, t + error};
 }
 
+/// Of two axes whose times cannot be told apart.
+inline Found preferred_of(const Scene& scene, const Found& n, const Found& m) noexcept {
+  const bool is_first = n.time.error < m.time.error;
+  const Found &nearer = is_first ? n : m, &farther = is_first ? m : n;
+  const bool hides_much = farther.time.error * scene.speed() > 0x1p-60 * scene.size;
+  if (!hides_much || n.time.error == m.time.error) {
+    Found out = preferred(scene, n.normal, m.normal) ? n : m;
+    out.beside = n.has_beside() ? n.beside : m.beside;
+    out.until = lane::max(n.until, m.until) + 4 * farther.time.error;
+    return out;
+  }
+  const double t = nearer.time.value.high;
+  return {nearer.normal, nearer.time, farther.normal, t + (0x1p-50 * abs(t) + nearer.time.error)};
+}
+
+/// Where no axis separates after the start, and yet the shapes touch then: a thin ellipse that is taken for a segment is
+/// met beside that, along v.
+VESICA_COLD inline Vector across_way(const Scene& scene, const Axis* axes, int count) noexcept {
+  const auto share_along = [&](const Vector& n) { return abs(dot_of(scene, n)) / (abs(n.x.high) + abs(n.y.high)); };
+  const Axis* most = std::min_element(
+      axes, axes + count, [&](const Axis& p, const Axis& q) { return share_along(p.normal) < share_along(q.normal); });
+  const Vector& n = most->normal;
+  return n.x.high * scene.d.x.high + n.y.high * scene.d.y.high < 0 ? opposite(n) : n;
+}
+
 /// Two boxes: the latest of the times at which an axis separates no more. An axis across v separates always or never,
 /// and the line test has told which. Double tells which axes may be the latest, mostly one.
 template <class Products>
@@ -293,9 +322,14 @@ Found latest_axis(const Scene& scene) noexcept {
     error = lane::max(time.error, error);
     const double later = found ? difference(time.value, best.time.value) : 0;
     const bool equal = found && abs(later) <= 2 * (time.error + best.time.error);
-    if (!found || (equal ? preferred(scene, normal, best.normal) : later > 0)) best = {normal, time};
+    if (equal) {
+      best = preferred_of(scene, {normal, time}, best);
+    } else if (!found || later > 0) {
+      best = {normal, time};
+    }
     found = true;
   }
+  if (!best.has_direction()) best.normal = across_way(scene, axes, count);
   best.time.error = 6 * error;  // the normal that is preferred may tell a time that little earlier
   best.time.certain = certain && found;
   return best;

@@ -94,8 +94,9 @@ struct Meeting {
 
 template <class Products>
 void look_along_normal(const Scene& scene, Meeting& m) noexcept {
-  m.of_a = foremost<Products>(scene.a, m.found.normal, scene.size);
-  if (m.of_a.is_edge()) m.of_b = foremost<Products>(scene.b, opposite(m.found.normal), scene.size);
+  const Vector normal = settled(scene.a, m.found.normal);
+  m.of_a = foremost<Products>(scene.a, normal);
+  if (m.of_a.is_edge()) m.of_b = foremost<Products>(scene.b, opposite(normal));
 }
 
 /// False where these products do not suffice.
@@ -180,6 +181,10 @@ inline Impact<double> impact(const Body& a, const Scene& scene, const Meeting& m
     reached = t > end ? 0 : pair.exactly([t](const ExactPair& exact) { return exact_contact_at(exact, t); });
   }
   if (reached <= 0) return reached;
+  if (found.is_met_beside(in_units(t, -seen.time))) {
+    met.found.normal = found.beside;
+    look_along_normal<SplitProducts>(seen, met);
+  }
   const Impact<double> impact = cast::impact(pair.a, seen, met, t);
   if (!all_finite(impact.x, impact.y, impact.nx, impact.ny)) return error_range;
   out = impact;

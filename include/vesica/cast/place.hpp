@@ -18,20 +18,39 @@ struct Foremost {
   bool is_edge() const noexcept { return half.x != 0 || half.y != 0; }
 };
 
-/// From the shape's own centre. An edge of a box is met whole where the times of its ends cannot be told apart in a
-/// scene of this size: either end may then be far from where the shapes touch.
+/// A normal seen from a box in double: u.n and u x n, and below what neither has a sign that is known.
+struct Slopes {
+  double p, q, doubt;
+
+  bool nearly_across() const noexcept { return !(abs(p) > doubt); }
+  bool nearly_along() const noexcept { return !(abs(q) > doubt); }
+};
+inline Slopes slopes_of(const Side& box, const Vector& normal) noexcept {
+  const double ux = box.u.x.high, uy = box.u.y.high, nx = normal.x.high, ny = normal.y.high;
+  return {ux * nx + uy * ny, ux * ny - uy * nx, 0x1p-48 * ((abs(ux) + abs(uy)) * (abs(nx) + abs(ny)))};
+}
+
+/// Of a box that is met beside a face the face's normal. Its ends are then met at nearly the same time, and where on the
+/// face the other shape is tells which of them is met, if either.
+inline Vector settled(const Side& s, const Vector& normal) noexcept {
+  if (s.round || has_no_size(s)) return normal;
+  const Slopes slopes = slopes_of(s, normal);
+  if (slopes.nearly_across()) return slopes.q < 0 ? opposite(perpendicular(s.u)) : perpendicular(s.u);
+  if (slopes.nearly_along()) return slopes.p < 0 ? opposite(s.u) : s.u;
+  return normal;
+}
+
+/// From the shape's own centre.
 template <class Products>
-Foremost foremost(const Side& s, const Vector& normal, double scene_size) noexcept {
+Foremost foremost(const Side& s, const Vector& normal) noexcept {
   const Offset along{s.u.x.high, s.u.y.high}, across{-s.u.y.high, s.u.x.high};
   const double a = s.hx.high, b = s.hy.high;
   if (a == 0 && b == 0) return {{0, 0}, {0, 0}};
   if (!s.round) {
     // Of a box signs suffice, and double mostly knows them.
-    const double nx = normal.x.high, ny = normal.y.high, p = along.x * nx + along.y * ny,
-                 q = along.x * ny - along.y * nx;
-    const double doubt = 0x1p-48 * ((abs(along.x) + abs(along.y)) * (abs(nx) + abs(ny)));
-    if (abs(p) > doubt && abs(q) > doubt) {
-      return {lane::flip_sign(a, p) * along + lane::flip_sign(b, q) * across, {0, 0}};
+    const Slopes slopes = slopes_of(s, normal);
+    if (!slopes.nearly_across() && !slopes.nearly_along()) {
+      return {lane::flip_sign(a, slopes.p) * along + lane::flip_sign(b, slopes.q) * across, {0, 0}};
     }
   }
   const auto u = Products::factor(s.u), n = Products::factor(normal);
@@ -40,15 +59,10 @@ Foremost foremost(const Side& s, const Vector& normal, double scene_size) noexce
     const double h = sqrt((a * p.high) * (a * p.high) + (b * q.high) * (b * q.high));
     return {(a * (a * p.high / h)) * along + (b * (b * q.high / h)) * across, {0, 0}};
   }
-  const double n_size = abs(normal.x.high) + abs(normal.y.high);
-  const double slight = 0x1p-48 * n_size * (abs(along.x) + abs(along.y)), doubt = 0x1p-92 * n_size * scene_size;
-  const auto is_edge = [&](const Twofold<double>& towards, double half) {
-    return abs(towards.high) <= slight && abs(towards.high) * half <= doubt;
-  };
   Foremost out{{0, 0}, {0, 0}};
-  (is_edge(p, a) ? out.half : out.middle) = lane::flip_sign(a, p.high) * along;
+  (is_zero(p) ? out.half : out.middle) = lane::flip_sign(a, p.high) * along;
   const Offset second = lane::flip_sign(b, q.high) * across;
-  Offset& to = is_edge(q, b) ? out.half : out.middle;
+  Offset& to = is_zero(q) ? out.half : out.middle;
   to = {to.x + second.x, to.y + second.y};
   return out;
 }

@@ -128,8 +128,9 @@ VESICA_INLINE bool quick_meeting(const Scene& scene, Meeting& out) noexcept {
   if (scene.a.round) {
     out.of_a = {at, {0, 0}};
   } else {
-    out.of_a = foremost<Products>(box, met.normal, scene.size);
-    out.of_b = {{-at.x, -at.y}, {0, 0}};
+    const Vector normal = settled(box, met.normal);
+    out.of_a = foremost<Products>(box, normal);
+    out.of_b = met.face ? Foremost{{-at.x, -at.y}, {0, 0}} : foremost<Products>(e, opposite(normal));
   }
   return true;
 }
