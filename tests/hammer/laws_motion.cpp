@@ -107,7 +107,8 @@ bool is_nearly_along_a_face(int kind, const Numbers& n, const Motion& v) {
   }
 }
 
-/// The point is on the first outline, and about on the other one: how far that may be off goes with how slowly it comes.
+/// The point is on the first outline, and about on the other one: how far that may be off goes with how slowly it
+/// comes.
 void demand_point(Judge& j, const Case& c, const Answer& r) {
   const double u = c.scalar == Scalar::f64 ? 0x1p-53 : 0x1p-24, x = r.numbers[1], y = r.numbers[2];
   const Extent a = extent(c.pair.kind_a, c.pair.a), b = extent(c.pair.kind_b, c.pair.b);

@@ -10,7 +10,6 @@
 ///     a box: p = hx |k| at s = -c / k, the normal perp(u), and p = hy |c| at s = k / c, the normal u.
 #pragma once
 
-#include <algorithm>
 #include <bit>
 #include <limits>
 #include <vesica/cast/bound.hpp>
@@ -258,7 +257,7 @@ Axis axis(const Scene& scene, const Vector& normal) noexcept {
 }
 
 /// Of two axes whose times cannot be told apart.
-inline Found preferred_of(const Scene& scene, const Found& n, const Found& m) noexcept {
+VESICA_COLD inline Found preferred_of(const Scene& scene, const Found& n, const Found& m) noexcept {
   const bool is_first = n.time.error < m.time.error;
   const Found &nearer = is_first ? n : m, &farther = is_first ? m : n;
   const bool hides_much = farther.time.error * scene.speed() > 0x1p-60 * scene.size;
@@ -272,12 +271,14 @@ inline Found preferred_of(const Scene& scene, const Found& n, const Found& m) no
   return {nearer.normal, nearer.time, farther.normal, t + (0x1p-50 * abs(t) + nearer.time.error)};
 }
 
-/// Where no axis separates after the start, and yet the shapes touch then: a thin ellipse that is taken for a segment is
-/// met beside that, along v.
+/// Where no axis separates after the start, and yet the shapes touch then: a thin ellipse that is taken for a segment
+/// is met beside that, along v.
 VESICA_COLD inline Vector across_way(const Scene& scene, const Axis* axes, int count) noexcept {
-  const auto share_along = [&](const Vector& n) { return abs(dot_of(scene, n)) / (abs(n.x.high) + abs(n.y.high)); };
-  const Axis* most = std::min_element(
-      axes, axes + count, [&](const Axis& p, const Axis& q) { return share_along(p.normal) < share_along(q.normal); });
+  const auto share = [&](const Axis& x) {
+    return abs(dot_of(scene, x.normal)) / (abs(x.normal.x.high) + abs(x.normal.y.high));
+  };
+  const Axis* most = axes;
+  for (int i = 1; i < count; ++i) most = share(axes[i]) < share(*most) ? axes + i : most;
   const Vector& n = most->normal;
   return n.x.high * scene.d.x.high + n.y.high * scene.d.y.high < 0 ? opposite(n) : n;
 }
@@ -353,7 +354,7 @@ Found polished(const Scene& scene, double s) noexcept {
 /// Of what was found at a vertex and of the faces' normals that which tells the latest time. Beside a face the vertex's
 /// normals may end nearer than numbers of s lie, and beyond them another vertex lies farthest.
 template <class Products>
-Found latest_beside_faces(const Scene& scene, const Side& box, Found found) noexcept {
+VESICA_COLD Found latest_beside_faces(const Scene& scene, const Side& box, Found found) noexcept {
   for (const Vector& u : {box.u, perpendicular(box.u)}) {
     const Vector n = against<Products>(scene, u);
     const TimeBounds time = time_bounds<Products>(scene, n);
@@ -362,32 +363,32 @@ Found latest_beside_faces(const Scene& scene, const Side& box, Found found) noex
   return found;
 }
 
-template <class Products>
-Found latest_of_box_and_round(const Scene& scene, const Side& box, const Side& round) noexcept {
-  const Curve e = curve(scene, round);
-  const auto v = factor_of_v<Products>(scene);
-  const DotAndCross of_v = dot_and_cross<Products>(box.u, v);
-  const Feature<double> met = feature<Products>(nearest::Box<double>{box.u, box.hx, box.hy}, of_v.dot, of_v.cross,
-                                                cross(v, Products::factor(scene.d)), e);
-  if (met.face) {
-    const Vector normal = against<Products>(scene, met.lengthwise ? box.u : perpendicular(box.u));
-    return {normal, time_bounds<Products>(scene, normal)};
-  }
-  const Twofold<double> w = arithmetic::renormalised(met.w);
-  const double s = maximum_of_one(e, w.high, gap_of(reach_across<Products>(scene, round), w));
-  const Found found = polished<Products>(scene, s);
-  if (found.time.certain || !found.has_direction()) return found;
-  return latest_beside_faces<Products>(scene, box, found);
-}
-
 /// steps: how many the search of two ellipses took, which tests look at.
 template <class Products>
 Found latest_direction(const Scene& scene, int& steps) noexcept {
   steps = 0;
-  const Side &a = scene.a, &b = scene.b;
-  if (!a.round && !b.round) return latest_axis<Products>(scene);
-  if (a.round && b.round) return polished<Products>(scene, maximum_of_ellipses<Products>(scene, steps));
-  return a.round ? latest_of_box_and_round<Products>(scene, b, a) : latest_of_box_and_round<Products>(scene, a, b);
+  if (!scene.a.round && !scene.b.round) return latest_axis<Products>(scene);
+  const bool of_box = scene.a.round != scene.b.round;
+  const Side &round = scene.a.round ? scene.a : scene.b, &box = scene.a.round ? scene.b : scene.a;
+  double s;
+  if (of_box) {
+    const Curve e = curve(scene, round);
+    const auto v = factor_of_v<Products>(scene);
+    const DotAndCross of_v = dot_and_cross<Products>(box.u, v);
+    const Feature<double> met = feature<Products>(nearest::Box<double>{box.u, box.hx, box.hy}, of_v.dot, of_v.cross,
+                                                  cross(v, Products::factor(scene.d)), e);
+    if (met.face) {
+      const Vector normal = against<Products>(scene, met.lengthwise ? box.u : perpendicular(box.u));
+      return {normal, time_bounds<Products>(scene, normal)};
+    }
+    const Twofold<double> w = arithmetic::renormalised(met.w);
+    s = maximum_of_one(e, w.high, gap_of(reach_across<Products>(scene, round), w));
+  } else {
+    s = maximum_of_ellipses<Products>(scene, steps);
+  }
+  const Found found = polished<Products>(scene, s);
+  if (!of_box || found.time.certain || !found.has_direction()) return found;
+  return latest_beside_faces<Products>(scene, box, found);
 }
 
 }  // namespace vesica::detail::cast

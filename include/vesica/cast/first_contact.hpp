@@ -99,6 +99,11 @@ void look_along_normal(const Scene& scene, Meeting& m) noexcept {
   if (m.of_a.is_edge()) m.of_b = foremost<Products>(scene.b, opposite(normal));
 }
 
+VESICA_COLD inline void look_beside(const Scene& scene, Meeting& m) noexcept {
+  m.found.normal = m.found.beside;
+  look_along_normal<SplitProducts>(scene, m);
+}
+
 /// False where these products do not suffice.
 template <class Products>
 bool find_meeting(const Scene& scene, Meeting& out) noexcept {
@@ -181,10 +186,7 @@ inline Impact<double> impact(const Body& a, const Scene& scene, const Meeting& m
     reached = t > end ? 0 : pair.exactly([t](const ExactPair& exact) { return exact_contact_at(exact, t); });
   }
   if (reached <= 0) return reached;
-  if (found.is_met_beside(in_units(t, -seen.time))) {
-    met.found.normal = found.beside;
-    look_along_normal<SplitProducts>(seen, met);
-  }
+  if (found.is_met_beside(in_units(t, -seen.time))) look_beside(seen, met);
   const Impact<double> impact = cast::impact(pair.a, seen, met, t);
   if (!all_finite(impact.x, impact.y, impact.nx, impact.ny)) return error_range;
   out = impact;

@@ -30,8 +30,8 @@ inline Slopes slopes_of(const Side& box, const Vector& normal) noexcept {
   return {ux * nx + uy * ny, ux * ny - uy * nx, 0x1p-48 * ((abs(ux) + abs(uy)) * (abs(nx) + abs(ny)))};
 }
 
-/// Of a box that is met beside a face the face's normal. Its ends are then met at nearly the same time, and where on the
-/// face the other shape is tells which of them is met, if either.
+/// Of a box that is met beside a face the face's normal. Its ends are then met at nearly the same time, and where on
+/// the face the other shape is tells which of them is met, if either.
 inline Vector settled(const Side& s, const Vector& normal) noexcept {
   if (s.round || has_no_size(s)) return normal;
   const Slopes slopes = slopes_of(s, normal);
