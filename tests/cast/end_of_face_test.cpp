@@ -83,6 +83,16 @@ TEST(CastAtEndOfFace, OfAnEllipseThinnerThanTheSearchSees) {
   }
 }
 
+TEST(CastAtEndOfFace, OfAWayThatNearlyGrazes) {
+  // By 2^-182 of the ellipse, which the search does not see.
+  const Pair pair{VESICA_ELLIPSE, VESICA_POINT, {0x1p-182, 0, 2, 2, 0x1.04p-2, 0x1.38p-1}, {0x1.52p+0, -1}};
+  const Answer found = cast(Scalar::f64, pair, {0, 0x1.dc00001p+0, 1});
+  ASSERT_EQ(found.code, VESICA_CAST_HIT);
+  EXPECT_NEAR(found.x, 0x1.52p+0, 0x1p-50);
+  EXPECT_NEAR(found.y, -0.9296875, 0x1p-40);
+  EXPECT_NEAR(found.nx, 1, 0x1p-50);
+}
+
 TEST(CastAtEndOfFace, OfThinOnesThatWereMistaken) {
   const Pair circle{VESICA_CIRCLE,
                     VESICA_RECT,

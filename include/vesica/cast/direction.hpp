@@ -336,6 +336,11 @@ Found latest_axis(const Scene& scene) noexcept {
   return best;
 }
 
+/// Certainly.
+inline bool is_later(const TimeBounds& a, const TimeBounds& b) noexcept {
+  return difference(a.value, b.value) > a.error + b.error;
+}
+
 /// Where a curve is met: the slope that is left over is removed by Newton's method until the gain no longer counts.
 template <class Products>
 Found polished(const Scene& scene, double s) noexcept {
@@ -344,7 +349,7 @@ Found polished(const Scene& scene, double s) noexcept {
     if (!Products::holds(s)) return {};
     const Vector n = direction<Products>(scene, s);
     const TimeBounds t = time_bounds<Products>(scene, n);
-    if (i > 0 && (!t.tells() || (found.time.certain && !t.certain))) return found;
+    if (i > 0 && (!t.tells() || (found.time.certain && !t.certain) || is_later(found.time, t))) return found;
     found = {n, t};
     if (i == 3 || !finite(t.step) || (t.certain && t.gain <= 0x1p-70 * abs(t.value.high))) return found;
     s += t.step;
@@ -358,7 +363,7 @@ VESICA_COLD Found latest_beside_faces(const Scene& scene, const Side& box, Found
   for (const Vector& u : {box.u, perpendicular(box.u)}) {
     const Vector n = against<Products>(scene, u);
     const TimeBounds time = time_bounds<Products>(scene, n);
-    if (time.tells() && (!found.time.tells() || difference(time.value, found.time.value) > 0)) found = {n, time};
+    if (time.tells() && (!found.time.tells() || is_later(time, found.time))) found = {n, time};
   }
   return found;
 }
