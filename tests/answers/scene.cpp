@@ -43,7 +43,8 @@ Place tight(Random& r, double side) {
 Place whole_range(Random& r, double) {
   const int exponent = r.integer(-120, 119);
   const double x = std::ldexp(r.unit() - 0.5, exponent);
-  const double y = std::ldexp(r.unit() - 0.5, exponent - r.below(3));
+  const int lower = r.below(3);
+  const double y = std::ldexp(r.unit() - 0.5, exponent - lower);
   return {x, y, std::ldexp(1, exponent - r.below(4))};
 }
 
