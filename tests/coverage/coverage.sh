@@ -15,7 +15,8 @@ folder=$root/build/coverage
 foreign='^(abi_|bench_|constexpr_|consumer|platforms|cuda_docs|declarations_|demo_|description_|ffi_|figures_|flags_|header_|install'
 foreign+='|.*isa_symbols|join_|lint_|oracle_|package_|readme_|run_|sanitize|subproject_)'
 # Of the library's own tests those that only `./run test --all` has.
-later=(batch_portable_test cast_contracted_test filter_fused_test hammer_rare invalid_shapes_every_pair_test relation_filter_fused_test)
+later=(batch_portable_test cast_contracted_test filter_fused_test hammer_dearest hammer_rare
+  invalid_shapes_every_pair_test relation_filter_fused_test)
 later_by_environment=(batch_queries_portable index_bytes_portable near_tie_hash_portable)
 
 mkdir -p "$root/build"
