@@ -144,7 +144,7 @@ VESICA_INLINE ForemostLanes foremost_lanes(const BoxLanes& s, Doubles nx, Double
                                            CastMask across) noexcept {
   const Doubles ux = s.u.x.high, uy = s.u.y.high, a = s.hx.high, b = s.hy.high, zero(0.0);
   const Doubles p = ux * nx + uy * ny, q = ux * ny - uy * nx;
-  const Doubles doubt = Doubles(0x1p-48) * ((abs(ux) + abs(uy)) * (abs(nx) + abs(ny)));
+  const Doubles doubt = Doubles(detail::cast::beside_face) * ((abs(ux) + abs(uy)) * (abs(nx) + abs(ny)));
   const CastMask p_is_zero = both(own, across), q_is_zero = and_not(own, across);
   const CastMask clear = both(abs(p) > doubt, abs(q) > doubt);
   const OffsetLanes first = flip_sign(a, p) * OffsetLanes{ux, uy}, second = flip_sign(b, q) * OffsetLanes{-uy, ux};

@@ -26,7 +26,6 @@ struct Bit {
 };
 inline Bit both(Bit a, Bit b) { return _kand_mask8(a.k, b.k); }
 inline Bit either(Bit a, Bit b) { return _kor_mask8(a.k, b.k); }
-inline Bit and_not(Bit a, Bit b) { return _kandn_mask8(b.k, a.k); }
 
 struct Steady {
   using Element = double;
@@ -70,7 +69,6 @@ inline Bit operator<(Steady a, Steady b) { return compare<_CMP_LT_OQ>(a, b); }
 inline Bit operator<=(Steady a, Steady b) { return compare<_CMP_LE_OQ>(a, b); }
 inline Bit operator>(Steady a, Steady b) { return compare<_CMP_GT_OQ>(a, b); }
 inline Bit operator>=(Steady a, Steady b) { return compare<_CMP_GE_OQ>(a, b); }
-inline Bit operator==(Steady a, Steady b) { return compare<_CMP_EQ_OQ>(a, b); }
 inline Steady select(Bit m, Steady yes, Steady no) { return _mm_mask_move_sd(no.v, m.k, no.v, yes.v); }
 inline Steady flip_sign(Steady x, Steady y) { return _mm_xor_pd(x.v, _mm_and_pd(y.v, _mm_set1_pd(-0.0))); }
 

@@ -18,7 +18,11 @@ struct Foremost {
   bool is_edge() const noexcept { return half.x != 0 || half.y != 0; }
 };
 
-/// A normal seen from a box in double: u.n and u x n, and below what neither has a sign that is known.
+/// At this angle to a face's normal and below, the times at which its ends are met are known only to what is 2^-54 of
+/// the scene along the face.
+inline constexpr double beside_face = 0x1p-40;
+
+/// A normal seen from a box in double: u.n and u x n, and how great they are beside a face. Above that signs are known.
 struct Slopes {
   double p, q, doubt;
 
@@ -27,7 +31,7 @@ struct Slopes {
 };
 inline Slopes slopes_of(const Side& box, const Vector& normal) noexcept {
   const double ux = box.u.x.high, uy = box.u.y.high, nx = normal.x.high, ny = normal.y.high;
-  return {ux * nx + uy * ny, ux * ny - uy * nx, 0x1p-48 * ((abs(ux) + abs(uy)) * (abs(nx) + abs(ny)))};
+  return {ux * nx + uy * ny, ux * ny - uy * nx, beside_face * ((abs(ux) + abs(uy)) * (abs(nx) + abs(ny)))};
 }
 
 /// Of a box that is met beside a face the face's normal. Its ends are then met at nearly the same time, and where on

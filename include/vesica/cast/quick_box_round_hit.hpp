@@ -135,15 +135,13 @@ VESICA_INLINE bool quick_meeting(const Scene& scene, Meeting& out) noexcept {
   return true;
 }
 
-/// find_meeting(), quickly where it can be.
-template <class Products>
-VESICA_INLINE bool find_meeting_quickly(const Scene& scene, Meeting& out) noexcept {
-  return (is_box_and_round(scene) && quick_meeting<Products>(scene, out)) || find_meeting<Products>(scene, out);
-}
-
-/// The same by fused products, or null where the processor has none.
+/// find_meeting() by fused products, quickly where it can be, or null where the processor has none.
 #if defined(VESICA_HAS_FUSED)
-inline constexpr FindMeeting fused_meeting = find_meeting_quickly<FusedProducts>;
+VESICA_INLINE bool find_meeting_quickly(const Scene& scene, Meeting& out) noexcept {
+  return (is_box_and_round(scene) && quick_meeting<FusedProducts>(scene, out)) ||
+         find_meeting<FusedProducts>(scene, out);
+}
+inline constexpr FindMeeting fused_meeting = find_meeting_quickly;
 #else
 inline constexpr FindMeeting fused_meeting = nullptr;
 #endif

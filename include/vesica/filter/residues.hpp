@@ -131,15 +131,10 @@ struct Integer64 {
     return {static_cast<std::uint64_t>(n) << places, static_cast<std::uint64_t>(n >> 32 >> (32 - places))};
   }
   VESICA_INLINE constexpr Integer64 magnitude() const noexcept { return {n < 0 ? -n : n}; }
-  /// Its opposite where the mask is of ones, itself where it is 0.
-  VESICA_INLINE constexpr Integer64 flipped(std::uint64_t mask) const noexcept {
-    return {static_cast<std::int64_t>((static_cast<std::uint64_t>(n) ^ mask) - mask)};
-  }
 };
 
 VESICA_INLINE constexpr Integer64 operator+(Integer64 a, Integer64 b) noexcept { return {a.n + b.n}; }
 VESICA_INLINE constexpr Integer64 operator-(Integer64 a, Integer64 b) noexcept { return {a.n - b.n}; }
-VESICA_INLINE constexpr Integer64 operator-(Integer64 a) noexcept { return {-a.n}; }
 /// The product itself.
 VESICA_INLINE constexpr Residue128 operator*(Integer64 a, Integer64 b) noexcept {
 #if defined(__SIZEOF_INT128__)
