@@ -21,7 +21,7 @@ void ratios(int32_t ratio, int32_t kind, const double* const* one, const double*
   }
   vesica::batch::query_matrix<double, double>(vesica::queries::ratio(static_cast<vesica::Ratio>(ratio)),
                                               vesica::kernels(), columns_of<double>(kind, first, 1),
-                                              columns_of<double>(kind, second, n), out, n);
+                                              columns_of<double>(kind, second, n), out, static_cast<ptrdiff_t>(n));
 }
 
 bool is_valid(int32_t kind, const double* numbers) noexcept {

@@ -321,8 +321,8 @@ void cast_first_in_lanes(const Shapes<T>& one, FirstSearch<T>& search) noexcept 
   }
 }
 
-bool in_lanes(std::int64_t n) noexcept {
-  return has_cast_kernels && n >= fewest_for_lanes && kernels().queries->cast != nullptr;
+[[maybe_unused]] bool in_lanes(std::int64_t n) noexcept {
+  return n >= fewest_for_lanes && kernels().queries->cast != nullptr;
 }
 
 }  // namespace

@@ -307,6 +307,7 @@ TEST(CheckedMatrix, IsTheSameInEveryEnvironment) {
   Face<double>::from_records(c.kind_a, 8, rows.data(), sizeof rows[0], &a);
   Face<double>::from_records(c.kind_b, 100, columns.data(), sizeof columns[0], &b);
   std::vector<std::uint8_t> expected, out(rows.size() * columns.size());
+  const auto row_length = static_cast<std::ptrdiff_t>(columns.size());
   for (const auto& row : rows) {
     for (const auto& column : columns) {
       expected.push_back(scalar_answer(c.kind_a, row, c.kind_b, column) == 1);
@@ -314,7 +315,7 @@ TEST(CheckedMatrix, IsTheSameInEveryEnvironment) {
   }
   for (const environment::Environment& e : environment::all_environments) {
     std::fill(out.begin(), out.end(), untouched);
-    environment::ask_in(e, [&] { Face<double>::overlap_matrix(&a, &b, out.data(), b.count); });
+    environment::ask_in(e, [&] { Face<double>::overlap_matrix(&a, &b, out.data(), row_length); });
     EXPECT_EQ(out, expected) << e.name << ", seed " << properties::seed();
   }
 }

@@ -39,9 +39,10 @@ configure() {
   # -g, which Debug would add, lets g++ follow variables through the sanitizers' code: ten times as long for a kernel.
   flags+=' -fno-omit-frame-pointer -g1'
   if [ "$compiler" = clang ]; then
-    # Its run-time library comes with the program alone: with one in C, the part for C++ and what that needs too.
+    # Its run-time library comes with the program alone: with one in C, the part for C++ and what that needs too, by
+    # flags that CMake's first program in C has as well.
     arguments=(-DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ -DVESICA_LINKER_HAS_z_defs=OFF
-      "-DCMAKE_C_FLAGS=$flags -fsanitize-link-c++-runtime" -DCMAKE_C_STANDARD_LIBRARIES=-lstdc++)
+      "-DCMAKE_C_FLAGS=$flags -fsanitize-link-c++-runtime" -DCMAKE_EXE_LINKER_FLAGS=-lstdc++)
   fi
   cmake -S "$root" -B "$folder" -G Ninja "-DCMAKE_BUILD_TYPE=$build" -DVESICA_TESTS=ON \
     "-DCMAKE_C_FLAGS=$flags" "-DCMAKE_CXX_FLAGS=$flags" -DCMAKE_C_FLAGS_DEBUG= -DCMAKE_CXX_FLAGS_DEBUG= "${arguments[@]}"
