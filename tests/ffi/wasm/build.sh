@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# build.sh DIRECTORY [ARGUMENT...]: builds vesica.wasm into DIRECTORY, by clang, lld, wasi-libc, libc++-14-dev-wasm32 and
-# libclang-rt-14-dev-wasm32, and near_tie_hash.wasm, which tests it; and into DIRECTORY/simd the same with vectors. CMake
-# has the arguments.
+# build.sh DIRECTORY [ARGUMENT...]: builds vesica.wasm into DIRECTORY, by clang, lld, wasi-libc, libc++-14-dev-wasm32
+# and libclang-rt-14-dev-wasm32, and near_tie_hash.wasm, which tests it; and into DIRECTORY/simd the same with vectors.
+# CMake has the arguments.
 set -euo pipefail
 [ $# -gt 0 ] || { echo 'usage: build.sh DIRECTORY [ARGUMENT...]' >&2; exit 2; }
 module=$(cd "$(dirname "${BASH_SOURCE[0]}")/module" && pwd)
