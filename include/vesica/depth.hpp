@@ -160,10 +160,14 @@ VESICA_INLINE std::int32_t overlap_in_order(const A& a, const B& b) noexcept {
   return answer >= 0 ? answer : undecided_overlap(a, b);
 }
 
-/// depth_or_error() for kinds in order, given overlap_in_order().
+/// That was not asked yet.
+inline constexpr std::int32_t not_asked = -1;
+
+/// depth_or_error() for kinds in order; overlapping: what overlap_in_order() said, or not_asked.
 template <class A, class B>
 VESICA_CALLED std::int32_t depth_in_order(const A& a, const B& b, std::int32_t overlapping,
                                           Penetration<double>& out) noexcept {
+  if (overlapping == not_asked) overlapping = overlap_in_order(a, b);
   if (overlapping < 0) return overlapping;
   if (overlapping > 0) {
     if (settled_depth(a, b, out)) return 0;
@@ -198,7 +202,7 @@ std::int32_t depth_or_error(const A<double>& a, const B<double>& b, Penetration<
     if (error == 0) out = detail::depth::turned_round(out);
     return error;
   } else {
-    return detail::depth::depth_in_order(a, b, detail::depth::overlap_in_order(a, b), out);
+    return detail::depth::depth_in_order(a, b, detail::depth::not_asked, out);
   }
 }
 

@@ -134,7 +134,7 @@ VESICA_COLD Within by_distance(A a, B b, double distance) noexcept {
     // of this scale are finite.
     if (overlapping == nearest::not_asked && error < 0x1p900 && nearest::nearest_in_order(a, b, 0, found) == 0) {
       const Within answer = compared(found.distance, distance, error), at_none = compared(0, distance, error);
-      return answer == at_none || overlap_or_error(a, b) == 0 ? answer : at_none;
+      return answer == at_none || vesica::detail::decide_undecided(a, b) == 0 ? answer : at_none;
     }
     if (all_finite(error) && nearest::nearest_in_order(a, b, overlapping, found) == 0) {
       return compared(found.distance, distance, error);
