@@ -123,7 +123,7 @@ export interface C {
    * where the outlines nearly coincide. Places closer to one another than that may come in either order or be equal.
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their
    * centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is <= x.
-   * Cost: 1 to 10 us; at worst 50 us. Since: 0.1.
+   * Cost: 1 to 10 us; at worst 40 us. Since: 0.1.
    */
   vesica_crossings_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
   /**
@@ -140,7 +140,7 @@ export interface C {
    * shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is longer
    * over shorter size. "Right to x": the error is <= x. Cost: 100 to 200 ns for disjoint shapes, 300 ns for the
    * thinnest ellipses; 50 ns if a shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and
-   * magnitudes above 2^40 or below 2^-40; at worst 40 us. Since: 0.1.
+   * magnitudes above 2^40 or below 2^-40; at worst 45 us. Since: 0.1.
    */
   vesica_nearest_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
   /**
@@ -158,7 +158,7 @@ export interface C {
    * u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths.
    * An aspect ratio is longer over shorter size. "Right to x": the error is <= x. Cost: that of vesica_nearest_f64 for
    * disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.5 to 2 us if outlines meet, for thin shapes
-   * as vesica_crossings_f64; up to 5 us more for near-ties; at worst 60 us. Since: 0.1.
+   * as vesica_crossings_f64; up to 5 us more for near-ties; at worst 45 us. Since: 0.1.
    */
   vesica_boundary_distance_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number,
     out: number): number;
@@ -178,7 +178,7 @@ export interface C {
    * use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
    * lengths. An aspect ratio is longer over shorter size. "Right to x": the error is <= x. Cost: about 150 ns for
    * points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to 5 us if only exact arithmetic can
-   * tell the depth from 0; at worst 40 us. Since: 0.1.
+   * tell the depth from 0; at worst 25 us. Since: 0.1.
    */
   vesica_depth_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
   /**
@@ -205,7 +205,7 @@ export interface C {
    * or coincide and whatever the sizes are. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the
    * largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is longer over shorter
    * size. "Right to x": the error is <= x. Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for
-   * two ellipses; up to 10 us if outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us.
+   * two ellipses; up to 10 us if outlines nearly touch or coincide, or if one shape is far larger; at worst 30 us.
    * Since: 0.1.
    */
   vesica_area_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
@@ -227,8 +227,8 @@ export interface C {
    *
    * Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: each side is the true
    * extreme of the shape, rounded outward once. So a representable box is exact. Cost: up to 80 ns; 1 to 3 us for
-   * magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis and representable sides; at worst
-   * 20 us. Since: 0.1.
+   * magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis and representable sides; at worst 6
+   * us. Since: 0.1.
    */
   vesica_bounds_f64(kind: number, numbers: number, out: number): number;
   /**
@@ -831,7 +831,7 @@ export interface C {
    * Each number is computed in double, within these bounds, and then rounded to float once. Bounds on computed numbers
    * use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
    * lengths. An aspect ratio is longer over shorter size. "Right to x": the error is <= x. Cost: 1 to 10 us; at worst
-   * 50 us. Since: 0.1.
+   * 40 us. Since: 0.1.
    */
   vesica_crossings_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
   /**
@@ -849,7 +849,7 @@ export interface C {
    * |dx| and |dy| between their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right
    * to x": the error is <= x. Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a
    * shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below
-   * 2^-40; at worst 40 us. Since: 0.1.
+   * 2^-40; at worst 45 us. Since: 0.1.
    */
   vesica_nearest_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
   /**
@@ -868,7 +868,7 @@ export interface C {
    * two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is
    * longer over shorter size. "Right to x": the error is <= x. Cost: that of vesica_nearest_f32 for disjoint shapes;
    * 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.5 to 2 us if outlines meet, for thin shapes as
-   * vesica_crossings_f32; up to 5 us more for near-ties; at worst 60 us. Since: 0.1.
+   * vesica_crossings_f32; up to 5 us more for near-ties; at worst 45 us. Since: 0.1.
    */
   vesica_boundary_distance_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number,
     out: number): number;
@@ -888,7 +888,7 @@ export interface C {
    * double, within these bounds, and then rounded to float once. Bounds on computed numbers use u = 2^-53. The scale of
    * two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is
    * longer over shorter size. "Right to x": the error is <= x. Cost: about 150 ns for points, segments and boxes; 0.5
-   * us with an ellipse, for a few 1 us more; up to 5 us if only exact arithmetic can tell the depth from 0; at worst 40
+   * us with an ellipse, for a few 1 us more; up to 5 us if only exact arithmetic can tell the depth from 0; at worst 25
    * us. Since: 0.1.
    */
   vesica_depth_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
@@ -918,7 +918,7 @@ export interface C {
    * float once. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
    * between their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the
    * error is <= x. Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10
-   * us if outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us. Since: 0.1.
+   * us if outlines nearly touch or coincide, or if one shape is far larger; at worst 30 us. Since: 0.1.
    */
   vesica_area_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
   /**
@@ -940,8 +940,8 @@ export interface C {
    *
    * Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: each side is the true
    * extreme of the shape, rounded outward once. So a representable box is exact. Cost: up to 80 ns; 1 to 3 us for
-   * magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis and representable sides; at worst
-   * 20 us. Since: 0.1.
+   * magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis and representable sides; at worst 6
+   * us. Since: 0.1.
    */
   vesica_bounds_f32(kind: number, numbers: number, out: number): number;
   /**
@@ -2632,7 +2632,7 @@ export interface C {
    * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
    * Accuracy: exact.
    * Cost: that of vesica_relation_f64; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel. At
-   * extreme magnitudes searches found up to 180 us (AMD EPYC, Zen 4).
+   * extreme magnitudes searches found up to 25 us (AMD EPYC, Zen 4).
    * Since: 0.1.
    */
   vesica_de9im_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, matrix: number): number;
@@ -2663,7 +2663,7 @@ export interface C {
    * Other vertices are right to 4 u times the largest coordinate or size of either shape. Bounds on computed numbers
    * use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
    * lengths. An aspect ratio is longer over shorter size. "Right to x": the error is <= x. Cost: that of
-   * vesica_overlap_f64 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6 us for areas; at worst 300 us. Since:
+   * vesica_overlap_f64 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6 us for areas; at worst 30 us. Since:
    * 0.1.
    */
   vesica_intersection_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number,
@@ -2683,7 +2683,7 @@ export interface C {
    * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
    * Accuracy: exact.
    * Cost: that of vesica_relation_f32; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel. At
-   * extreme magnitudes searches found up to 180 us (AMD EPYC, Zen 4).
+   * extreme magnitudes searches found up to 25 us (AMD EPYC, Zen 4).
    * Since: 0.1.
    */
   vesica_de9im_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, matrix: number): number;
@@ -2703,7 +2703,7 @@ export interface C {
    * double, within these bounds, and then rounded to float once. Bounds on computed numbers use u = 2^-53. The scale of
    * two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is
    * longer over shorter size. "Right to x": the error is <= x. Cost: that of vesica_overlap_f32 for disjoint shapes;
-   * 0.2 to 1 us with a segment, 2 to 6 us for areas; at worst 300 us. Since: 0.1.
+   * 0.2 to 1 us with a segment, 2 to 6 us for areas; at worst 30 us. Since: 0.1.
    */
   vesica_intersection_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number,
     vertices: number): number;

@@ -36,8 +36,9 @@
   keyword bool detail::crossings::one_place(const A<double>&, const B<double>&, double&, double&) noexcept;
 
 // queries/depth.cpp
-#define VESICA_DEPTH_IN_ORDER(keyword, A, B) \
-  keyword std::int32_t detail::depth::depth_in_order(const A<double>&, const B<double>&, Penetration<double>&) noexcept;
+#define VESICA_DEPTH_IN_ORDER(keyword, A, B)                                                           \
+  keyword std::int32_t detail::depth::depth_in_order(const A<double>&, const B<double>&, std::int32_t, \
+                                                     Penetration<double>&) noexcept;
 
 // queries/nearest.cpp
 #define VESICA_NEAREST(keyword, A, B)                                                                      \

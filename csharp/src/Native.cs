@@ -149,7 +149,7 @@ namespace Vesica
         /// order or be equal. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx|
         /// and |dy| between their centres and of their half lengths. An aspect ratio is longer over shorter size.
         /// "Right to x": the error is &lt;= x.</para>
-        /// <para>Cost: 1 to 10 us; at worst 50 us.</para>
+        /// <para>Cost: 1 to 10 us; at worst 40 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -171,7 +171,7 @@ namespace Vesica
         /// error is &lt;= x.</para>
         /// <para>Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the
         /// other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below 2^-40; at
-        /// worst 40 us.</para>
+        /// worst 45 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -195,7 +195,7 @@ namespace Vesica
         /// "Right to x": the error is &lt;= x.</para>
         /// <para>Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us
         /// more; 0.5 to 2 us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for near-ties;
-        /// at worst 60 us.</para>
+        /// at worst 45 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -219,7 +219,7 @@ namespace Vesica
         /// |dx| and |dy| between their centres and of their half lengths. An aspect ratio is longer over shorter size.
         /// "Right to x": the error is &lt;= x.</para>
         /// <para>Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to
-        /// 5 us if only exact arithmetic can tell the depth from 0; at worst 40 us.</para>
+        /// 5 us if only exact arithmetic can tell the depth from 0; at worst 25 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -252,7 +252,7 @@ namespace Vesica
         /// numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
         /// their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.</para>
         /// <para>Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us
-        /// if outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us.</para>
+        /// if outlines nearly touch or coincide, or if one shape is far larger; at worst 30 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -281,7 +281,7 @@ namespace Vesica
         /// <para>Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is
         /// exact.</para>
         /// <para>Cost: up to 80 ns; 1 to 3 us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an
-        /// oblique axis and representable sides; at worst 20 us.</para>
+        /// oblique axis and representable sides; at worst 6 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -753,7 +753,7 @@ namespace Vesica
         /// Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between
         /// their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the
         /// error is &lt;= x.</para>
-        /// <para>Cost: 1 to 10 us; at worst 50 us.</para>
+        /// <para>Cost: 1 to 10 us; at worst 40 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -775,7 +775,7 @@ namespace Vesica
         /// their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.</para>
         /// <para>Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the
         /// other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below 2^-40; at
-        /// worst 40 us.</para>
+        /// worst 45 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -800,7 +800,7 @@ namespace Vesica
         /// the error is &lt;= x.</para>
         /// <para>Cost: that of vesica_nearest_f32 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us
         /// more; 0.5 to 2 us if outlines meet, for thin shapes as vesica_crossings_f32; up to 5 us more for near-ties;
-        /// at worst 60 us.</para>
+        /// at worst 45 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -825,7 +825,7 @@ namespace Vesica
         /// between their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x":
         /// the error is &lt;= x.</para>
         /// <para>Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to
-        /// 5 us if only exact arithmetic can tell the depth from 0; at worst 40 us.</para>
+        /// 5 us if only exact arithmetic can tell the depth from 0; at worst 25 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -859,7 +859,7 @@ namespace Vesica
         /// 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
         /// lengths. An aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.</para>
         /// <para>Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us
-        /// if outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us.</para>
+        /// if outlines nearly touch or coincide, or if one shape is far larger; at worst 30 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -889,7 +889,7 @@ namespace Vesica
         /// <para>Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is
         /// exact.</para>
         /// <para>Cost: up to 80 ns; 1 to 3 us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an
-        /// oblique axis and representable sides; at worst 20 us.</para>
+        /// oblique axis and representable sides; at worst 6 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2741,7 +2741,7 @@ namespace Vesica
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.</para>
         /// <para>Accuracy: exact.</para>
         /// <para>Cost: that of vesica_relation_f64; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are
-        /// parallel. At extreme magnitudes searches found up to 180 us (AMD EPYC, Zen 4).</para>
+        /// parallel. At extreme magnitudes searches found up to 25 us (AMD EPYC, Zen 4).</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2777,7 +2777,7 @@ namespace Vesica
         /// use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their
         /// half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.</para>
         /// <para>Cost: that of vesica_overlap_f64 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6 us for areas;
-        /// at worst 300 us.</para>
+        /// at worst 30 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2797,7 +2797,7 @@ namespace Vesica
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.</para>
         /// <para>Accuracy: exact.</para>
         /// <para>Cost: that of vesica_relation_f32; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are
-        /// parallel. At extreme magnitudes searches found up to 180 us (AMD EPYC, Zen 4).</para>
+        /// parallel. At extreme magnitudes searches found up to 25 us (AMD EPYC, Zen 4).</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2821,7 +2821,7 @@ namespace Vesica
         /// scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An
         /// aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.</para>
         /// <para>Cost: that of vesica_overlap_f32 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6 us for areas;
-        /// at worst 300 us.</para>
+        /// at worst 30 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

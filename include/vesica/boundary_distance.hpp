@@ -95,7 +95,7 @@ VESICA_CALLED bool settled_outlines(const A& a, const Ellipse<double>& b, Relati
                                     ClosestPoints<double>& out) noexcept {
   if constexpr (nearest::has_lanes<A, Ellipse<double>>) {
     const bool inside = relation == Relation::inside;
-    if (!inside && relation != Relation::contains) return false;
+    if ((!inside && relation != Relation::contains) || !moderate_pair(a, b)) return false;
     const auto lanes = lane_nested(a, b, inside, false);
     if (lanes.settled) out = {lanes.distance, lanes.ax, lanes.ay, lanes.bx, lanes.by};
     return lanes.settled;

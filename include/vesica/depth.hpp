@@ -139,6 +139,7 @@ bool settled_depth(const A&, const B&, Penetration<double>&) noexcept {
 template <class A>
 VESICA_CALLED bool settled_depth(const A& a, const Ellipse<double>& b, Penetration<double>& out) noexcept {
   if constexpr (nearest::has_lanes<A, Ellipse<double>>) {
+    if (!moderate_pair(a, b)) return false;
     const auto lanes = lane_depth(a, b, false);
     if (lanes.settled) out = {lanes.depth, lanes.x, lanes.y};
     return lanes.settled;
@@ -151,12 +152,22 @@ inline bool settled_depth(const Circle<double>& a, const Ellipse<double>& b, Pen
   return settled_depth(as_ellipse(a), b, out);
 }
 
-/// depth_or_error() for kinds in order.
+/// Whether shapes of kinds in order overlap; a negative error if one is invalid.
 template <class A, class B>
-VESICA_CALLED std::int32_t depth_in_order(const A& a, const B& b, Penetration<double>& out) noexcept {
+VESICA_INLINE std::int32_t overlap_in_order(const A& a, const B& b) noexcept {
   const auto verdict = vesica::detail::overlap::filter(a, b);
   const std::int32_t answer = 2 * std::int32_t{verdict.overlap} + std::int32_t{verdict.disjoint} - 1;
-  const std::int32_t overlapping = answer >= 0 ? answer : undecided_overlap(a, b);
+  return answer >= 0 ? answer : undecided_overlap(a, b);
+}
+
+/// That was not asked yet.
+inline constexpr std::int32_t not_asked = -1;
+
+/// depth_or_error() for kinds in order; overlapping: what overlap_in_order() said, or not_asked.
+template <class A, class B>
+VESICA_CALLED std::int32_t depth_in_order(const A& a, const B& b, std::int32_t overlapping,
+                                          Penetration<double>& out) noexcept {
+  if (overlapping == not_asked) overlapping = overlap_in_order(a, b);
   if (overlapping < 0) return overlapping;
   if (overlapping > 0) {
     if (settled_depth(a, b, out)) return 0;
@@ -191,7 +202,7 @@ std::int32_t depth_or_error(const A<double>& a, const B<double>& b, Penetration<
     if (error == 0) out = detail::depth::turned_round(out);
     return error;
   } else {
-    return detail::depth::depth_in_order(a, b, out);
+    return detail::depth::depth_in_order(a, b, detail::depth::not_asked, out);
   }
 }
 

@@ -84,6 +84,7 @@ VESICA_COLD ClosestPoints<double> general_points(const A& a, const B& b, bool ov
 template <class A, class B>
 VESICA_INLINE bool settled_points(const A& a, const B& b, bool overlapping, ClosestPoints<double>& out) noexcept {
   if constexpr (has_lanes<A, B>) {
+    if (!moderate_pair(a, b)) return false;
     const LaneAnswer<double> lanes = lane_answer(a, b, overlapping);
     if (lanes.settled) out = {lanes.distance, lanes.ax, lanes.ay, lanes.bx, lanes.by};
     return lanes.settled;

@@ -13,20 +13,25 @@ namespace vesica {
 
 namespace detail {
 
-/// What the number is taken from: points where the shapes are disjoint, else the depth.
+/// What the number is taken from, for shapes in either order: points where they are disjoint, else the depth.
 struct Separation {
   bool disjoint;
   ClosestPoints<double> points;
   Penetration<double> depth;
 };
 
-/// A call, for shapes of float and of double.
+/// A call, for shapes of float and of double. Whether they overlap is asked once.
 template <class A, class B>
 VESICA_CALLED std::int32_t separation(const A& a, const B& b, Separation& out) noexcept {
-  const std::int32_t overlapping = overlap_or_error(a, b);
-  if (overlapping < 0) return overlapping;
-  out.disjoint = overlapping == 0;
-  return out.disjoint ? nearest_or_error(a, b, out.points) : depth_or_error(a, b, out.depth);
+  if constexpr (!in_order<A, B>) {
+    return separation(b, a, out);
+  } else {
+    const std::int32_t overlapping = depth::overlap_in_order(a, b);
+    if (overlapping < 0) return overlapping;
+    out.disjoint = overlapping == 0;
+    return out.disjoint ? nearest::nearest_in_order(a, b, 0, out.points)
+                        : depth::depth_in_order(a, b, overlapping, out.depth);
+  }
 }
 
 inline std::int32_t signed_distance_of(const Separation& s, double& out) noexcept {

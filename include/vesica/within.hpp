@@ -133,8 +133,8 @@ VESICA_COLD Within by_distance(A a, B b, double distance) noexcept {
     // Shapes that overlap are 0 apart; if that gives the same answer, whether they do is not asked. Points of shapes
     // of this scale are finite.
     if (overlapping == nearest::not_asked && error < 0x1p900 && nearest::nearest_in_order(a, b, 0, found) == 0) {
-      const Within answer = compared(found.distance, distance, error);
-      if (answer == compared(0, distance, error)) return answer;
+      const Within answer = compared(found.distance, distance, error), at_none = compared(0, distance, error);
+      return answer == at_none || vesica::detail::decide_undecided(a, b) == 0 ? answer : at_none;
     }
     if (all_finite(error) && nearest::nearest_in_order(a, b, overlapping, found) == 0) {
       return compared(found.distance, distance, error);

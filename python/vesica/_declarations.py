@@ -503,7 +503,7 @@ Accuracy: the number is exact. A place is right to 4 u times the largest coordin
 even where the outlines nearly coincide. Places closer to one another than that may come in either order or
 be equal. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
 between their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x":
-the error is <= x. Cost: 1 to 10 us; at worst 50 us. Since: 0.1.""",
+the error is <= x. Cost: 1 to 10 us; at worst 40 us. Since: 0.1.""",
     ),
     "vesica_nearest_f64": (
         c_int32,
@@ -523,7 +523,7 @@ scale, and a common point to 8 u scale, before they are rounded. Bounds on compu
 The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An
 aspect ratio is longer over shorter size. "Right to x": the error is <= x. Cost: 100 to 200 ns for disjoint
 shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the other's centre; 0.3 to 3 us for shapes
-that cross, near-ties and magnitudes above 2^40 or below 2^-40; at worst 40 us. Since: 0.1.""",
+that cross, near-ties and magnitudes above 2^40 or below 2^-40; at worst 45 us. Since: 0.1.""",
     ),
     "vesica_boundary_distance_f64": (
         c_int32,
@@ -546,7 +546,7 @@ computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| a
 centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is
 <= x. Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us
 more; 0.5 to 2 us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for near-ties;
-at worst 60 us. Since: 0.1.""",
+at worst 45 us. Since: 0.1.""",
     ),
     "vesica_depth_f64": (
         c_int32,
@@ -569,7 +569,7 @@ is 1 to 3 u. After the move at most 8 u scale of overlap is left. Whether the de
 computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their
 centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is
 <= x. Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to
-5 us if only exact arithmetic can tell the depth from 0; at worst 40 us. Since: 0.1.""",
+5 us if only exact arithmetic can tell the depth from 0; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_shape_area_f64": (
         c_int32,
@@ -601,7 +601,7 @@ outlines nearly touch or coincide and whatever the sizes are. Bounds on computed
 scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An
 aspect ratio is longer over shorter size. "Right to x": the error is <= x. Cost: about 50 ns for two boxes,
 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines nearly touch or coincide,
-or if one shape is far larger; at worst 40 us. Since: 0.1.""",
+or if one shape is far larger; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_iou_f64": (
         c_int32,
@@ -630,7 +630,7 @@ Smallest box of representable numbers that contains a shape.
 Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: each side is the
 true extreme of the shape, rounded outward once. So a representable box is exact. Cost: up to 80 ns; 1 to 3
 us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis and representable
-sides; at worst 20 us. Since: 0.1.""",
+sides; at worst 6 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_point_f64": (
         c_int32,
@@ -1323,7 +1323,7 @@ even where the outlines nearly coincide. Places closer to one another than that 
 be equal. Each number is computed in double, within these bounds, and then rounded to float once. Bounds on
 computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their
 centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is
-<= x. Cost: 1 to 10 us; at worst 50 us. Since: 0.1.""",
+<= x. Cost: 1 to 10 us; at worst 40 us. Since: 0.1.""",
     ),
     "vesica_nearest_f32": (
         c_int32,
@@ -1344,7 +1344,7 @@ these bounds, and then rounded to float once. Bounds on computed numbers use u =
 shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is
 longer over shorter size. "Right to x": the error is <= x. Cost: 100 to 200 ns for disjoint shapes, 300 ns
 for the thinnest ellipses; 50 ns if a shape holds the other's centre; 0.3 to 3 us for shapes that cross,
-near-ties and magnitudes above 2^40 or below 2^-40; at worst 40 us. Since: 0.1.""",
+near-ties and magnitudes above 2^40 or below 2^-40; at worst 45 us. Since: 0.1.""",
     ),
     "vesica_boundary_distance_f32": (
         c_int32,
@@ -1367,7 +1367,7 @@ number is computed in double, within these bounds, and then rounded to float onc
 numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
 their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is <= x. Cost: that
 of vesica_nearest_f32 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.5 to 2 us
-if outlines meet, for thin shapes as vesica_crossings_f32; up to 5 us more for near-ties; at worst 60 us.
+if outlines meet, for thin shapes as vesica_crossings_f32; up to 5 us more for near-ties; at worst 45 us.
 Since: 0.1.""",
     ),
     "vesica_depth_f32": (
@@ -1392,7 +1392,7 @@ number is computed in double, within these bounds, and then rounded to float onc
 numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
 their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is <= x. Cost:
 about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to 5 us if only
-exact arithmetic can tell the depth from 0; at worst 40 us. Since: 0.1.""",
+exact arithmetic can tell the depth from 0; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_shape_area_f32": (
         c_int32,
@@ -1425,7 +1425,7 @@ these bounds, and then rounded to float once. Bounds on computed numbers use u =
 shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is
 longer over shorter size. "Right to x": the error is <= x. Cost: about 50 ns for two boxes, 150 ns for an
 ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines nearly touch or coincide, or if one
-shape is far larger; at worst 40 us. Since: 0.1.""",
+shape is far larger; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_iou_f32": (
         c_int32,
@@ -1455,7 +1455,7 @@ Smallest box of representable numbers that contains a shape.
 Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: each side is the
 true extreme of the shape, rounded outward once. So a representable box is exact. Cost: up to 80 ns; 1 to 3
 us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis and representable
-sides; at worst 20 us. Since: 0.1.""",
+sides; at worst 6 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_point_f32": (
         c_int32,
@@ -3489,7 +3489,7 @@ Exchanging the shapes exchanges rows and columns.
 Requires: matrix with room for VESICA_DE9IM_SIZE characters. Returns: 0, and nine characters and a final NUL
 in matrix. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE. Accuracy: exact. Cost: that of
 vesica_relation_f64; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel. At
-extreme magnitudes searches found up to 180 us (AMD EPYC, Zen 4). Since: 0.1.""",
+extreme magnitudes searches found up to 25 us (AMD EPYC, Zen 4). Since: 0.1.""",
     ),
     "vesica_de9im_match": (
         c_int32,
@@ -3527,7 +3527,7 @@ vesica_corners_of_shapes_f64 for a rectangle. Other vertices are right to 4 u ti
 or size of either shape. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of
 |dx| and |dy| between their centres and of their half lengths. An aspect ratio is longer over shorter size.
 "Right to x": the error is <= x. Cost: that of vesica_overlap_f64 for disjoint shapes; 0.2 to 1 us with a
-segment, 2 to 6 us for areas; at worst 300 us. Since: 0.1.""",
+segment, 2 to 6 us for areas; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_de9im_f32": (
         c_int32,
@@ -3546,7 +3546,7 @@ Exchanging the shapes exchanges rows and columns.
 Requires: matrix with room for VESICA_DE9IM_SIZE characters. Returns: 0, and nine characters and a final NUL
 in matrix. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE. Accuracy: exact. Cost: that of
 vesica_relation_f32; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel. At
-extreme magnitudes searches found up to 180 us (AMD EPYC, Zen 4). Since: 0.1.""",
+extreme magnitudes searches found up to 25 us (AMD EPYC, Zen 4). Since: 0.1.""",
     ),
     "vesica_intersection_f32": (
         c_int32,
@@ -3570,7 +3570,7 @@ or size of either shape. Each number is computed in double, within these bounds,
 once. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
 between their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x":
 the error is <= x. Cost: that of vesica_overlap_f32 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6
-us for areas; at worst 300 us. Since: 0.1.""",
+us for areas; at worst 30 us. Since: 0.1.""",
     ),
 }
 

@@ -168,6 +168,21 @@ TEST(NearestKnownAnswers, BeyondTheFiniteNumbers) {
   EXPECT_EQ(vesica_nearest_f64(VESICA_AABB, wide, VESICA_POINT, right, &out), 0);
   EXPECT_EQ(out.distance, 0);
 
+  // Where lengths are taken at an eighth, the least axes must not vanish. These shapes are points beside the distance.
+  for (const double axis : {1.0, 4.0, 5.0}) {
+    const double unit = axis * std::numeric_limits<double>::denorm_min();
+    for (const int kind : {VESICA_RECT, VESICA_ELLIPSE}) {
+      const Numbers tiny{0, 0, unit, -unit, 1, 2}, large{0, 0, unit, -unit, 0x1p1000, 0x1p1023}, point{0x1.4p1023, 0};
+      const Answer expected{0, 0x1.4p1023, 0x1.4p1023, 0, 0, 0};
+      EXPECT_EQ(nearest(Scalar::f64, {VESICA_POINT, kind, point, tiny}), expected);
+      EXPECT_EQ(nearest(Scalar::f64, {VESICA_CIRCLE, kind, point, tiny}), expected);
+      EXPECT_EQ(nearest(Scalar::f64, {VESICA_RECT, kind, {0x1.4p1023, 0, 1, 0, 0, 0}, tiny}), expected);
+      EXPECT_EQ(nearest(Scalar::f64, {kind, VESICA_ELLIPSE, tiny, {0x1.4p1023, 0, 1, 0, 1, 1}}),
+                nearest_test::exchanged(expected));
+      EXPECT_EQ(nearest(Scalar::f64, {VESICA_POINT, kind, point, large}).distance, 0x1.4p1023);
+    }
+  }
+
   const float big_f = std::numeric_limits<float>::max();
   const float left_f[] = {-big_f, 0}, right_f[] = {big_f, 0};
   vesica_closest_points_f32 out_f{1, 2, 3, 4, 5};

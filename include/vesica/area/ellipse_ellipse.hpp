@@ -109,14 +109,16 @@ struct HalfCircle {
     return rounded((p.height > V(0.0) ? p.height : V(0x1p-27)) * shallow + steep);
   }
   double slope(double at) const noexcept { return slope(at, point(at)); }
-  /// The point's value, and the place that Newton's method along the circle gives for a value of 0.
-  double value_and_step(double at, double& next, double& angle) const noexcept {
+  /// A point's value, and the step of Newton's method along the circle towards a value of 0.
+  struct Newton {
+    double at, height, value, angle;
+    double next() const noexcept { return (at - height * angle) / std::sqrt(1 + angle * angle); }
+  };
+  Newton newton(double at) const noexcept {
     const Point p = point(at);
     const double value = p.value(), height = side * rounded(p.height);
     const double slope = 2 * (at * rounded(p.z1 * f.over_q) - height * rounded(p.z0 * f.over_p));
-    angle = -value / slope;
-    next = (at - height * angle) / std::sqrt(1 + angle * angle);
-    return value;
+    return {at, height, value, -value / slope};
   }
 };
 
@@ -140,6 +142,9 @@ class Search {
 
   bool found() const noexcept { return found_; }
   double place() const noexcept { return x_; }
+  bool begins_as(const Search& other) const noexcept {
+    return low_ == other.low_ && high_ == other.high_ && x_ == other.x_;
+  }
   void step() noexcept { found_ = stepped() || ++steps_ == 200; }
 
  private:
@@ -157,16 +162,24 @@ class Search {
       if (!is_inside()) return true;
       last_angle_ = 4;
     }
-    double next, angle;
-    const double value = half_->value_and_step(x_, next, angle);
-    if (value == 0) return true;
-    ((value < 0) == negative_at_low_ ? low_ : high_) = x_;
-    angle = std::fabs(angle);
-    // Newton's error is then squared once more by the step already made.
-    const bool is_near = angle < 0x1p-28 && next >= low_ && next <= high_;
-    x_ = is_near || angle <= 0.5 * last_angle_ ? next : middle();
+    const auto newton = half_->newton(x_);
+    if (newton.value == 0) return true;
+    ((newton.value < 0) == negative_at_low_ ? low_ : high_) = x_;
+    // All places so near to the middle are one: what is between them is nothing beside any rounding.
+    if (low_ > -0x1p-115 && high_ < 0x1p-115) return true;
+    const double angle = std::fabs(newton.angle), last_angle = last_angle_;
     last_angle_ = angle;
-    return is_near;
+    if (angle < 0x1p-28 || angle <= 0.5 * last_angle) {
+      const double next = newton.next();
+      // Newton's error is then squared once more by the step already made.
+      const bool is_near = angle < 0x1p-28 && next >= low_ && next <= high_;
+      if (is_near || angle <= 0.5 * last_angle) {
+        x_ = next;
+        return is_near;
+      }
+    }
+    x_ = middle();
+    return false;
   }
 };
 
@@ -176,8 +189,13 @@ template <class V>
 struct Searches {
   Search<V> search[8];  ///< two at most on the lower half circle, and two on each of the three parts of the upper
   int count = 0;
+  /// Where f's centre is on the diameter both half circles see the same, and search the same places: once will do.
   void add(const HalfCircle<V>& half, const Place& low, const Place& high) noexcept {
-    search[count++] = {half, low, high};
+    const Search<V> next(half, low, high);
+    for (int i = 0; i < count && rounded(half.f.y) == 0; ++i) {
+      if (search[i].begins_as(next)) return;
+    }
+    search[count++] = next;
   }
   void run() noexcept {
     for (bool any = true; any;) {

@@ -75,6 +75,31 @@ struct Polygon {
   }
 };
 
+/// The ways from each corner of p to each of q. Both outlines' Sides are made of them.
+struct Ways {
+  Rough x[4][4], y[4][4];
+
+  Ways(const Polygon& p, const Polygon& q) noexcept {
+    for (int i = 0; i < p.corners.count; ++i) {
+      for (int j = 0; j < q.corners.count; ++j) {
+        x[i][j] = q.x[j] - p.x[i];
+        y[i][j] = q.y[j] - p.y[i];
+      }
+    }
+  }
+  /// From q to p.
+  Ways back() const noexcept {
+    Ways all = *this;
+    for (int i = 0; i < 4; ++i) {
+      for (int j = 0; j < 4; ++j) {
+        all.x[j][i] = -x[i][j];
+        all.y[j][i] = -y[i][j];
+      }
+    }
+    return all;
+  }
+};
+
 /// The sizes of Sides by the offset of the boxes' centres and by their axes, of which less cancels than of corners.
 /// With c and d the centres, a and b halves of edges and h one of them, h x (q - p) for a corner q = d + g and p on
 /// that edge is h x (d - c) + h x g +- a x b; and each product is one of half lengths and an exact one of axes.
@@ -118,10 +143,11 @@ struct Sides {
   Rough size[4][4];
   int sign[4][4];
 
-  Sides(const Polygon& p, const Polygon& q) noexcept {
+  Sides(const Polygon& p, const Polygon& q) noexcept : Sides(p, q, Ways(p, q)) {}
+  Sides(const Polygon& p, const Polygon& q, const Ways& ways) noexcept {
     for (int i = 0; i < p.corners.edges; ++i) {
       for (int j = 0; j < q.corners.count; ++j) {
-        size[i][j] = p.dx[i] * (q.y[j] - p.y[i]) - p.dy[i] * (q.x[j] - p.x[i]);
+        size[i][j] = p.dx[i] * ways.y[i][j] - p.dy[i] * ways.x[i][j];
         if (!size[i][j].is_precise() && !by_centres_) by_centres_.emplace(p.corners, q.corners);
         sign[i][j] = size[i][j].sign_is_known() ? size[i][j].sign() : sign_by_centres(p.corners, i, q.corners, j);
       }
@@ -209,7 +235,8 @@ inline void cross_edges(const Polygon& a, const Sides& of_a, int i, const Polygo
 
 inline Found crossings(const exact::Box& box_a, const exact::Box& box_b) noexcept {
   const Polygon a(box_a), b(box_b);
-  const Sides of_a(a, b), of_b(b, a);
+  const Ways ways(a, b);
+  const Sides of_a(a, b, ways), of_b(b, a, ways.back());
   Found found;
   for (int i = 0; i < a.corners.count; ++i) {
     const double at = place_along(b, of_b, a, i);

@@ -149,9 +149,15 @@ constexpr Relation relation(const Ellipse& e, const Ellipse& f) noexcept {
   const int order = compare(p.d1, p.d2);
   if (order == 0) return Relation::cross;  // only the same ellipse could lie within one of its area
   if (order > 0) detail::exchange_ellipses(p);
-  if (is_long(p) && detail::surely_inside(p, determinant)) return order < 0 ? Relation::inside : Relation::contains;
+  bool is_known = false, contained = false;
+  if (is_long(p)) {
+    if (detail::surely_inside(p, determinant)) return order < 0 ? Relation::inside : Relation::contains;
+    // Few digits tell this sooner than they tell how many roots there are.
+    is_known = few_digits_tell_first_in_second(contained, p);
+    if (is_known && !contained) return Relation::cross;
+  }
   const int roots = discriminant_sign(p);
-  if (roots < 0 || !detail::first_in_second(p)) return Relation::cross;
+  if (roots < 0 || !(is_known || detail::first_in_second(p))) return Relation::cross;
   const bool apart = roots > 0 || detail::double_root_is_greater(p);
   const Relation inside = apart ? Relation::inside : Relation::inside_touch;
   return order < 0 ? inside : converse(inside);

@@ -100,21 +100,30 @@ constexpr int discriminant_sign(const ContactCubic& p, Signs& signs) noexcept {
   const int dense = detail::dense_limbs(p.c1) + detail::dense_limbs(p.c2);
   signs.certain = dense > 3 * some_limbs;
   if (!signs.certain) return 0;
-  const auto small = exact_small_parts(p);
+  const auto twice = integer(2) * (p.root1 * p.root2);
+  const SmallParts<Number<8>> small{p.mu - twice, p.mu + twice, p.d1 + p.d2 - p.mu, p.al - p.be, {}};
   if (small.delta_less.sign == 0) return detail::sign_of_discriminant_of_proportional(p);
-  const Few by_offset = detail::discriminant_by_offset<Few>(p, small);
+  // Nearly always either nothing cancels here, or more than a few limbs more would show.
+  const auto by_offset = detail::discriminant_by_offset<Leading<fewest_limbs>>(p, small);
   if (by_offset.sign_is_certain()) return by_offset.sign;
-  signs.certain = dense > 2 * most_limbs;
+  // All digits of fewer take no longer.
+  signs.certain = 3 * dense > 5 * most_limbs;
   return signs.certain ? signs.of(detail::discriminant<Leading<most_limbs>>(p)) : 0;
 }
 
-constexpr bool first_in_second(const ContactCubic& p, Signs& signs) noexcept {
+constexpr bool few_digits_tell_first_in_second(bool& inside, const ContactCubic& p) noexcept {
   using Few = Leading<few_limbs>;
-  Signs of_few, of_small;
-  const bool by_few = detail::first_in_second<Few>(p, leading_small_parts<Few>(p), of_few);
-  if (of_few.certain) return by_few;
+  Signs signs;
+  inside = detail::first_in_second<Few>(p, leading_small_parts<Few>(p), signs);
+  return signs.certain;
+}
+
+constexpr bool first_in_second(const ContactCubic& p, Signs& signs) noexcept {
+  bool by_few = false;
+  if (few_digits_tell_first_in_second(by_few, p)) return by_few;
+  Signs of_small;
   const auto small = exact_small_parts(p);
-  const bool by_small = detail::first_in_second<Few>(p, small, of_small);
+  const bool by_small = detail::first_in_second<Leading<few_limbs>>(p, small, of_small);
   return of_small.certain ? by_small : detail::first_in_second<Leading<more_limbs>>(p, small, signs);
 }
 

@@ -9,24 +9,42 @@ namespace vesica::exact {
 
 namespace detail {
 
+/// How far a corner is beyond the sides of a box, along its axis and across it; 0 between them.
+struct CornerGap {
+  Number<3> x, y;
+
+  /// Whether it is no closer than another corner.
+  bool is_behind(const CornerGap& other) const noexcept { return compare(other.x, x) <= 0 && compare(other.y, y) <= 0; }
+};
+
 /// Whether any corner of a is at most `reach` from b; (dx, dy) leads from b's centre to a's. In b's frame, in units of
-/// |u|, the corners are p +- g +- h. A box without a size has fewer. Degree 6.
-inline bool corner_within(const Box& a, const Box& b, const Length& dx, const Length& dy,
-                          const Length& reach) noexcept {
+/// |u|, the corners are p +- g +- h. A box without a size has fewer. One that is behind another needs no test; nor does
+/// one that a corner of b is closest to, where these are known to be too far from a. Degree 6.
+inline bool corner_within(const Box& a, const Box& b, const Length& dx, const Length& dy, const Length& reach,
+                          bool corners_of_b_are_far) noexcept {
   const auto uu = dot(b.ux, b.uy, b.ux, b.uy), c = dot(b.ux, b.uy, a.ux, a.uy), s = cross(b.ux, b.uy, a.ux, a.uy);
   const auto p0 = dot(b.ux, b.uy, dx, dy), p1 = cross(b.ux, b.uy, dx, dy);
   const auto g0 = a.hx * c, g1 = a.hx * s, h0 = a.hy * s, h1 = a.hy * c, ex = b.hx * uu, ey = b.hy * uu;
   const auto beyond = [](const auto& x, const auto& y, const auto& r, const auto& unit) {
     return square(x) + square(y) - square(r) * unit;
   };
+  CornerGap gap[4];
+  int count = 0;
   for (int along = a.hx.sign == 0 ? 1 : -1; along <= 1; along += 2) {
     for (int across = a.hy.sign == 0 ? 1 : -1; across <= 1; across += 2) {
       const auto k0 = along > 0 ? p0 + g0 : p0 - g0, k1 = along > 0 ? p1 + g1 : p1 - g1;
       auto x = abs(across > 0 ? k0 - h0 : k0 + h0) - ex, y = abs(across > 0 ? k1 + h1 : k1 - h1) - ey;
       if (x.sign < 0) x = {};
       if (y.sign < 0) y = {};
-      if (sign_of(beyond, x, y, reach, uu) <= 0) return true;
+      if (!(corners_of_b_are_far && x.sign > 0 && y.sign > 0)) gap[count++] = {x, y};
     }
+  }
+  for (int i = 0; i < count; ++i) {
+    bool is_first = true;
+    for (int j = 0; j < count && is_first; ++j) {
+      is_first = j == i || !gap[i].is_behind(gap[j]) || (i < j && gap[j].is_behind(gap[i]));
+    }
+    if (is_first && sign_of(beyond, gap[i].x, gap[i].y, reach, uu) <= 0) return true;
   }
   return false;
 }
@@ -36,8 +54,8 @@ inline bool corner_within(const Box& a, const Box& b, const Length& dx, const Le
 /// Whether two boxes are at most `reach` >= 0 apart.
 inline bool within(const Box& a, const Box& b, const Length& reach) noexcept {
   const Length dx = a.cx - b.cx, dy = a.cy - b.cy;
-  return detail::corner_within(a, b, dx, dy, reach) ||
-         detail::corner_within(b, a, integer(-1) * dx, integer(-1) * dy, reach) || overlap(a, b);
+  return detail::corner_within(a, b, dx, dy, reach, false) ||
+         detail::corner_within(b, a, integer(-1) * dx, integer(-1) * dy, reach, true) || overlap(a, b);
 }
 
 }  // namespace vesica::exact

@@ -86,11 +86,18 @@ inline Chord chord(const int (&side)[4]) noexcept {
 /// Both shapes, and the rounded coordinates of their corners.
 struct Pair {
   Polygon a, b;
+  crossings::Ways ways;
   Sides of_a, of_b;
   const Vertex *corner_a, *corner_b;
 
   Pair(const exact::Box& box_a, const exact::Box& box_b, const Vertex* of_first, const Vertex* of_second) noexcept
-      : a(box_a), b(box_b), of_a(a, b), of_b(b, a), corner_a(of_first), corner_b(of_second) {}
+      : a(box_a),
+        b(box_b),
+        ways(a, b),
+        of_a(a, b, ways),
+        of_b(b, a, ways.back()),
+        corner_a(of_first),
+        corner_b(of_second) {}
 
   /// Of two quadrilaterals. Convex insides are apart iff the line of an edge of one shape has the other on its outer
   /// side.

@@ -58,15 +58,11 @@ struct Halving {
   template <class Shapes>
   FoundDirection<double> operator()(const Shapes& shapes, const Direction<double>& d, double size) const noexcept {
     const Direction<double> first = first_direction(shapes, d);
-    State now{first, first_bracket(d, first)}, before = now, long_before = now;
+    State now{first, first_bracket(d, first)};
+    Rounds rounds;
     int step = 0;
     for (; step < most_steps; ++step) {
-      if (step % turns == 0) {
-        const int round = step > 0 && now == before ? turns : step > turns && now == long_before ? 2 * turns : 0;
-        if (round > 0) step += (most_steps - step) / round * round;
-        long_before = before;
-        before = now;
-      }
+      if (step % turns == 0) step += rounds.left_out(now, step);
       (turn_at(shapes, d, size, now.n).slope > 0 ? now.bracket.low : now.bracket.high) = now.n;
       const Direction<double> next = middle(shapes, d, now.bracket, step);
       if (same(next, now.n)) break;
@@ -76,8 +72,7 @@ struct Halving {
   }
 
  private:
-  /// middle() goes by turns of 2 or 3 steps. At the end the same few directions may come again and again, after 6 steps
-  /// or 12. Whole rounds of them are left out, which changes nothing.
+  /// middle() goes by turns of 2 or 3 steps.
   static constexpr int turns = 6;
 
   static bool same(const Direction<double>& a, const Direction<double>& b) noexcept { return a.x == b.x && a.y == b.y; }
@@ -89,6 +84,28 @@ struct Halving {
     bool operator==(const State& other) const noexcept {
       return same(n, other.n) && same(bracket.low, other.bracket.low) && same(bracket.high, other.bracket.high);
     }
+  };
+
+  /// At the end the same few directions may come again and again, after 6 steps, 12, 18 or 24. Whole rounds of them are
+  /// left out, once, which changes nothing.
+  class Rounds {
+   public:
+    /// How many steps, now that so many were taken, a multiple of `turns`.
+    int left_out(const State& now, int step) noexcept {
+      const int count = step / turns;
+      for (int k = 1; k <= kept && k <= count && !found_; ++k) {
+        if (!(now == past_[(count - k) % kept])) continue;
+        found_ = true;
+        return (most_steps - step) / (k * turns) * (k * turns);
+      }
+      past_[count % kept] = now;
+      return 0;
+    }
+
+   private:
+    static constexpr int kept = 4;
+    State past_[kept];
+    bool found_ = false;
   };
 };
 

@@ -184,13 +184,23 @@ bool apart_along_offset(const A&, const B&) noexcept {
   return false;
 }
 
+template <class A, class B, class V>
+VESICA_INLINE MaskOf<V> moderate_pair(const A& a, const B& b, const Vector<V>& d) noexcept {
+  return both(moderate(d), both(moderate(a), moderate(b)));
+}
+/// Of two shapes this is asked first: of others a search might take all steps that it may, for nothing.
+template <class A, class B>
+VESICA_INLINE bool moderate_pair(const A& a, const B& b) noexcept {
+  return moderate_pair(a, b, offset(a.cx, a.cy, b.cx, b.cy));
+}
+
 /// overlapping: what the exact predicate says of the pair.
 template <class A, class B, class V>
 VESICA_INLINE LaneAnswer<V> lane_answer(const A& a, const B& b, MaskOf<V> overlapping, const Vector<V>& d) noexcept {
   const auto disjoint = negated<V>(overlapping);
   LaneAnswer<V> answer = all(overlapping) ? common_centre(a, b, d) : apart(a, b, d);
   if (!all(overlapping) && !all(disjoint)) answer = choose(overlapping, common_centre(a, b, d), answer);
-  answer.settled = both(answer.settled, both(moderate(d), both(moderate(a), moderate(b))));
+  answer.settled = both(answer.settled, moderate_pair(a, b, d));
   return answer;
 }
 template <template <class> class A, template <class> class B, class V>

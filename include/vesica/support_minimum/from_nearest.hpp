@@ -36,7 +36,7 @@ using nearest::dot;
 using nearest::feature_ellipse;
 using nearest::image;
 using nearest::middle;
-using nearest::moderate;
+using nearest::moderate_pair;
 using nearest::negated;
 using nearest::no_support;
 using nearest::normal;

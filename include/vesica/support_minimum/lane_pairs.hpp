@@ -12,11 +12,6 @@ inline constexpr double least_settled = 0x1p-46;
 /// A circle is answered as an ellipse, one by one and in lanes.
 VESICA_INLINE Ellipse<double> as_ellipse(const Circle<double>& c) noexcept { return {c.cx, c.cy, 1, 0, c.r, c.r}; }
 
-template <class A, class B, class V>
-VESICA_INLINE MaskOf<V> moderate_pair(const A& a, const B& b, const Vector<V>& d) noexcept {
-  return both(moderate(d), both(moderate(a), moderate(b)));
-}
-
 template <class V>
 VESICA_INLINE Ellipse<V> choose(MaskOf<V> m, const Ellipse<V>& yes, const Ellipse<V>& no) noexcept {
   return {select(m, yes.cx, no.cx), select(m, yes.cy, no.cy), select(m, yes.ux, no.ux),

@@ -158,7 +158,7 @@ final class Native {
    * their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is
    * &lt;= x.
    *
-   * <p>Cost: 1 to 10 us; at worst 50 us.
+   * <p>Cost: 1 to 10 us; at worst 40 us.
    *
    * <p>Since: 0.1.
    */
@@ -182,7 +182,7 @@ final class Native {
    * lengths. An aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.
    *
    * <p>Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the other's
-   * centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below 2^-40; at worst 40 us.
+   * centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below 2^-40; at worst 45 us.
    *
    * <p>Since: 0.1.
    */
@@ -208,7 +208,7 @@ final class Native {
    * &lt;= x.
    *
    * <p>Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.5 to
-   * 2 us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for near-ties; at worst 60 us.
+   * 2 us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for near-ties; at worst 45 us.
    *
    * <p>Since: 0.1.
    */
@@ -235,7 +235,7 @@ final class Native {
    * &lt;= x.
    *
    * <p>Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to 5 us if
-   * only exact arithmetic can tell the depth from 0; at worst 40 us.
+   * only exact arithmetic can tell the depth from 0; at worst 25 us.
    *
    * <p>Since: 0.1.
    */
@@ -275,7 +275,7 @@ final class Native {
    * aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.
    *
    * <p>Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if
-   * outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us.
+   * outlines nearly touch or coincide, or if one shape is far larger; at worst 30 us.
    *
    * <p>Since: 0.1.
    */
@@ -309,7 +309,7 @@ final class Native {
    * <p>Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is exact.
    *
    * <p>Cost: up to 80 ns; 1 to 3 us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis
-   * and representable sides; at worst 20 us.
+   * and representable sides; at worst 6 us.
    *
    * <p>Since: 0.1.
    */
@@ -881,7 +881,7 @@ final class Native {
    * numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their
    * half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.
    *
-   * <p>Cost: 1 to 10 us; at worst 50 us.
+   * <p>Cost: 1 to 10 us; at worst 40 us.
    *
    * <p>Since: 0.1.
    */
@@ -906,7 +906,7 @@ final class Native {
    * longer over shorter size. "Right to x": the error is &lt;= x.
    *
    * <p>Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the other's
-   * centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below 2^-40; at worst 40 us.
+   * centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below 2^-40; at worst 45 us.
    *
    * <p>Since: 0.1.
    */
@@ -932,7 +932,7 @@ final class Native {
    * half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.
    *
    * <p>Cost: that of vesica_nearest_f32 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.5 to
-   * 2 us if outlines meet, for thin shapes as vesica_crossings_f32; up to 5 us more for near-ties; at worst 60 us.
+   * 2 us if outlines meet, for thin shapes as vesica_crossings_f32; up to 5 us more for near-ties; at worst 45 us.
    *
    * <p>Since: 0.1.
    */
@@ -959,7 +959,7 @@ final class Native {
    * half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.
    *
    * <p>Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to 5 us if
-   * only exact arithmetic can tell the depth from 0; at worst 40 us.
+   * only exact arithmetic can tell the depth from 0; at worst 25 us.
    *
    * <p>Since: 0.1.
    */
@@ -1001,7 +1001,7 @@ final class Native {
    * over shorter size. "Right to x": the error is &lt;= x.
    *
    * <p>Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if
-   * outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us.
+   * outlines nearly touch or coincide, or if one shape is far larger; at worst 30 us.
    *
    * <p>Since: 0.1.
    */
@@ -1036,7 +1036,7 @@ final class Native {
    * <p>Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is exact.
    *
    * <p>Cost: up to 80 ns; 1 to 3 us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis
-   * and representable sides; at worst 20 us.
+   * and representable sides; at worst 6 us.
    *
    * <p>Since: 0.1.
    */
@@ -3296,7 +3296,7 @@ final class Native {
    * <p>Accuracy: exact.
    *
    * <p>Cost: that of vesica_relation_f64; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel.
-   * At extreme magnitudes searches found up to 180 us (AMD EPYC, Zen 4).
+   * At extreme magnitudes searches found up to 25 us (AMD EPYC, Zen 4).
    *
    * <p>Since: 0.1.
    */
@@ -3339,7 +3339,7 @@ final class Native {
    * longer over shorter size. "Right to x": the error is &lt;= x.
    *
    * <p>Cost: that of vesica_overlap_f64 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6 us for areas; at worst
-   * 300 us.
+   * 30 us.
    *
    * <p>Since: 0.1.
    */
@@ -3364,7 +3364,7 @@ final class Native {
    * <p>Accuracy: exact.
    *
    * <p>Cost: that of vesica_relation_f32; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel.
-   * At extreme magnitudes searches found up to 180 us (AMD EPYC, Zen 4).
+   * At extreme magnitudes searches found up to 25 us (AMD EPYC, Zen 4).
    *
    * <p>Since: 0.1.
    */
@@ -3391,7 +3391,7 @@ final class Native {
    * size. "Right to x": the error is &lt;= x.
    *
    * <p>Cost: that of vesica_overlap_f32 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6 us for areas; at worst
-   * 300 us.
+   * 30 us.
    *
    * <p>Since: 0.1.
    */

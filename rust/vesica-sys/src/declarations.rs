@@ -415,7 +415,7 @@ extern "C" {
     /// their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is
     /// \<= x.
     ///
-    /// Cost: 1 to 10 us; at worst 50 us.
+    /// Cost: 1 to 10 us; at worst 40 us.
     ///
     /// Since: 0.1.
     pub fn vesica_crossings_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
@@ -437,7 +437,7 @@ extern "C" {
     /// their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is \<= x.
     ///
     /// Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the other's
-    /// centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below 2^-40; at worst 40 us.
+    /// centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below 2^-40; at worst 45 us.
     ///
     /// Since: 0.1.
     pub fn vesica_nearest_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
@@ -462,7 +462,7 @@ extern "C" {
     /// error is \<= x.
     ///
     /// Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.5 to
-    /// 2 us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for near-ties; at worst 60 us.
+    /// 2 us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for near-ties; at worst 45 us.
     ///
     /// Since: 0.1.
     pub fn vesica_boundary_distance_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
@@ -487,7 +487,7 @@ extern "C" {
     /// \<= x.
     ///
     /// Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to 5 us if
-    /// only exact arithmetic can tell the depth from 0; at worst 40 us.
+    /// only exact arithmetic can tell the depth from 0; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_depth_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
@@ -522,7 +522,7 @@ extern "C" {
     /// lengths. An aspect ratio is longer over shorter size. "Right to x": the error is \<= x.
     ///
     /// Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if
-    /// outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us.
+    /// outlines nearly touch or coincide, or if one shape is far larger; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_area_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
@@ -551,7 +551,7 @@ extern "C" {
     /// Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is exact.
     ///
     /// Cost: up to 80 ns; 1 to 3 us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis
-    /// and representable sides; at worst 20 us.
+    /// and representable sides; at worst 6 us.
     ///
     /// Since: 0.1.
     pub fn vesica_bounds_f64(kind: i32, numbers: *const f64, out: *mut Aabb<f64>) -> i32;
@@ -1302,7 +1302,7 @@ extern "C" {
     /// computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres
     /// and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is \<= x.
     ///
-    /// Cost: 1 to 10 us; at worst 50 us.
+    /// Cost: 1 to 10 us; at worst 40 us.
     ///
     /// Since: 0.1.
     pub fn vesica_crossings_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
@@ -1325,7 +1325,7 @@ extern "C" {
     /// ratio is longer over shorter size. "Right to x": the error is \<= x.
     ///
     /// Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the other's
-    /// centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below 2^-40; at worst 40 us.
+    /// centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below 2^-40; at worst 45 us.
     ///
     /// Since: 0.1.
     pub fn vesica_nearest_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
@@ -1350,7 +1350,7 @@ extern "C" {
     /// and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is \<= x.
     ///
     /// Cost: that of vesica_nearest_f32 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.5 to
-    /// 2 us if outlines meet, for thin shapes as vesica_crossings_f32; up to 5 us more for near-ties; at worst 60 us.
+    /// 2 us if outlines meet, for thin shapes as vesica_crossings_f32; up to 5 us more for near-ties; at worst 45 us.
     ///
     /// Since: 0.1.
     pub fn vesica_boundary_distance_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
@@ -1375,7 +1375,7 @@ extern "C" {
     /// and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is \<= x.
     ///
     /// Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to 5 us if
-    /// only exact arithmetic can tell the depth from 0; at worst 40 us.
+    /// only exact arithmetic can tell the depth from 0; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_depth_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
@@ -1412,7 +1412,7 @@ extern "C" {
     /// is longer over shorter size. "Right to x": the error is \<= x.
     ///
     /// Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if
-    /// outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us.
+    /// outlines nearly touch or coincide, or if one shape is far larger; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_area_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
@@ -1442,7 +1442,7 @@ extern "C" {
     /// Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is exact.
     ///
     /// Cost: up to 80 ns; 1 to 3 us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis
-    /// and representable sides; at worst 20 us.
+    /// and representable sides; at worst 6 us.
     ///
     /// Since: 0.1.
     pub fn vesica_bounds_f32(kind: i32, numbers: *const f32, out: *mut Aabb<f32>) -> i32;
@@ -3669,7 +3669,7 @@ extern "C" {
     /// Accuracy: exact.
     ///
     /// Cost: that of vesica_relation_f64; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel.
-    /// At extreme magnitudes searches found up to 180 us (AMD EPYC, Zen 4).
+    /// At extreme magnitudes searches found up to 25 us (AMD EPYC, Zen 4).
     ///
     /// Since: 0.1.
     pub fn vesica_de9im_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
@@ -3707,7 +3707,7 @@ extern "C" {
     /// ratio is longer over shorter size. "Right to x": the error is \<= x.
     ///
     /// Cost: that of vesica_overlap_f64 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6 us for areas; at worst
-    /// 300 us.
+    /// 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_intersection_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
@@ -3730,7 +3730,7 @@ extern "C" {
     /// Accuracy: exact.
     ///
     /// Cost: that of vesica_relation_f32; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel.
-    /// At extreme magnitudes searches found up to 180 us (AMD EPYC, Zen 4).
+    /// At extreme magnitudes searches found up to 25 us (AMD EPYC, Zen 4).
     ///
     /// Since: 0.1.
     pub fn vesica_de9im_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
@@ -3755,7 +3755,7 @@ extern "C" {
     /// shorter size. "Right to x": the error is \<= x.
     ///
     /// Cost: that of vesica_overlap_f32 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6 us for areas; at worst
-    /// 300 us.
+    /// 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_intersection_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
