@@ -254,6 +254,12 @@ TEST(Sparse, OfFewRunsAndOfNoMoreLimbsThanThereIsRoomFor) {
   for (int zeros = 0; zeros < 60; ++zeros) {
     for (int ones = 0; ones < 60; ++ones) EXPECT_EQ(is_sparse(runs_of(zeros, ones)), zeros + ones + 1 <= 48);
   }
+  // The last one is subtracted: above it the carry is one more.
+  for (int zeros = 0; zeros < 60; ++zeros) {
+    std::vector<Limb> limbs = runs_of(zeros, 0);
+    limbs.insert(limbs.end(), 2, ~Limb{0});
+    EXPECT_EQ(is_sparse(limbs), zeros + 2 <= 48);
+  }
   EXPECT_TRUE(is_sparse(std::vector<Limb>(256, 5)));
   EXPECT_FALSE(is_sparse(std::vector<Limb>(257, 5)));
   std::vector<Limb> out(2000);
@@ -273,6 +279,25 @@ TEST(Sparse, OfFewRunsAndOfNoMoreLimbsThanThereIsRoomFor) {
   EXPECT_FALSE(multiplied(gap(547), gap(548))) << "1,101 limbs";
   EXPECT_FALSE(multiplied(runs_of(48, 0), gap(40)));
   EXPECT_FALSE(multiplied(gap(40), runs_of(48, 0)));
+}
+
+// In each column the products of a number's limbs by themselves are those of two equal numbers; none are beyond its ends.
+TEST(Columns, OfASquare) {
+  Random random(properties::seed());
+  for (int size = 1; size < 6; ++size) {
+    std::vector<Limb> limbs;
+    for (int i = 0; i < size; ++i) limbs.push_back(random.bits() | 1);
+    for (const int low : {-3, 0, 2}) {
+      const exact::detail::Span a{limbs.data(), low, size}, same = a;
+      for (int column = 2 * low - 4; column < 2 * (low + size) + 4; ++column) {
+        exact::detail::ColumnSum square, product;
+        square.add_square(a, column);
+        product.add(a, same, column);
+        EXPECT_TRUE(square.low == product.low && square.middle == product.middle && square.high == product.high);
+        EXPECT_EQ(square.sign() != 0, column >= 2 * low && column <= 2 * (low + size - 1)) << column;
+      }
+    }
+  }
 }
 
 TEST(Leading, ShortNumbersAreExact) {
