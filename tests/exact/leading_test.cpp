@@ -213,16 +213,25 @@ struct OfEight {
 
 Number<8> eighth_power(double x) { return square(square(square(exact::from_double(x)))); }
 
+/// Below 2^exponent, of some 40 limbs of any kind.
+Number<8> dense(int exponent) {
+  Number<8> sum;
+  for (int i = 0; i < 6; ++i) sum = sum + eighth_power(std::ldexp(0x1.921fb54442d19p-1, exponent / 8 - 53 * i));
+  return sum;
+}
+
 // Any of the numbers may be the one that is long, or none. It is 7 less than a sum of powers of two, and the others are
-// 1: so what leads cancels, and the first digits to tell are those of the sum.
+// 1: so what leads cancels, and the first digits to tell are those of the sum. Of a long sum more digits are tried.
 TEST(Leading, EachNumberMayBeTheLongOne) {
   const Number<8> one = eighth_power(1), seven = one + one + one + one + one + one + one;
   const Number<8> far = eighth_power(0x1p-125), farther = eighth_power(0x1p-250), very_far = eighth_power(0x1p-500),
                   farthest = eighth_power(0x1p-1000);
   const Number<8> longest = farthest - seven;
   ASSERT_GT(longest.size, 96);
+  const Number<8> dense_far = dense(-904) - seven, dense_farther = dense(-1704) - seven;
+  for (const Number<8>& x : {dense_far, dense_farther}) ASSERT_TRUE(exact::detail::is_longer(x, exact::more_limbs));
   for (const Number<8>& x : {one, one + far, far - seven, far + far + far + very_far - seven, very_far - seven,
-                             farther + farthest - seven, longest}) {
+                             farther + farthest - seven, longest, dense_far, dense_farther}) {
     OfEight::expect_positive(x, one, one, one, one, one, one, one);
     OfEight::expect_positive(one, x, one, one, one, one, one, one);
     OfEight::expect_positive(one, one, x, one, one, one, one, one);
