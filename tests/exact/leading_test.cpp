@@ -411,4 +411,15 @@ TEST(LongCubic, OfSmallNumbers) {
   for (const int count : {ties, of_two_r, of_slope, of_delta}) EXPECT_GT(count, 20);
 }
 
+// An ellipse in another about nearly one centre, and the other way round.
+TEST(LongCubic, SurelyInside) {
+  const Ellipse<double> lesser{0x1p-300, 0, 1, 0, 2, 1}, greater{0, 0x1p-200, 1, 0x1p-400, 3, 1.75};
+  const auto inside = [](const Ellipse<double>& a, const Ellipse<double>& b) {
+    const exact::ContactCubic p = exact::contact_cubic(exact::form(a), exact::form(b));
+    return exact::detail::surely_inside(p, p.d1 + p.d2 - p.mu);
+  };
+  EXPECT_TRUE(inside(lesser, greater));
+  EXPECT_FALSE(inside(greater, lesser));
+}
+
 }  // namespace
