@@ -194,6 +194,19 @@ TEST(ExactCastParts, FloorsOfTimes) {
   EXPECT_EQ(floor(thin, Point<double>{0x1p-1030, 0x1p989}, -0x1p-1030, 0), 1);
 }
 
+/// A search ends where it is answered with an error, and where there is nothing to be found up to the largest number.
+TEST(ExactCastParts, SearchesThatFindNothing) {
+  double out = 0;
+  const auto searched = [&out](double from, std::int32_t there) {
+    return search(
+        1, [=](double t) { return t < from ? 0 : there; }, out);
+  };
+  EXPECT_EQ(searched(infinity, 1), error_range);
+  EXPECT_EQ(searched(8, error_range), error_range);
+  EXPECT_EQ(searched(8, 1), 0);
+  EXPECT_EQ(out, 8);
+}
+
 /// Trials from any start and with any guess: contact of insides comes after t0, and the witness after that.
 TEST(ExactCastParts, FloorByTrials) {
   const auto floor = [](double start, double t0, double guess = 0, Between witness = {largest, infinity}) {
