@@ -119,6 +119,11 @@ TEST(ContractedCast, MeetingsThatAreNotQuick) {
   const Ellipse<double> disc{0, 0, 1, 0, 2, 2}, far{8, -0x1.0004p-36, 1, 0, 1, 1};
   EXPECT_FALSE(meets(disc, far, -1, 0x1p-39, t));
   expect_as_in_library(nullptr, &disc, far, -1, 0x1p-39);
+  // Neither, for a corner at a small disc.
+  const Rect<double> turned{0, 0, 1, 1, 1, 1};
+  const Ellipse<double> small{8, -0x1.8p-37 - 0x1p-86, 1, 0, 0x1p-33, 0x1p-33};
+  EXPECT_FALSE(meets(turned, small, -1, 0x1p-39, t));
+  expect_as_in_library(&turned, nullptr, small, -1, 0x1p-39);
 }
 #endif
 
