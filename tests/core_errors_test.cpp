@@ -71,6 +71,18 @@ TEST(CoreErrors, ADepthBeyondTheRange) {
   EXPECT_TRUE(none.depth == 0 && none.x == 0 && none.y == 0);
 }
 
+/// An area beyond the range is an error, and the greatest number where the answer is a value.
+TEST(CoreErrors, AnAreaBeyondTheRange) {
+  const Aabb<double> huge{0, 0, 0x1p600, 0x1p600};
+  double out = 7;
+  EXPECT_EQ(area_or_error(huge, huge, out), error_range);
+  EXPECT_EQ(out, 7);
+  EXPECT_EQ(area(huge, huge), largest);
+  EXPECT_EQ(area(huge, Aabb<double>{0x1p600, 0, 0x1p601, 1}), 0);
+  const Circle<float> disc{0, 0, largest_f32};
+  EXPECT_EQ(area(disc, disc), largest_f32);
+}
+
 TEST(CoreErrors, OutlinesInEitherOrder) {
   const auto first = boundary_distance(unit, oval), second = boundary_distance(oval, unit);
   EXPECT_EQ(first.distance, 6);

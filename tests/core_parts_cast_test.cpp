@@ -70,6 +70,28 @@ TEST(CastParts, PolishedWithoutABend) {
   EXPECT_FALSE(found.time.certain || std::isfinite(found.time.step));
 }
 
+/// A direction that is certain by a hair, and the next one, which is not, as the errors of both are greater than the step:
+/// the first is kept.
+TEST(CastParts, PolishedUntilNothingIsCertain) {
+  const Ellipse<double> needle{0, -0x1.b64ec337f0d07p-65, 0x1.cd0dc50377c1dp-1,
+                               0, 0x1.4159398c877aep-36,  0x1.11bde2a671668p-10};
+  const Scene scene = scene_of(needle, Point<double>{-0x1.c99490f130af4p-82, 0x1.ed01aa75115b9p-11},
+                               {0x1.d4db04bf5c806p-2, 0, infinity});
+  const double start = 0x1.7c192698da9a4p+19;
+  TimeBounds kept{}, last = time_bounds<Products>(scene, direction<Products>(scene, start));
+  double s = start;
+  for (int i = 0; i < 3 && last.certain; ++i) {
+    kept = last;
+    s += last.step;
+    last = time_bounds<Products>(scene, direction<Products>(scene, s));
+  }
+  ASSERT_TRUE(kept.certain && last.tells() && !last.certain);
+  const Found found = polished<Products>(scene, start);
+  EXPECT_TRUE(found.time.certain);
+  EXPECT_EQ(found.time.value.high, kept.value.high);
+  EXPECT_EQ(found.time.gain, kept.gain);
+}
+
 /// Two needles seen lengthwise: eighty steps do not find where their slopes have the sum that is asked for, which is in
 /// the bracket still.
 TEST(CastParts, SearchThatEndsAtItsLimit) {

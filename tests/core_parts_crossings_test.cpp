@@ -62,6 +62,16 @@ TEST(CrossingsParts, AsManyVerticesAsThereIsRoomFor) {
   for (int i = 0; i < 8; ++i) EXPECT_EQ(region.at[i].x, i);
 }
 
+TEST(CrossingsParts, AsManySpotsAsThereIsRoomFor) {
+  Spots spots;
+  for (int i = 0; i < 17; ++i) {
+    EXPECT_EQ(spots.is_full(), i == 16);
+    spots.add({Real(0.0625 * i), Real(0.0625 * i), i, true, false, 0});
+  }
+  ASSERT_EQ(spots.count, 16);
+  for (int i = 0; i < 16; ++i) EXPECT_EQ(spots.spot[i].most, i);
+}
+
 Spots spots_of(std::initializer_list<Spot> those) {
   Spots spots;
   for (const Spot& s : those) spots.add(s);
@@ -101,6 +111,29 @@ TEST(CrossingsParts, PlacesOfGroups) {
   EXPECT_EQ(shared_out(spots_of({odd(0.5, 3), odd(2.5, 1)}), {4, 0, false}), (Places{3, 1}));
   EXPECT_EQ(shared_out(spots_of({even(0.5, 3), even(1.5, 1), even(2.5, 2)}), {0, 2, false}), (Places{0, 1, 1}));
   EXPECT_EQ(shared_out(spots_of({even(0.5, 3), even(1.5, 1)}), {2, 0, false}), (Places{0, 2}));
+}
+
+/// Sizes of which each is just precise enough, and their difference is not: that is formed exactly.
+TEST(CrossingsParts, SidesThatAreJustPrecise) {
+  const Polygon a(exact::form(Aabb<double>{0, 0, 4, 2})), b(exact::form(Aabb<double>{1, -1, 3, 6}));
+  const Sides sides(a, b);
+  int crossings = 0;
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) {
+      const int end = b.corners.next(j);
+      if (sides.sign[i][j] * sides.sign[i][end] >= 0) continue;
+      Sides rough = sides;
+      for (const int corner : {j, end}) {
+        Rough& size = rough.size[i][corner];
+        size.error = std::fabs(rounded(size.value)) * 0x1p-60;
+        ASSERT_TRUE(size.is_precise());
+      }
+      ASSERT_FALSE((rough.size[i][j] - rough.size[i][end]).is_precise());
+      EXPECT_EQ(rough.crossing(a, i, b, j), sides.crossing(a, i, b, j));
+      ++crossings;
+    }
+  }
+  EXPECT_EQ(crossings, 4);
 }
 
 /// Roots that rounding has put before an edge's start, and behind its end.

@@ -194,6 +194,19 @@ TEST(ExactCastParts, FloorsOfTimes) {
   EXPECT_EQ(floor(thin, Point<double>{0x1p-1030, 0x1p989}, -0x1p-1030, 0), 1);
 }
 
+/// A search ends where it is answered with an error, and where there is nothing to be found up to the largest number.
+TEST(ExactCastParts, SearchesThatFindNothing) {
+  double out = 0;
+  const auto searched = [&out](double from, std::int32_t there) {
+    return search(
+        1, [=](double t) { return t < from ? 0 : there; }, out);
+  };
+  EXPECT_EQ(searched(infinity, 1), error_range);
+  EXPECT_EQ(searched(8, error_range), error_range);
+  EXPECT_EQ(searched(8, 1), 0);
+  EXPECT_EQ(out, 8);
+}
+
 /// Trials from any start and with any guess: contact of insides comes after t0, and the witness after that.
 TEST(ExactCastParts, FloorByTrials) {
   const auto floor = [](double start, double t0, double guess = 0, Between witness = {largest, infinity}) {
@@ -221,6 +234,48 @@ TEST(ExactCastParts, FloorOfEllipsesBeyondTheDigits) {
   const auto floor = [&](double vy) { return floor_of_ellipses(pair_of(large, small, -0x1p1002, vy), next(0.25), 0); };
   EXPECT_EQ(floor(0), before(0.25));
   EXPECT_EQ(floor(0x1p-1074), -1);
+}
+
+/// The cubic of two ellipses before they touch, where they do, of which its digits do not tell on which side that is, and
+/// after it.
+TEST(ExactCastParts, TrialAtTheTimeItself) {
+  const Ellipse<double> a{0, 0, 1, 0, 1, 1}, b{8, 0, 0, 1, 1, 1};
+  const LeadingContact contact{PairDigits<exact::few_limbs>(pair_of(a, b, -1, 0))};
+  const Trial no = contact.at(before(6)), at = contact.at(6), yes = contact.at(next(6));
+  EXPECT_TRUE(no.known && !no.after && no.has_value && no.value.value > 0);
+  EXPECT_FALSE(at.known);
+  EXPECT_TRUE(yes.known && yes.after && yes.has_value && yes.value.value < 0);
+}
+
+/// Trials are of ellipses.
+TEST(ExactCastParts, NoTrialsOfBoxes) {
+  const ExactPair boxes = pair_of(Aabb<double>{-1, -1, 1, 1}, Aabb<double>{3, -1, 5, 1}, -1, 0);
+  EllipsePlace place;
+  std::int32_t error = 0;
+  EXPECT_EQ(tried_floor(boxes, 0, {}, place, error), -1);
+  EXPECT_EQ(error, 0);
+}
+
+/// A disc that meets a thin ellipse flat on: few digits do not tell the direction's height. More do, whether the time
+/// might be 0 or not.
+TEST(ExactCastParts, TimesThatTakeMoreDigits) {
+  const Ellipse<double> thin{0, 0, 0x1.8e0d53f198a59p-1, 0, 0x1.634ea5e9e2933p+2, 0x1.4p-270},
+      disc{0x1.2911c0aa2a5a4p-4, 0x1.086c846440b3ep+3, 0x1.a19fe315b1be4p-1,
+           0x1.817effc9499e2p-1, 0x1.26af17d2325dbp+0, 0x1.26af17d2325dbp+0};
+  const ExactPair pair = pair_of(thin, disc, -0x1p-700, -0x1.e911739e24a04p-1);
+  const PairDigits<exact::few_limbs> few(pair);
+  EllipsePlace place;
+  ASSERT_FALSE(SeenEllipses(few).time(place).tells());
+  ASSERT_FALSE(LeadingContact(few).soon(pair).tells());
+  for (const bool beside_start : {false, true}) {
+    EllipsePlace from;
+    const WideTime found = known_time_of_ellipses(pair, beside_start, from);
+    ASSERT_TRUE(found.tells()) << beside_start;
+    double t = 0;
+    ASSERT_EQ(floor_of_time(pair, found.time, t), 0);
+    EXPECT_EQ(pair.contact_before(t), 0);
+    EXPECT_EQ(pair.contact_before(next(t)), 1);
+  }
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vesica/area.hpp>
 #include <vesica/area/circular_segment.hpp>
 #include <vesica/area/ellipse_ellipse.hpp>
 #include <vesica/area/extreme_ratio.hpp>
@@ -111,6 +112,16 @@ TEST(CoreParts, MirroredSlices) {
   // One that is nowhere in the disc, on either side.
   EXPECT_EQ(slice(3, 0.5, -0.5, 0.5), 0);
   EXPECT_EQ(slice(-3, 0.5, -0.5, 0.5), 0);
+}
+
+/// Two discs that share a lens of 2 t - sin 2 t for cos t = 1 - 2^-31, some 2^-45 of either: double-doubles have its
+/// digits.
+TEST(CoreParts, AreaOfAThinLens) {
+  const vesica::Ellipse<double> a{0, 0, 1, 0, 1, 1}, b{2 - 0x1p-30, 0, 0, 1, 1, 1};
+  const double angle = 4 * std::asin(0x1p-16), squared = angle * angle;
+  const double lens = angle * squared / 6 * (1 - squared / 20);
+  EXPECT_NEAR(vesica::area(a, b), lens, 0x1p-40 * lens);
+  EXPECT_NEAR(vesica::area(b, a), lens, 0x1p-40 * lens);
 }
 
 /// Of outlines that are said to meet and do not, the point that was found is given: one of either.

@@ -69,6 +69,16 @@ void put_odd_ones(int kind, bool with_invalid, std::vector<Numbers<T>>& shapes, 
   }
 }
 
+TEST(Surroundings, ApartToEachSide) {
+  const vesica::batch::Surroundings box{0, 0, 2, 1};
+  for (const double x : {-3.0, 0.0, 3.0}) {
+    for (const double y : {-2.0, 0.0, 2.0}) {
+      EXPECT_EQ(box.apart_from({x, y, x + 2, y + 1}), x != 0 || y != 0) << x << ' ' << y;
+    }
+  }
+  EXPECT_FALSE(box.apart_from({2, 1, 3, 3})) << "they touch";
+}
+
 class TilesOfMatrix : public EveryCase {
  protected:
   template <class T>

@@ -5,11 +5,16 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <type_traits>
 #include <vesica/cast.hpp>
+
+#include "properties/random.hpp"
+#include "vesica.h"
 
 namespace {
 
 using vesica::Circle;
+using vesica::Ellipse;
 using vesica::Point;
 using vesica::Rect;
 using vesica::Segment;
@@ -55,5 +60,71 @@ TEST(ContractedCast, TwoDiscs) {
   EXPECT_EQ(vesica::cast(a, b, 0x1.3b41788ab18ddp+3, 0x1.109ea30930ca6p+2, 0x1.d28a29b9cedecp+0).t,
             0x1.d28a29b9cedebp+0);
 }
+
+/// The same as of the library, to the bit.
+template <class B>
+void expect_as_in_library(const Rect<double>* rect, const Ellipse<double>* ellipse, const B& b, double vx, double vy) {
+  const auto expect = [&](const auto& a, std::int32_t kind) {
+    vesica::Impact<double> here{};
+    vesica_impact_f64 there{};
+    const std::int32_t kind_b = std::is_same_v<B, Rect<double>> ? VESICA_RECT : VESICA_ELLIPSE;
+    const std::int32_t code = vesica::cast_or_error(a, b, vx, vy, forever, here);
+    ASSERT_EQ(code, vesica_cast_f64(kind, &a.cx, kind_b, &b.cx, vx, vy, forever, &there));
+    if (code == vesica::cast_hit) {
+      EXPECT_EQ(here.t, there.t);
+    }
+  };
+  if (rect != nullptr) expect(*rect, VESICA_RECT);
+  if (ellipse != nullptr) expect(*ellipse, VESICA_ELLIPSE);
+}
+
+TEST(ContractedCast, BoxesAndEllipses) {
+  EXPECT_EQ(vesica::cast(Rect<double>{0, 0, 1, 0, 1, 1}, Ellipse<double>{8, 0.25, 1, 0, 2, 1}, -1, 0, forever).t, 5);
+  EXPECT_EQ(vesica::cast(Ellipse<double>{8, 0.25, 0, 1, 1, 2}, Rect<double>{0, 0, 1, 0, 1, 1}, 1, 0, forever).t, 5);
+  properties::Random random(properties::seed());
+  for (int i = 0; i < 2000 * properties::repeat(); ++i) {
+    const auto whole = [&] { return static_cast<double>(random.integer(-4, 4)); };
+    const auto size = [&] { return random.chance(0.5) ? random.integer(1, 3) : random.between(0x1p-20, 3); };
+    const double far_x = random.integer(6, 12), y = random.chance(0.5) ? whole() : random.between(-5, 5);
+    const Rect<double> box{0, whole(), 1 + random.unit(), whole(), size(), size()},
+        other{far_x, y, 1, random.unit(), size(), size()};
+    const Ellipse<double> e{0, 0, 1, random.unit(), size(), size()}, f{far_x, y, 1, whole(), size(), size()};
+    const double vx = -size(), vy = random.chance(0.3) ? 0 : random.between(-1, 1);
+    expect_as_in_library(&box, &e, f, vx, vy);
+    expect_as_in_library(&box, &e, other, vx, vy);
+  }
+}
+
+#if defined(VESICA_HAS_FUSED)
+/// What is quick does not suffice where a line all but grazes, and fused products not where the direction is next to
+/// none across.
+TEST(ContractedCast, MeetingsThatAreNotQuick) {
+  using namespace vesica::detail::cast;
+  const auto meets = [](const auto& a, const auto& b, double vx, double vy, double& t) {
+    Scene scene;
+    set_scene(body(a), body(b), {vx, vy, forever}, scene);
+    EXPECT_TRUE(has_fused_products(scene));
+    Meeting quick, met;
+    EXPECT_FALSE(is_box_and_round(scene) && quick_meeting<FusedProducts>(scene, quick));
+    const bool found = fused_meeting(scene, met);
+    t = met.found.time.value.high;
+    return found;
+  };
+  double t = 0;
+  const Rect<double> box{0, 0, 1, 0, 1, 1};
+  EXPECT_TRUE(meets(box, Ellipse<double>{8, 3 - 0x1p-45, 1, 0, 2, 2}, -1, 0, t));
+  EXPECT_NEAR(t, 7, 0x1p-20);
+  EXPECT_TRUE(meets(box, Rect<double>{8, 0, 1, 0, 2, 2}, -1, 0, t));
+  EXPECT_EQ(t, 5);
+  const Ellipse<double> disc{0, 0, 1, 0, 2, 2}, far{8, -0x1.0004p-36, 1, 0, 1, 1};
+  EXPECT_FALSE(meets(disc, far, -1, 0x1p-39, t));
+  expect_as_in_library(nullptr, &disc, far, -1, 0x1p-39);
+  // Neither, for a corner at a small disc.
+  const Rect<double> turned{0, 0, 1, 1, 1, 1};
+  const Ellipse<double> small{8, -0x1.8p-37 - 0x1p-86, 1, 0, 0x1p-33, 0x1p-33};
+  EXPECT_FALSE(meets(turned, small, -1, 0x1p-39, t));
+  expect_as_in_library(&turned, nullptr, small, -1, 0x1p-39);
+}
+#endif
 
 }  // namespace

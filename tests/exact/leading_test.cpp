@@ -213,16 +213,25 @@ struct OfEight {
 
 Number<8> eighth_power(double x) { return square(square(square(exact::from_double(x)))); }
 
+/// Below 2^exponent, of some 40 limbs of any kind.
+Number<8> dense(int exponent) {
+  Number<8> sum;
+  for (int i = 0; i < 6; ++i) sum = sum + eighth_power(std::ldexp(0x1.921fb54442d19p-1, exponent / 8 - 53 * i));
+  return sum;
+}
+
 // Any of the numbers may be the one that is long, or none. It is 7 less than a sum of powers of two, and the others are
-// 1: so what leads cancels, and the first digits to tell are those of the sum.
+// 1: so what leads cancels, and the first digits to tell are those of the sum. Of a long sum more digits are tried.
 TEST(Leading, EachNumberMayBeTheLongOne) {
   const Number<8> one = eighth_power(1), seven = one + one + one + one + one + one + one;
   const Number<8> far = eighth_power(0x1p-125), farther = eighth_power(0x1p-250), very_far = eighth_power(0x1p-500),
                   farthest = eighth_power(0x1p-1000);
   const Number<8> longest = farthest - seven;
   ASSERT_GT(longest.size, 96);
+  const Number<8> dense_far = dense(-904) - seven, dense_farther = dense(-1704) - seven;
+  for (const Number<8>& x : {dense_far, dense_farther}) ASSERT_TRUE(exact::detail::is_longer(x, exact::more_limbs));
   for (const Number<8>& x : {one, one + far, far - seven, far + far + far + very_far - seven, very_far - seven,
-                             farther + farthest - seven, longest}) {
+                             farther + farthest - seven, longest, dense_far, dense_farther}) {
     OfEight::expect_positive(x, one, one, one, one, one, one, one);
     OfEight::expect_positive(one, x, one, one, one, one, one, one);
     OfEight::expect_positive(one, one, x, one, one, one, one, one);
@@ -254,6 +263,12 @@ TEST(Sparse, OfFewRunsAndOfNoMoreLimbsThanThereIsRoomFor) {
   for (int zeros = 0; zeros < 60; ++zeros) {
     for (int ones = 0; ones < 60; ++ones) EXPECT_EQ(is_sparse(runs_of(zeros, ones)), zeros + ones + 1 <= 48);
   }
+  // The last one is subtracted: above it the carry is one more.
+  for (int zeros = 0; zeros < 60; ++zeros) {
+    std::vector<Limb> limbs = runs_of(zeros, 0);
+    limbs.insert(limbs.end(), 2, ~Limb{0});
+    EXPECT_EQ(is_sparse(limbs), zeros + 2 <= 48);
+  }
   EXPECT_TRUE(is_sparse(std::vector<Limb>(256, 5)));
   EXPECT_FALSE(is_sparse(std::vector<Limb>(257, 5)));
   std::vector<Limb> out(2000);
@@ -273,6 +288,25 @@ TEST(Sparse, OfFewRunsAndOfNoMoreLimbsThanThereIsRoomFor) {
   EXPECT_FALSE(multiplied(gap(547), gap(548))) << "1,101 limbs";
   EXPECT_FALSE(multiplied(runs_of(48, 0), gap(40)));
   EXPECT_FALSE(multiplied(gap(40), runs_of(48, 0)));
+}
+
+// In each column the products of a number's limbs by themselves are those of two equal numbers; none are beyond its ends.
+TEST(Columns, OfASquare) {
+  Random random(properties::seed());
+  for (int size = 1; size < 6; ++size) {
+    std::vector<Limb> limbs;
+    for (int i = 0; i < size; ++i) limbs.push_back(random.bits() | 1);
+    for (const int low : {-3, 0, 2}) {
+      const exact::detail::Span a{limbs.data(), low, size}, same = a;
+      for (int column = 2 * low - 4; column < 2 * (low + size) + 4; ++column) {
+        exact::detail::ColumnSum square, product;
+        square.add_square(a, column);
+        product.add(a, same, column);
+        EXPECT_TRUE(square.low == product.low && square.middle == product.middle && square.high == product.high);
+        EXPECT_EQ(square.sign() != 0, column >= 2 * low && column <= 2 * (low + size - 1)) << column;
+      }
+    }
+  }
 }
 
 TEST(Leading, ShortNumbersAreExact) {
@@ -375,6 +409,17 @@ TEST(LongCubic, OfSmallNumbers) {
     }
   }
   for (const int count : {ties, of_two_r, of_slope, of_delta}) EXPECT_GT(count, 20);
+}
+
+// An ellipse in another about nearly one centre, and the other way round.
+TEST(LongCubic, SurelyInside) {
+  const Ellipse<double> lesser{0x1p-300, 0, 1, 0, 2, 1}, greater{0, 0x1p-200, 1, 0x1p-400, 3, 1.75};
+  const auto inside = [](const Ellipse<double>& a, const Ellipse<double>& b) {
+    const exact::ContactCubic p = exact::contact_cubic(exact::form(a), exact::form(b));
+    return exact::detail::surely_inside(p, p.d1 + p.d2 - p.mu);
+  };
+  EXPECT_TRUE(inside(lesser, greater));
+  EXPECT_FALSE(inside(greater, lesser));
 }
 
 }  // namespace

@@ -256,15 +256,15 @@ Axis axis(const Scene& scene, const Vector& normal) noexcept {
   return {n, t - error, t + error};
 }
 
-/// Of two axes whose times cannot be told apart.
+/// Of two axes whose times cannot be told apart; only the second may have a normal beside it.
 VESICA_COLD inline Found preferred_of(const Scene& scene, const Found& n, const Found& m) noexcept {
   const bool is_first = n.time.error < m.time.error;
   const Found &nearer = is_first ? n : m, &farther = is_first ? m : n;
   const bool hides_much = farther.time.error * scene.speed() > 0x1p-60 * scene.size;
   if (!hides_much || n.time.error == m.time.error) {
     Found out = preferred(scene, n.normal, m.normal) ? n : m;
-    out.beside = n.has_beside() ? n.beside : m.beside;
-    out.until = lane::max(n.until, m.until) + 4 * farther.time.error;
+    out.beside = m.beside;
+    out.until = lane::max(0.0, m.until) + 4 * farther.time.error;
     return out;
   }
   const double t = nearer.time.value.high;

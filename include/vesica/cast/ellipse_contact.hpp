@@ -137,7 +137,6 @@ class LeadingContact {
     Rough value = rough(exact::detail::discriminant(d1, c1, c2, d2, product_));
     if (!fall.is_precise() || fall.sign() <= 0) return {};
     const double size = std::fabs(rounded(value.value)) + value.error;
-    if (size == 0) return {};
     const Wide steep(fall.scaled()), far = Wide(2.02 * size, value.exponent) / steep;
     const Wide rest = bent(most(c1), most(c2), far) / (far * steep);
     const bool is_straight = rest < Wide(0x1p-62, 0);

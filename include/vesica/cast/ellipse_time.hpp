@@ -213,7 +213,7 @@ class SeenEllipses {
       // u.perp(v) = -(u x v), u x perp(v) = u.v.
       const Digits p = e.hx * (from.along[i] - beside * e.k), q = e.hy * (from.across[i] + beside * e.c);
       const Digits squared_height = square(p) + square(q);
-      if (squared_height.sign <= 0 || !squared_height.sign_is_certain()) return {};
+      if (!squared_height.sign_is_certain()) return {};  // of two squares, not both 0
       heights[i] = root(squared_height);
       if (!rough(heights[i]).is_precise()) return {};
       // Of the bend's own ellipse all but this cancels.

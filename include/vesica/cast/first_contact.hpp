@@ -60,7 +60,7 @@ inline double known_floor(const Scene& scene, const TimeBounds& time) noexcept {
 /// What the bounds tell of t0.
 inline WideTime as_wide(const Scene& scene, const TimeBounds& time) noexcept {
   const double error = time.error + time.gain;
-  if (!scene.faithful || !time.tells() || !time.certain || !finite(time.value.high) || !finite(error)) return {};
+  if (!scene.faithful || !time.tells() || !time.certain) return {};
   const Twofold<double> t = arithmetic::renormalised(time.value);
   return {Rough({t.high, t.low}, 1.01 * error, scene.time), true};
 }

@@ -29,8 +29,8 @@ struct WideTime {
   bool certain = false;
   bool more_digits = true;
 
-  /// t0 to a few digits more than a double has.
-  bool tells() const noexcept { return certain && time.is_precise() && time.sign() > 0; }
+  /// t0 to a few digits more than a double has. It is above 0, and so is what is precise.
+  bool tells() const noexcept { return certain && time.is_precise(); }
 };
 
 /// The doubles between which a time is.
@@ -186,8 +186,7 @@ inline WideTime wide_time(const SeenBox& seen, const SeenEllipse& round, const N
   Number<1> hx = box.hx, hy = box.hy;
   hx.sign *= of_x;
   hy.sign *= of_y;
-  const WideTime met = round.meets_corner(p.dx - (hx * box.ux - hy * box.uy), p.dy - (hx * box.uy + hy * box.ux));
-  return {met.time, met.certain && out.certain};
+  return round.meets_corner(p.dx - (hx * box.ux - hy * box.uy), p.dy - (hx * box.uy + hy * box.ux));
 }
 
 /// Of two circles: of a point and the circle of both radii. Not certain for other ellipses.

@@ -138,7 +138,7 @@ class RoughCensus {
   /// False where rough numbers do not tell.
   bool tell(Census& census) noexcept {
     const int roots = sign(discriminant());
-    if (!known_ || roots == 0) return false;
+    if (!known_) return false;  // else it is not 0: its terms have an error
     census = {roots < 0 ? 2 : 0, 0, false};
     if (roots < 0) return true;
     if (!p_.c1.sign_is_known() || !p_.c2.sign_is_known()) form_again();

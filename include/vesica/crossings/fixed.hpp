@@ -170,7 +170,6 @@ void move_towards(Fixed& a, const Fixed& b, exact::Limb s) noexcept {
 /// One stage of de Casteljau's construction: count + 1 coefficients become count.
 template <int n>
 void interpolate(Fixed* c, int count, exact::Limb s) noexcept {
-  if (s == 0) return;
   for (int i = 0; i < count; ++i) move_towards<n>(c[i], c[i + 1], s);
 }
 
@@ -195,9 +194,9 @@ template <int n>
 bool set_part(const Quartic& q, exact::Limb from, exact::Limb to, int changes, Quartic& out) noexcept {
   Quartic at_from = q;
   Fixed* c = at_from.coefficient;
-  if (from == 0 && to != 0) {
+  if (from == 0) {
     if (!set_part_from_end<n>(c, to, changes, [&](int i) -> Fixed& { return out.coefficient[i]; })) return false;
-  } else if (from != 0 && to == 0) {
+  } else if (to == 0) {
     std::reverse(c, c + 5);
     const exact::Limb way = exact::Limb{0} - from;
     if (!set_part_from_end<n>(c, way, changes, [&](int i) -> Fixed& { return out.coefficient[4 - i]; })) return false;

@@ -271,7 +271,7 @@ class ZeroSearch {
   /// Whether the zeros are in the middle of a group of k, others being beyond the ends or complex: then this ends
   /// the interval, or narrows it to the group.
   bool visit_group(Interval& i, const Local& local, int k) noexcept {
-    const bool may_end = k == 1 && i.changes == 1;
+    const bool may_end = k == 1;  // and so has one change, as k is not less
     // A reach of 2^-5 ends only what is shorter than that.
     if (!(may_end && i.length < 0x1p5 * shortest) && local.is_far_reaching(k)) return false;
     const double t = local.zero_of_derivative(k - 1), reach = local.reach(k, t);
