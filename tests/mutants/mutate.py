@@ -106,8 +106,8 @@ def write_tree(root, names, tree, chosen):
             content = rewrite.rewritten(content, by_file[name])
         if name in ("src/CMakeLists.txt", "src/index/CMakeLists.txt", "capi/CMakeLists.txt"):
             content = b"add_compile_options(-O1 -w)\n" + content.replace(b"-O2", b"-O1")
-        if name == "tests/CMakeLists.txt":  # a source of the library's that is compiled there
-            content = content.replace(b"(vesica_portable_dispatch PRIVATE -fno", b"(vesica_portable_dispatch PRIVATE -w -fno")
+        if name == "tests/CMakeLists.txt":  # where the compiler sees through a mutant it may warn of what that leaves unset
+            content = b"add_compile_options(-w)\n" + content
         update(tree / name, content)
     update(tree / "include/vesica_mutant.hpp", (HERE / "vesica_mutant.hpp").read_bytes())
 

@@ -121,7 +121,10 @@ class Finder:
             return b"consteval" in self.text[start:cursor.location.offset]
         # What specialises a template of variables has no kind of its own.
         if cursor.kind in (K.VAR_DECL, K.FIELD_DECL, K.UNEXPOSED_DECL):
-            return b"constexpr" in self.text[start:cursor.location.offset]
+            # Of the second of two names the text begins at the comma.
+            begin = max(self.text.rfind(c, 0, start) for c in (b";", b"{", b"}")) + 1
+            return b"constexpr" in self.text[start:cursor.location.offset] or \
+                re.search(rb"(^|\n) *(static |inline )*constexpr [^;{}]*$", self.text[begin:start]) is not None
         return False
 
     def is_code(self, cursor):

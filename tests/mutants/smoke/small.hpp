@@ -38,6 +38,8 @@ inline Verdict verdict(double gap) {
 inline int taken(int& left) { return left--; }
 
 inline int after(int left) {
+  constexpr int one = 2 - 1, five = one + 4;
+  static_assert(five == 5);
   if (taken(left) == 2) return left;
   return 5;
 }
