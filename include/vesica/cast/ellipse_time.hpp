@@ -87,7 +87,7 @@ class SeenEllipses {
     bool by_digits = false;
     for (int i = 0;; ++i) {
       const Evaluated at = by_digits ? evaluate<Few>(share) : evaluate<Rough>(rough(share));
-      const WideTime found{at.time, at.is_near, at.more_digits};
+      const WideTime found{at.time, at.is_near};
       if (at.is_near && at.is_below_all_doubles()) return {Rough(crossings::Real(1.0), 0, least_exponent), true};
       if (found.tells() || i == most_steps || (by_digits && at.more_digits)) return found;
       by_digits = by_digits || at.more_digits;
@@ -100,7 +100,7 @@ class SeenEllipses {
  private:
   static constexpr int least_exponent = -1100;  ///< below those of doubles
   static constexpr int most_steps = 6;          ///< of Newton's method, each of some 50 bits
-  static constexpr int most_trials = 60;
+  static constexpr int most_trials = 60;        ///< before them, of l
 
   /// By s. Of two directions against v, e is before f iff e x f < 0.
   void insert(const SectorEdge& e) noexcept {
@@ -226,8 +226,8 @@ class SeenEllipses {
   }
   /// The reach across v less w, by (x^2 - w^2) / (x + w) where it cancels; 0 where it is not known well.
   void find_gap(int side) noexcept {
-    const Rough a = root(Rough(*squared_[0])), b = root(Rough(*squared_[1])),
-                w = turned(Rough(pair_.w_), side), twice = crossings::times(2, a * b);
+    const Rough a = root(Rough(*squared_[0])), b = root(Rough(*squared_[1])), w = turned(Rough(pair_.w_), side),
+                twice = crossings::times(2, a * b);
     Rough gap = a + b - w;
     if (!gap.is_precise()) {
       const Few of_a(*squared_[0]), of_b(*squared_[1]), rest = square(Few(pair_.w_)) - of_a - of_b;
@@ -274,6 +274,7 @@ class SeenEllipses {
       }
     }
     out.value = positive - negative;
+    if (out.value.exponent < positive.exponent - 50) out.value = {};  // rounding errors
     if (l.sign() > 0 && positive.sign() > 0 && negative.sign() > 0) {
       const Wide power = l / as_share({1, 0}, n.against) * (falling / positive + rising / negative);
       out.excess = positive.exponent - negative.exponent;
@@ -321,29 +322,32 @@ class SeenEllipses {
       look(wide_from_.across[i], wide_to_.across[i]);
     }
     look(wide_from_.against, wide_to_.against);
+    if (first.sign() == 0) first = last = {1, 0};
   }
 
   /// By Newton's method, on the logarithms where terms of unlike sizes are to be equal; within a bracket.
   Wide find_share() const noexcept {
     Wide first, last;
     find_bends(first, last);
-    Wide l = arithmetic::root(first * last), low{1, -20000}, high{1, 20000};
-    for (int i = 0; i < most_trials; ++i) {
+    Wide l = arithmetic::root(first * last), low{1, first.exponent - 5000}, high{1, last.exponent + 5000};
+    for (int i = 0, size = 0;; ++i) {
       const Slope at = slope(l);
       (at.value.sign() > 0 ? low : high) = l;
+      const bool is_slow = i > 4 && at.value.exponent > size - 3;
+      size = at.value.exponent;
       Wide next = l;
-      if (std::abs(at.excess) > 2 && at.power < 4) {
-        next.exponent += static_cast<int>(lane::max(-20000.0, lane::min(20000.0, at.excess / at.power)));
-        if (last < next && l < last) next = last;
-        if (next < first && first < l) next = first;
+      if (std::abs(at.excess) > 2 && at.power < 4 && i < most_trials) {
+        next.exponent += static_cast<int>(lane::max(-5000.0, lane::min(5000.0, at.excess / at.power)));
       } else {
         next = l + as_share(at.value / at.fall, at.against);
         const Wide change = arithmetic::abs(next - l);
-        if (change.sign() == 0 || change.exponent < l.exponent - 26) return next;
+        if (change.sign() == 0 || change.exponent < l.exponent - 26 || i > most_trials) return l;
       }
-      l = i % 12 != 11 && low < next && next < high ? next : arithmetic::root(low * high);
+      if (is_slow || !(low < next) || !(next < high)) next = arithmetic::root(low * high);
+      if (last < next && l < last) next = last;
+      if (next < first && first < l) next = first;
+      l = next;
     }
-    return l;
   }
 
   /// T(n), with all that a better n can gain in the error; how far off the best l is.

@@ -3,7 +3,7 @@
 ///
 /// It is defined by a search: doubles are tried, from an estimate on, and where a place that is tried is beyond exact
 /// numbers, the search ends with an error. At unlike exponents the time is mostly known without trials (wide.hpp,
-/// ellipse_trials.hpp); then only the places are looked at.
+/// ellipse_time.hpp); then only the places are looked at.
 #pragma once
 
 #include <vesica/arithmetic/rounding.hpp>
