@@ -59,6 +59,7 @@ struct SeenDirection {
 /// A pair of ellipses whose line enters M after the start and does not graze it.
 class SeenEllipses {
   using Few = Leading<exact::few_limbs>;
+  using Many = Leading<exact::more_limbs>;
 
  public:
   explicit SeenEllipses(const ExactPair& pair) noexcept
@@ -83,23 +84,25 @@ class SeenEllipses {
   /// The greatest T(n).
   WideTime time() noexcept {
     find_sector();
-    Few share = leading<exact::few_limbs>(find_share());
-    bool by_digits = false;
-    for (int i = 0;; ++i) {
-      const Evaluated at = by_digits ? evaluate<Few>(share) : evaluate<Rough>(rough(share));
+    Many share = leading<exact::more_limbs>(find_share());
+    for (int i = 0, digits = 0;; ++i) {
+      const Evaluated at = digits == 0   ? evaluate(cast::rough(share))
+                           : digits == 1 ? evaluate(with_limbs<exact::few_limbs>(share))
+                           : digits == 2 ? evaluate(with_limbs<exact::some_limbs>(share))
+                                         : evaluate(share);
       const WideTime found{at.time, at.is_near};
       if (at.is_near && at.is_below_all_doubles()) return {Rough(crossings::Real(1.0), 0, least_exponent), true};
-      if (found.tells() || i == most_steps || (by_digits && at.more_digits)) return found;
-      by_digits = by_digits || at.more_digits;
-      share = share + leading<exact::few_limbs>(at.step);
-      share.error = Few::nothing;  // this is the direction now
+      if (found.tells() || i == most_steps || (digits == 3 && at.more_digits)) return found;
+      if (at.more_digits) ++digits;
+      share = share + leading<exact::more_limbs>(at.step);
+      share.error = Many::nothing;  // this is the direction now
       if (share.sign <= 0) return found;
     }
   }
 
  private:
   static constexpr int least_exponent = -1100;  ///< below those of doubles
-  static constexpr int most_steps = 6;          ///< of Newton's method, each of some 50 bits
+  static constexpr int most_steps = 12;         ///< of Newton's method, each of some 50 bits
   static constexpr int most_trials = 60;        ///< before them, of l
 
   /// By s. Of two directions against v, e is before f iff e x f < 0.
@@ -362,7 +365,17 @@ class SeenEllipses {
     }
   };
   static const Rough& rough(const Rough& x) noexcept { return x; }
-  static Rough rough(const Few& x) noexcept { return cast::rough(x); }
+  template <int limbs>
+  static Rough rough(const Leading<limbs>& x) noexcept {
+    return cast::rough(x);
+  }
+  template <int limbs>
+  static Leading<limbs> with_limbs(const Many& x) noexcept {
+    Leading<limbs> out;
+    out.set(x.sign, x.span());
+    out.error = out.nothing;
+    return out;
+  }
 
   template <class Real>
   Evaluated evaluate(const Real& l) const noexcept {
