@@ -87,12 +87,11 @@ class SeenEllipses {
     Many share = leading<exact::more_limbs>(find_share());
     for (int i = 0, digits = 0;; ++i) {
       const Evaluated at = digits == 0   ? evaluate(cast::rough(share))
-                           : digits == 1 ? evaluate(with_limbs<exact::few_limbs>(share))
-                           : digits == 2 ? evaluate(with_limbs<exact::some_limbs>(share))
+                           : digits == 1 ? evaluate(few(share))
                                          : evaluate(share);
       const WideTime found{at.time, at.is_near};
       if (at.is_near && at.is_below_all_doubles()) return {Rough(crossings::Real(1.0), 0, least_exponent), true};
-      if (found.tells() || i == most_steps || (digits == 3 && at.more_digits)) return found;
+      if (found.tells() || i == most_steps || (digits == 2 && at.more_digits)) return found;
       if (at.more_digits) ++digits;
       share = share + leading<exact::more_limbs>(at.step);
       share.error = Many::nothing;  // this is the direction now
@@ -137,7 +136,7 @@ class SeenEllipses {
   }
 
   template <class Real>
-  SeenDirection<Real> seen(const SectorEdge& e) const noexcept {
+  VESICA_COLD SeenDirection<Real> seen(const SectorEdge& e) const noexcept {
     SeenDirection<Real> out;
     const auto set = [&out, &e](int i, const Real& along, const Real& across) {
       out.along[i] = turned(along, e.sign);
@@ -369,16 +368,15 @@ class SeenEllipses {
   static Rough rough(const Leading<limbs>& x) noexcept {
     return cast::rough(x);
   }
-  template <int limbs>
-  static Leading<limbs> with_limbs(const Many& x) noexcept {
-    Leading<limbs> out;
+  static Few few(const Many& x) noexcept {
+    Few out;
     out.set(x.sign, x.span());
     out.error = out.nothing;
     return out;
   }
 
   template <class Real>
-  Evaluated evaluate(const Real& l) const noexcept {
+  VESICA_COLD Evaluated evaluate(const Real& l) const noexcept {
     const SeenDirection<Real> n = between(seen<Real>(from_), seen<Real>(to_), l);
     const SeenDirection<Wide> seen_n = between(wide_from_, wide_to_, wide(rough(l)));
     const bool a_by_x = is_by_x(seen_n, 0), b_by_x = is_by_x(seen_n, 1);
