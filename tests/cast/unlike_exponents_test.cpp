@@ -43,8 +43,7 @@ bool check(const Body& a, const Body& b, const core::Motion& m, bool by_search) 
   if (pair.contact_at(0) != core::Contact::none) return false;
   const core::LineMeeting line = core::exact_line(pair, m.end);
   if (!line.meets) return false;
-  core::EllipsePlace place;
-  const core::WideTime found = core::known_time(pair, false, place);
+  const core::WideTime found = core::known_time(pair, false);
   double t = 0;
   if (!found.tells() || core::floor_of_time(pair, found.time, t) != 0) return false;
   if (by_search) expect_found_by_search(pair, t);
@@ -144,8 +143,7 @@ TEST(CastAtUnlikeExponents, KnownTimes) {
   };
   for (const Known& k : all) {
     const ExactPair pair(k.a, k.b, k.motion);
-    core::EllipsePlace place;
-    const core::WideTime found = core::known_time(pair, false, place);
+    const core::WideTime found = core::known_time(pair, false);
     double t = 0;
     ASSERT_TRUE(found.tells());
     ASSERT_EQ(core::floor_of_time(pair, found.time, t), 0);

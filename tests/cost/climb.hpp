@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "hammer/query.hpp"
 
@@ -14,7 +15,9 @@ struct Dearest {
   std::uint64_t calls;  ///< inputs tried
 };
 
-/// Searches for so many seconds. Kinds are those of the first and the second shape; the numbers are doubles.
-Dearest climb(hammer::Query query, int kind_a, int kind_b, double seconds, std::uint64_t seed);
+/// Searches for so many seconds. Kinds are those of the first and the second shape; the numbers are doubles. From known
+/// inputs, where some are of this query and these kinds.
+Dearest climb(hammer::Query query, int kind_a, int kind_b, double seconds, std::uint64_t seed,
+              const std::vector<hammer::Case>& known);
 
 }  // namespace cost

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The dearest input of every query and pair of kinds that a search finds. --replay measures inputs found before, one a
-// line as in dearest.txt, and fails where one takes longer than it may.
+// The dearest input of every query and pair of kinds that a search finds, from random ones or from those of the file
+// that VESICA_FROM names. --replay measures inputs found before, one a line as in dearest.txt, and fails where one
+// takes longer than it may.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -10,6 +11,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "cost/climb.hpp"
 #include "cost/measure.hpp"
@@ -24,8 +26,24 @@ void print(const hammer::Case& input, double microseconds, double yardstick) {
   std::fflush(stdout);
 }
 
+std::vector<hammer::Case> read(const char* file) {
+  std::ifstream in(file);
+  std::vector<hammer::Case> inputs;
+  std::string line;
+  while (std::getline(in, line)) {
+    if (line.empty() || line[0] == '#') continue;
+    const auto input = hammer::parse(line);
+    if (!input) throw std::runtime_error("not an input: " + line);
+    inputs.push_back(*input);
+  }
+  return inputs;
+}
+
+/// VESICA_FROM names a file of inputs to climb from.
 void search(Query query, int kind_a, int kind_b, double seconds) {
-  const auto dearest = cost::climb(query, kind_a, kind_b, seconds, properties::seed());
+  const char* const from = std::getenv("VESICA_FROM");
+  const auto known = from != nullptr ? read(from) : std::vector<hammer::Case>();
+  const auto dearest = cost::climb(query, kind_a, kind_b, seconds, properties::seed(), known);
   print(dearest.input, dearest.microseconds, cost::yardstick_microseconds());
 }
 
@@ -58,20 +76,15 @@ int search_all(int count, char** words) {
 
 /// Returns 1 where an input takes more than `most` yardsticks, or where there is none.
 int replay(const char* file, double most) {
-  std::ifstream in(file);
-  std::string line;
-  int inputs = 0, dear = 0;
-  while (std::getline(in, line)) {
-    if (line.empty() || line[0] == '#') continue;
-    const auto input = hammer::parse(line);
-    if (!input) throw std::runtime_error("not an input: " + line);
-    const double yardstick = cost::yardstick_microseconds(), time = cost::microseconds(*input, 500);
-    print(*input, time, yardstick);
-    ++inputs;
+  const auto inputs = read(file);
+  int dear = 0;
+  for (const hammer::Case& input : inputs) {
+    const double yardstick = cost::yardstick_microseconds(), time = cost::microseconds(input, 500);
+    print(input, time, yardstick);
     dear += time > most * yardstick;
   }
-  std::printf("%d inputs, %d of them dearer than %g yardsticks\n", inputs, dear, most);
-  return inputs > 0 && dear == 0 ? 0 : 1;
+  std::printf("%zu inputs, %d of them dearer than %g yardsticks\n", inputs.size(), dear, most);
+  return !inputs.empty() && dear == 0 ? 0 : 1;
 }
 
 }  // namespace

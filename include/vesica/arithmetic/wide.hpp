@@ -39,6 +39,7 @@ constexpr Wide operator+(const Wide& a, const Wide& b) noexcept {
 }
 constexpr Wide operator-(const Wide& a, const Wide& b) noexcept { return a + -b; }
 constexpr bool operator<(const Wide& a, const Wide& b) noexcept { return (a - b).value < 0; }
+constexpr Wide square(const Wide& a) noexcept { return a * a; }
 inline Wide root(const Wide& a) noexcept {
   const int odd = a.exponent & 1;
   return {std::sqrt(odd != 0 ? 2 * a.value : a.value), (a.exponent - odd) / 2};

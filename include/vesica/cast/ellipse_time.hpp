@@ -1,246 +1,438 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The time of first contact of two ellipses where exponents are unlike: to about 100 bits, without trials.
 ///
-/// It is the greatest T(n) (bound.hpp), n = -v + s perp(v). In s each ellipse has a bend of width c at s_i, and reaches
-/// r across v. T is greatest where the slopes of both add up to w, that is where what they lack of their limits,
+/// It is the greatest T(n) (bound.hpp), n = -v + s perp(v). The axes of both ellipses, what is across them, and perp(v)
+/// cut the directions into sectors. In the one from e to f, n = e + l f with l > 0: there u.n, u x n and n.v are sums
+/// of terms of one sign, so that nothing cancels in them. And half of an ellipse along an axis is a vector without a
+/// root. With p = hx |u.n| and q = hy |u x n|,
 ///
-///     rest(s) = r (1 - x / sqrt(1 + x^2)),   x = (s - s_i) / c,
+///     h = sqrt(p^2 + q^2) = p + q^2 / (h + p) = q + p^2 / (h + q)
 ///
-/// adds up to r_a + r_b - |w|; for w < 0 both are mirrored. That s is found in doubles of any exponent. Then T is
-/// evaluated there from leading digits, and its error includes a bound on what a better s would gain; Newton's method
-/// gives a better one from the same digits. So a bad s costs time, and never a wrong answer.
+/// so the terms that may cancel in n.D - h_a - h_b where exponents are unlike are those of n.D', where D' leads from
+/// the end of an axis to that of another, and is exact. The same holds for the slope of T, w - perp(v).x (bound.hpp),
+/// the point x of M being near such ends.
+///
+/// The l at which the slope is 0 is found in doubles of any exponent. Then T is evaluated there to 100 bits or from
+/// leading digits, and its error includes a bound on what a better l would gain; Newton's method gives a better one
+/// from the same digits. So a bad l costs time, and never a wrong answer.
 #pragma once
 
 #include <vesica/cast/ellipse_contact.hpp>
 
 namespace vesica::detail::cast {
 
-template <int Degree>
-Wide wide(const Number<Degree>& x) noexcept {
-  return Wide(exact::rounded(x));
-}
-
-/// The bends of two ellipses: their widths, their reaches, and how far the second is behind the first; and the slope
-/// that is asked for, with what it leaves of the reaches, `gap`.
-struct Bends {
-  Wide width[2], reach[2], way, slope, gap;
-
-  /// What is left of both at a place, and how steeply it falls there; how far that is above `gap`.
-  struct Rest {
-    Wide value, fall, above;
-  };
-  /// At a distance from one of them.
-  Rest rest(int from, const Wide& y) const noexcept {
-    constexpr Wide one{1, 0};
-    const Wide other = from == 0 ? y - way : y + way;
-    Rest both;
-    Wide slopes;
-    for (int i = 0; i < 2; ++i) {
-      const Wide x = (i == from ? y : other) / width[i], h = arithmetic::root(one + x * x);
-      both.value = both.value + reach[i] * (x.sign() > 0 ? one / (h * (h + x)) : one - x / h);
-      both.fall = both.fall + reach[i] / (width[i] * (h * h * h));
-      slopes = slopes + reach[i] * (x / h);
-    }
-    both.above = slope < gap ? slope - slopes : both.value - gap;
-    return both;
-  }
-};
-
-/// A place, by its distance from the middle of one of two bends.
-struct BesideBend {
-  int bend;
-  Wide way;
-};
-
-/// Where the rest of both is `gap`, at most the sum of their reaches. Seen from the nearer bend the rest goes with the
-/// logarithm of the distance, over which it is bisected where Newton's method does not go on.
-inline BesideBend place_of_rest(const Bends& b) noexcept {
-  constexpr Wide two{2, 0};
-  const int left = b.way.sign() >= 0 ? 0 : 1, right = 1 - left;
-  const Wide half = arithmetic::abs(b.way) * Wide{0.5, 0};
-  const auto is_behind = [&](int bend, const Wide& y) { return b.rest(bend, y).above.sign() > 0; };
-  // Not before the left one, where more is left.
-  const bool beyond = is_behind(right, {}), near_right = beyond || is_behind(left, half);
-  const int bend = near_right ? right : left;
-  const double side = near_right && !beyond ? -1 : 1;
-  const auto at = [&](const Wide& d) { return Wide{side * d.value, d.exponent}; };
-  const bool first_is_narrow = b.width[0] < b.width[1];
-  const Wide &narrow = b.width[first_is_narrow ? 0 : 1], &broad = b.width[first_is_narrow ? 1 : 0];
-  const Wide share = b.gap / (b.reach[0] + b.reach[1]), far = arithmetic::root(two / share);  // at most so many widths
-  Wide low = narrow * Wide{0x1p-30, 0}, high = beyond ? broad * far : half;
-  if (!(low < high) || is_behind(bend, at(low)) != (side > 0)) return {bend, {}};
-  // The place if both were alike, if that is possible.
-  Wide d = b.width[bend] * (Wide{1, 0} - share) / arithmetic::root(share * (two - share));
-  if (!(low < d) || !(d < high)) d = arithmetic::root(low * high);
-  for (int i = 0, digits = high.exponent - low.exponent; i < 60; ++i) {
-    const auto [rest, fall, above] = b.rest(bend, at(d));
-    (above.sign() > 0) == (side > 0) ? low = d : high = d;
-    Wide next = d + at(two * rest * above / ((arithmetic::root(rest * b.gap) + b.gap) * fall));
-    const bool is_slow = i % 2 == 1 && 2 * (high.exponent - low.exponent) > digits + 1;
-    digits = high.exponent - low.exponent;
-    if (is_slow || !(low < next) || !(next < high)) next = arithmetic::root(low * high);
-    const Wide change = arithmetic::abs(next - d);
-    d = next;
-    if (change.sign() == 0 || change.exponent < d.exponent - 26) break;
-  }
-  return {bend, at(d)};
-}
-
-/// A direction n, by what it has of perp(v) more than an ellipse's bend has, times r^2 of that one.
-struct EllipsePlace {
-  int bend = -1;
-  Leading<exact::more_limbs> beside;
-
-  bool is_known() const noexcept { return bend >= 0; }
-};
-template <int limbs, int from>
-Leading<limbs> with_limbs(const Leading<from>& x) noexcept {
-  Leading<limbs> out;
-  if (x.sign != 0) out.set(x.sign, x.span());
-  out.error = out.nothing;
-  return out;
-}
-
-/// A pair of ellipses whose line enters M after the start and does not graze it, in so many leading digits.
+inline Wide wide(const Rough& x) noexcept { return Wide(x.scaled()); }
+inline Wide magnitude(const Wide& x) noexcept { return arithmetic::abs(x); }
+inline Rough magnitude(const Rough& x) noexcept { return x.sign() < 0 ? -x : x; }
 template <int limbs>
+Leading<limbs> magnitude(const Leading<limbs>& x) noexcept {
+  return exact::abs(x);
+}
+template <class Real>
+Real turned(const Real& x, int sign) noexcept {
+  return sign < 0 ? -x : x;
+}
+
+/// Numbers of some type from exact ones.
+template <class Real, int Degree>
+Real from_exact(const Number<Degree>& x) noexcept {
+  if constexpr (std::is_same_v<Real, Wide>) {
+    return Wide(exact::rounded(x));
+  } else {
+    return Real(x);
+  }
+}
+
+/// What bounds a sector: an axis of an ellipse or what is across that, turned against v; or what is across v.
+struct SectorEdge {
+  static constexpr int across_v = -1;
+  int ellipse, sign;
+  bool turned;
+};
+
+/// A direction e as seen from both ellipses, by u.e and u x e, and -e.v.
+template <class Real>
+struct SeenDirection {
+  Real along[2], across[2], against;
+};
+
+/// A pair of ellipses whose line enters M after the start and does not graze it.
 class SeenEllipses {
-  using Digits = Leading<limbs>;
-  using Seen = EllipseDigits<limbs>;
+  using Few = Leading<exact::few_limbs>;
+  using Many = Leading<exact::more_limbs>;
 
  public:
-  explicit SeenEllipses(const PairDigits<limbs>& pair) noexcept : pair_(pair) {}
-
-  /// The greatest T(n). `place`: where to look first, if it is known; then where it is, for more digits to go on from.
-  WideTime time(EllipsePlace& place) const noexcept {
-    if (!place.is_known() && !find_place(place)) return {};
-    const Digits& unit = pair_.ellipse[place.bend].squared;
-    const FromBend from(pair_, place.bend);
-    Digits beside = with_limbs<limbs>(place.beside);
-    Evaluated at = evaluate(from, beside, unit);
-    for (int i = 0; i < most_steps && at.step.sign() != 0 && at.needs_better_place(); ++i) {
-      beside = beside + leading<limbs>(at.step * wide(unit));
-      beside.error = Digits::nothing;  // this is the direction now
-      const Evaluated next = evaluate(from, beside, unit);
-      const bool is_nearer = arithmetic::abs(next.step) < arithmetic::abs(at.step);
-      at = next;
-      if (!is_nearer) break;
+  explicit SeenEllipses(const ExactPair& pair) noexcept
+      : pair_(pair), body_{&pair.a_, &pair.b_}, squared_{&pair.reach_a_.squared, &pair.reach_b_.squared} {
+    const exact::Box &a = body_[0]->box, &b = body_[1]->box;
+    dot_ = exact::dot(a.ux, a.uy, b.ux, b.uy);
+    cross_ = exact::cross(a.ux, a.uy, b.ux, b.uy);
+    for (int i = 0; i < 2; ++i) {
+      const exact::Box& e = body_[i]->box;
+      uu_[i] = exact::dot(e.ux, e.uy, e.ux, e.uy);
+      c_[i] = exact::dot(e.ux, e.uy, pair.vx_, pair.vy_);
+      k_[i] = exact::cross(e.ux, e.uy, pair.vx_, pair.vy_);
+      beside_x_[i] = e.hx * k_[i];
+      beside_y_[i] = e.hy * c_[i];
+      if (c_[i].sign != 0) insert({i, -c_[i].sign, false});
+      if (k_[i].sign != 0) insert({i, -k_[i].sign, true});
     }
-    place = at.is_near ? EllipsePlace{place.bend, with_limbs<exact::more_limbs>(beside)} : EllipsePlace{};
-    if (at.is_usable && at.is_below_all_doubles()) return {Rough(crossings::Real(1.0), 0, least_exponent), true};
-    return {at.time, at.is_usable, at.more_digits};
+    sizes_ = sizes<Wide>();
+    vv_ = from_exact<Wide>(pair.vv_);
+  }
+
+  /// The greatest T(n).
+  WideTime time() noexcept {
+    find_sector();
+    Many share = leading<exact::more_limbs>(find_share());
+    for (int i = 0, digits = 0;; ++i) {
+      const Evaluated at = digits == 0   ? evaluate(cast::rough(share))
+                           : digits == 1 ? evaluate(few(share))
+                                         : evaluate(share);
+      const WideTime found{at.time, at.is_near};
+      if (at.is_near && at.is_below_all_doubles()) return {Rough(crossings::Real(1.0), 0, least_exponent), true};
+      if (found.tells() || i == most_steps || (digits == 2 && at.more_digits)) return found;
+      if (at.more_digits) ++digits;
+      share = share + leading<exact::more_limbs>(at.step);
+      share.error = Many::nothing;  // this is the direction now
+      if (share.sign <= 0) return found;
+    }
   }
 
  private:
-  bool find_place(EllipsePlace& place) const noexcept {
-    Bends bends;
-    if (!reach_less_offset(bends.gap)) return false;
-    const auto& [a, b] = pair_.ellipse;
-    const bool mirrored = pair_.w.sign < 0;
-    for (int i = 0; i < 2; ++i) {
-      bends.width[i] = wide(pair_.ellipse[i].area) * wide(pair_.vv) / wide(pair_.ellipse[i].squared);
-      bends.reach[i] = arithmetic::root(wide(pair_.ellipse[i].squared));
-    }
-    bends.slope = arithmetic::abs(wide(pair_.w));
-    bends.way = wide(b.m * a.squared - a.m * b.squared) / (wide(a.squared) * wide(b.squared));
-    if (mirrored) bends.way = -bends.way;
-    const BesideBend found = place_of_rest(bends);
-    place = {found.bend, {}};
-    const Wide unit = wide(pair_.ellipse[found.bend].squared);
-    place.beside = leading<exact::more_limbs>((mirrored ? -found.way : found.way) * unit);
-    return true;
+  static constexpr int least_exponent = -1100;  ///< below those of doubles
+  static constexpr int most_steps = 12;         ///< of Newton's method, each of some 50 bits
+  static constexpr int most_trials = 60;        ///< before them, of l
+
+  /// By s. Of two directions against v, e is before f iff e x f < 0.
+  void insert(const SectorEdge& e) noexcept {
+    int at = edges_++;
+    for (; at > 0 && is_before(e, edge_[at - 1]); --at) edge_[at] = edge_[at - 1];
+    edge_[at] = e;
+  }
+  bool is_before(const SectorEdge& e, const SectorEdge& f) const noexcept {
+    const int dot = e.ellipse == f.ellipse ? 1 : dot_.sign;
+    const int cross = e.ellipse == f.ellipse ? 0 : e.ellipse == 0 ? cross_.sign : -cross_.sign;
+    return e.sign * f.sign * (e.turned == f.turned ? cross : e.turned ? -dot : dot) < 0;
   }
 
-  /// At the middle of an ellipse's bend n, times r^2, is -(v.v) (b^2 c u + a^2 k perp(u)); for both ellipses what u.n
-  /// and u x n then are, and n.D.
-  struct FromBend {
-    int bend;
-    Digits along[2], across[2], way;
-
-    FromBend(const PairDigits<limbs>& pair, int of) noexcept : bend(of) {
-      const Seen& e = pair.ellipse[bend];
-      const Digits x = -(pair.vv * (square(e.hy) * e.c)), y = -(pair.vv * (square(e.hx) * e.k));
-      along[bend] = x * e.uu;
-      across[bend] = y * e.uu;
-      // The other's axis by this one's; a cross product changes its sign.
-      const Digits &dot = pair.axes_along, cross = bend == 0 ? -pair.axes_across : pair.axes_across;
-      along[1 - bend] = x * dot - y * cross;
-      across[1 - bend] = x * cross + y * dot;
-      way = x * e.along_d + y * e.across_d;
-    }
+  /// Of ellipses; area: hx hy u.u.
+  template <class Real>
+  struct Sizes {
+    Real hx[2], hy[2], area[2], by_k[2], by_c[2];
   };
+  template <class Real>
+  Sizes<Real> sizes() const noexcept {
+    Sizes<Real> s;
+    for (int i = 0; i < 2; ++i) {
+      const exact::Box& e = body_[i]->box;
+      s.hx[i] = from_exact<Real>(e.hx);
+      s.hy[i] = from_exact<Real>(e.hy);
+      s.area[i] = s.hx[i] * s.hy[i] * from_exact<Real>(uu_[i]);
+      s.by_k[i] = from_exact<Real>(beside_x_[i]);
+      s.by_c[i] = from_exact<Real>(beside_y_[i]);
+    }
+    return s;
+  }
 
-  static constexpr int least_exponent = -1100;  ///< below those of doubles
-  static constexpr int most_steps = 6;          ///< of Newton's method, each of some 50 bits
+  template <class Real>
+  VESICA_COLD SeenDirection<Real> seen(const SectorEdge& e) const noexcept {
+    SeenDirection<Real> out;
+    const auto set = [&out, &e](int i, const Real& along, const Real& across) {
+      out.along[i] = turned(along, e.sign);
+      out.across[i] = turned(across, e.sign);
+    };
+    if (e.ellipse == SectorEdge::across_v) {
+      for (int i = 0; i < 2; ++i) set(i, -from_exact<Real>(k_[i]), from_exact<Real>(c_[i]));
+      return out;
+    }
+    const int own = e.ellipse, other = 1 - own;
+    const Real uu = from_exact<Real>(uu_[own]), dot = from_exact<Real>(dot_),
+               cross = turned(from_exact<Real>(cross_), own == 0 ? 1 : -1);
+    e.turned ? set(own, {}, uu) : set(own, uu, {});
+    e.turned ? set(other, cross, dot) : set(other, dot, -cross);
+    out.against = magnitude(from_exact<Real>(e.turned ? k_[own] : c_[own]));
+    return out;
+  }
 
-  /// T(n), with all that a better n can gain in the error; how far off the best s is.
+  /// n = e + l f, signs left out.
+  template <class Real>
+  static SeenDirection<Real> between(const SeenDirection<Real>& e, const SeenDirection<Real>& f,
+                                     const Real& l) noexcept {
+    SeenDirection<Real> n;
+    for (int i = 0; i < 2; ++i) {
+      n.along[i] = magnitude(e.along[i] + l * f.along[i]);
+      n.across[i] = magnitude(e.across[i] + l * f.across[i]);
+    }
+    n.against = e.against + l * f.against;
+    return n;
+  }
+
+  /// How far an ellipse reaches along n, h; beyond the end of its axis hx u, or of hy perp(u), by rest / sum. How far
+  /// beside that its point farthest along n lies: beside / (h sum).
+  template <class Real>
+  struct Reach {
+    Real p, q, h, sum, rest, beside;
+  };
+  template <class Real>
+  Reach<Real> reach(const Sizes<Real>& s, const SeenDirection<Real>& n, int i, bool by_x) const noexcept {
+    Reach<Real> r;
+    r.p = s.hx[i] * n.along[i];
+    r.q = s.hy[i] * n.across[i];
+    r.h = root(square(r.p) + square(r.q));
+    r.sum = r.h + (by_x ? r.p : r.q);
+    r.rest = square(by_x ? r.q : r.p);
+    const Real along = turned(s.by_k[i] * (by_x ? r.rest : r.p * r.sum), sign_x_[i]);
+    const Real across = turned(s.by_c[i] * (by_x ? r.q * r.sum : r.rest), sign_y_[i]);
+    r.beside = turned(along + across, by_x ? 1 : -1);
+    return r;
+  }
+  /// The nearer end.
+  bool is_by_x(const SeenDirection<Wide>& n, int i) const noexcept {
+    return !(sizes_.hx[i] * n.along[i] < sizes_.hy[i] * n.across[i]);
+  }
+
+  /// v x D'.
+  Number<3> straight(bool a_by_x, bool b_by_x) const noexcept {
+    Number<3> w = pair_.w_;
+    for (int i = 0; i < 2; ++i) {
+      const bool by_x = i == 0 ? a_by_x : b_by_x;
+      Number<3> end = by_x ? beside_x_[i] : beside_y_[i];
+      end.sign *= by_x ? sign_x_[i] : -sign_y_[i];
+      w = w + end;
+    }
+    return w;
+  }
+
+  void set_sector(const SectorEdge& e, const SectorEdge& f) noexcept {
+    from_ = e, to_ = f;
+    wide_from_ = seen<Wide>(e), wide_to_ = seen<Wide>(f);
+    for (int i = 0; i < 2; ++i) {
+      const auto sign = [](const Wide& x, const Wide& y) { return x.sign() != 0 ? x.sign() : y.sign(); };
+      sign_x_[i] = sign(wide_from_.along[i], wide_to_.along[i]);
+      sign_y_[i] = sign(wide_from_.across[i], wide_to_.across[i]);
+    }
+    for (bool& known : straight_known_) known = false;
+  }
+  /// In which the slope changes its sign.
+  void find_sector() noexcept {
+    int low = -1, high = edges_;
+    while (high - low > 1) {
+      const int middle = (low + high) / 2;
+      set_sector(edge_[middle], edge_[middle]);
+      (slope({}).value.sign() > 0 ? low : high) = middle;
+    }
+    set_sector(low < 0 ? SectorEdge{SectorEdge::across_v, -1, false} : edge_[low],
+               high == edges_ ? SectorEdge{SectorEdge::across_v, 1, false} : edge_[high]);
+    if (low < 0 || high == edges_) find_gap(low < 0 ? -1 : 1);
+  }
+  /// The reach across v less w, by (x^2 - w^2) / (x + w) where it cancels; 0 where it is not known well.
+  void find_gap(int side) noexcept {
+    const Rough a = root(Rough(*squared_[0])), b = root(Rough(*squared_[1])), w = turned(Rough(pair_.w_), side),
+                twice = crossings::times(2, a * b);
+    Rough gap = a + b - w;
+    if (!gap.is_precise()) {
+      const Few of_a(*squared_[0]), of_b(*squared_[1]), rest = square(Few(pair_.w_)) - of_a - of_b;
+      Rough over = twice - rough(rest);
+      if (!over.is_precise()) over = rough(times(4, of_a * of_b) - square(rest)) / (twice + rough(rest));
+      gap = over / (a + b + w);
+    }
+    gap_ = gap.is_precise() ? wide(gap) : Wide{};
+  }
+
+  /// The slope in s at a share l, how steeply it falls, and how far s may change for that to hold roughly. Of the terms
+  /// of either sign, how many times more is there of the positive ones, and by which power of l that falls.
+  struct Slope {
+    Wide value, fall, room, against;
+    int excess = 0;
+    double power = 1;
+  };
+  Slope slope(const Wide& l) const noexcept {
+    const SeenDirection<Wide> n = between(wide_from_, wide_to_, l);
+    const bool a_by_x = is_by_x(n, 0), b_by_x = is_by_x(n, 1);
+    const Reach<Wide> a = reach(sizes_, n, 0, a_by_x), b = reach(sizes_, n, 1, b_by_x);
+    const int which = (a_by_x ? 1 : 0) + (b_by_x ? 2 : 0);
+    if (!straight_known_[which]) straight_[which] = from_exact<Wide>(straight(a_by_x, b_by_x));
+    straight_known_[which] = true;
+    Wide falls[2];
+    Slope out = fall(n.against, a.h, b.h, falls);
+    const Wide& known = straight_[which];
+    Wide positive, negative, falling, rising;
+    if (gap_.sign() > 0 && gap_ < arithmetic::abs(known)) {
+      const bool is_last = to_.ellipse == SectorEdge::across_v;
+      const Wide rest = left_of_reach(n, a, 0) + left_of_reach(n, b, 1);
+      positive = is_last ? rest : gap_, negative = is_last ? gap_ : rest;
+      (is_last ? falling : rising) = out.fall;
+    } else {
+      (known.sign() > 0 ? positive : negative) = arithmetic::abs(known);
+      for (int i = 0; i < 2; ++i) {
+        const Reach<Wide>& r = i == 0 ? a : b;
+        const Wide part = r.beside / (r.h * r.sum);
+        if (part.sign() > 0) {
+          negative = negative + part, rising = rising + falls[i];
+        } else {
+          positive = positive - part, falling = falling + falls[i];
+        }
+      }
+    }
+    out.value = positive - negative;
+    if (out.value.exponent < positive.exponent - 50) out.value = {};  // rounding errors
+    if (l.sign() > 0 && positive.sign() > 0 && negative.sign() > 0) {
+      const Wide power = l / as_share({1, 0}, n.against) * (falling / positive + rising / negative);
+      out.excess = positive.exponent - negative.exponent;
+      out.power = power.value * arithmetic::scale(1, power.exponent);
+    }
+    return out;
+  }
+  /// What its reach across v is more than perp(v).x.
+  Wide left_of_reach(const SeenDirection<Wide>& n, const Reach<Wide>& r, int i) const noexcept {
+    const Wide across = arithmetic::root(wide(Few(*squared_[i]))), area = sizes_.area[i] * n.against;
+    const Wide product = r.p * arithmetic::abs(sizes_.by_k[i]) + r.q * arithmetic::abs(sizes_.by_c[i]);
+    return area * area / (r.h * (across * r.h + product));
+  }
+  Slope fall(const Wide& against, const Wide& height_a, const Wide& height_b, Wide (&falls)[2]) const noexcept {
+    Slope out;
+    out.against = against;
+    for (int i = 0; i < 2; ++i) {
+      const Wide h = (i == 0 ? height_a : height_b) * vv_ / against, area = sizes_.area[i] * vv_;
+      falls[i] = area * area / (h * h * h);
+      const Wide room = h / (arithmetic::root(wide(Few(*squared_[i]))) * Wide{8, 0});
+      if (i == 0 || room < out.room) out.room = room;
+    }
+    out.fall = falls[0] + falls[1];
+    return out;
+  }
+  /// A change of s as one of l: dl / ds = (n.v)^2 / (v.v |e x f|).
+  Wide as_share(const Wide& step, const Wide& against) const noexcept {
+    const bool from_ellipse = from_.ellipse != SectorEdge::across_v;
+    const SectorEdge& e = from_ellipse ? from_ : to_;
+    const SeenDirection<Wide>& f = from_ellipse ? wide_to_ : wide_from_;
+    const Wide width = arithmetic::abs(e.turned ? f.along[e.ellipse] : f.across[e.ellipse]);
+    return step * against * against / (vv_ * width);
+  }
+
+  /// From where on n is e, and f, but for what is 0 there.
+  void find_bends(Wide& first, Wide& last) const noexcept {
+    const auto look = [&](const Wide& e, const Wide& f) {
+      if (e.sign() == 0 || f.sign() == 0) return;
+      const Wide x = arithmetic::abs(e / f);
+      if (first.sign() == 0 || x < first) first = x;
+      if (last < x) last = x;
+    };
+    for (int i = 0; i < 2; ++i) {
+      look(wide_from_.along[i], wide_to_.along[i]);
+      look(wide_from_.across[i], wide_to_.across[i]);
+    }
+    look(wide_from_.against, wide_to_.against);
+    if (first.sign() == 0) first = last = {1, 0};
+  }
+
+  /// By Newton's method, on the logarithms where terms of unlike sizes are to be equal; within a bracket.
+  Wide find_share() const noexcept {
+    Wide first, last;
+    find_bends(first, last);
+    Wide l = arithmetic::root(first * last), low{1, first.exponent - 5000}, high{1, last.exponent + 5000};
+    for (int i = 0, size = 0;; ++i) {
+      const Slope at = slope(l);
+      (at.value.sign() > 0 ? low : high) = l;
+      const bool is_slow = i > 4 && at.value.exponent > size - 3;
+      size = at.value.exponent;
+      Wide next = l;
+      if (std::abs(at.excess) > 2 && at.power < 4 && i < most_trials) {
+        next.exponent += static_cast<int>(lane::max(-5000.0, lane::min(5000.0, at.excess / at.power)));
+      } else {
+        next = l + as_share(at.value / at.fall, at.against);
+        const Wide change = arithmetic::abs(next - l);
+        if (change.sign() == 0 || change.exponent < l.exponent - 26 || i > most_trials) return l;
+      }
+      if (is_slow || !(low < next) || !(next < high)) next = arithmetic::root(low * high);
+      if (last < next && l < last) next = last;
+      if (next < first && first < l) next = first;
+      l = next;
+    }
+  }
+
+  /// T(n), with all that a better n can gain in the error; how far off the best l is.
   struct Evaluated {
     Rough time;
     Wide step;
-    bool is_near = false;  ///< the step is so short that what it gains has a bound
-    bool is_usable = false, more_digits = true;
+    bool is_near;      ///< the step is so short that what it gains has a bound
+    bool more_digits;  ///< are needed
 
-    /// Not where it is better digits that it needs.
-    bool needs_better_place() const noexcept { return !is_usable || !(is_precise() || more_digits); }
-    bool is_precise() const noexcept { return std::fabs(rounded(time.value)) * 0x1p-66 >= time.error; }
     bool is_below_all_doubles() const noexcept {
       return arithmetic::scale(std::fabs(rounded(time.value)) + time.error, time.exponent - least_exponent) < 1;
     }
   };
-
-  /// H - |w|, in which terms cancel where the line almost grazes.
-  bool reach_less_offset(Wide& gap) const noexcept {
-    const auto& [a, b] = pair_.ellipse;
-    const Digits rest = square(pair_.w) - a.squared - b.squared, product = times(4, a.squared * b.squared);
-    const Wide twice_root = arithmetic::root(wide(product));
-    const Wide sum =
-        arithmetic::root(wide(a.squared)) + arithmetic::root(wide(b.squared)) + arithmetic::abs(wide(pair_.w));
-    if (rest.sign <= 0) {
-      gap = (twice_root - wide(rest)) / sum;
-      return true;
-    }
-    const Digits left = product - square(rest);
-    gap = wide(left) / ((twice_root + wide(rest)) * sum);
-    return left.sign > 0 && left.sign_is_certain();
+  static const Rough& rough(const Rough& x) noexcept { return x; }
+  template <int limbs>
+  static Rough rough(const Leading<limbs>& x) noexcept {
+    return cast::rough(x);
   }
-
-  /// At a bend's n and `beside` perp(v) more.
-  Evaluated evaluate(const FromBend& from, const Digits& beside, const Digits& squared) const noexcept {
-    const Digits offset = from.way + beside * pair_.w;
-    Digits heights[2], slopes[2];
-    Wide fall, narrowest;
-    for (int i = 0; i < 2; ++i) {
-      const Seen& e = pair_.ellipse[i];
-      // u.perp(v) = -(u x v), u x perp(v) = u.v.
-      const Digits p = e.hx * (from.along[i] - beside * e.k), q = e.hy * (from.across[i] + beside * e.c);
-      const Digits squared_height = square(p) + square(q);
-      if (!squared_height.sign_is_certain()) return {};  // of two squares, not both 0
-      heights[i] = root(squared_height);
-      if (!rough(heights[i]).is_precise()) return {};
-      // Of the bend's own ellipse all but this cancels.
-      slopes[i] = i == from.bend ? squared * beside : q * (e.hy * e.c) - p * (e.hx * e.k);
-      const Wide of_unit = wide(heights[i]) / wide(squared), area = wide(e.area) * wide(pair_.vv);
-      fall = fall + area * area / (of_unit * of_unit * of_unit);
-      const Wide room = of_unit / (arithmetic::root(wide(e.squared)) * Wide{8, 0});
-      if (i == 0 || room < narrowest) narrowest = room;
-    }
-    const Digits &h = heights[0], &g = heights[1], sum = pair_.w * h * g - slopes[0] * g - slopes[1] * h;
-    const Rough slope = rough(sum) / rough(h * g);
-    const Wide steepest(std::fabs(rounded(slope.value)) + slope.error, slope.exponent);
-    Evaluated out;
-    out.step = Wide(slope.scaled()) / fall;
-    out.is_near = steepest / fall < narrowest;
-    const Digits gap = offset - h - g;
-    if (gap.sign <= 0) return out;
-    out.time = rough(gap) / rough(squared * pair_.vv);
-    out.is_usable = out.is_near;
-    const Wide gain = steepest * steepest / (fall * wide(pair_.vv));
-    // The gain as a number of its own: where T is 0, in whatever unit, it is all that there is.
-    out.more_digits = !out.is_usable || gain < Wide(out.time.error, out.time.exponent);
-    out.time = out.time + Rough({}, 1.01 * gain.value, gain.exponent);
+  static Few few(const Many& x) noexcept {
+    Few out;
+    out.set(x.sign, x.span());
+    out.error = out.nothing;
     return out;
   }
 
-  const PairDigits<limbs>& pair_;
+  template <class Real>
+  VESICA_COLD Evaluated evaluate(const Real& l) const noexcept {
+    const SeenDirection<Real> n = between(seen<Real>(from_), seen<Real>(to_), l);
+    const SeenDirection<Wide> seen_n = between(wide_from_, wide_to_, wide(rough(l)));
+    const bool a_by_x = is_by_x(seen_n, 0), b_by_x = is_by_x(seen_n, 1);
+    const Sizes<Real> s = sizes<Real>();
+    const Reach<Real> a = reach(s, n, 0, a_by_x), b = reach(s, n, 1, b_by_x);
+    const Real of_a = a.h * a.sum, of_b = b.h * b.sum;
+    const Real beside = from_exact<Real>(straight(a_by_x, b_by_x)) * of_a * of_b - a.beside * of_b - b.beside * of_a;
+    const Rough slope = rough(beside) / rough(of_a * of_b);
+    Wide falls[2];
+    const Slope at = fall(seen_n.against, wide(rough(a.h)), wide(rough(b.h)), falls);
+    const Wide steepest(std::fabs(rounded(slope.value)) + slope.error, slope.exponent), change = steepest / at.fall;
+    const Real gap = ahead(l, a_by_x, b_by_x) * a.sum * b.sum - a.rest * b.sum - b.rest * a.sum;
+    const Rough time = rough(gap) / rough(a.sum * b.sum * n.against);
+    const Wide gain = steepest * change / vv_;
+    // The gain as a number of its own: where T is 0, in whatever unit, it is all that there is.
+    const bool is_known = slope.sign_is_known();
+    const Wide step = is_known ? as_share(wide(slope) / at.fall, seen_n.against) : Wide{};
+    return {time + Rough({}, 1.01 * gain.value, gain.exponent), step, change < at.room,
+            !is_known || gain < Wide(time.error, time.exponent)};
+  }
+  /// n.D'.
+  template <class Real>
+  Real ahead(const Real& l, bool a_by_x, bool b_by_x) const noexcept {
+    Number<2> x = pair_.dx_, y = pair_.dy_;
+    for (int i = 0; i < 2; ++i) {
+      const exact::Box& e = body_[i]->box;
+      const bool by_x = i == 0 ? a_by_x : b_by_x;
+      Number<1> size = by_x ? e.hx : e.hy;
+      size.sign *= by_x ? sign_x_[i] : sign_y_[i];
+      x = by_x ? x - size * e.ux : x + size * e.uy;
+      y = by_x ? y - size * e.uy : y - size * e.ux;
+    }
+    const auto along = [&](const SectorEdge& e) {
+      const bool is_across_v = e.ellipse == SectorEdge::across_v, by_cross = is_across_v || e.turned;
+      const Number<1>&ux = is_across_v ? pair_.vx_ : body_[e.ellipse]->box.ux,
+            &uy = is_across_v ? pair_.vy_ : body_[e.ellipse]->box.uy;
+      Number<3> of_e = by_cross ? exact::cross(ux, uy, x, y) : exact::dot(ux, uy, x, y);
+      of_e.sign *= e.sign;
+      return from_exact<Real>(of_e);
+    };
+    return along(from_) + l * along(to_);
+  }
+
+  const ExactPair& pair_;
+  const ExactBody* body_[2];
+  const Number<6>* squared_[2];
+  Number<2> dot_, cross_, uu_[2], c_[2], k_[2];
+  Number<3> beside_x_[2], beside_y_[2];  ///< hx k, hy c
+  Sizes<Wide> sizes_;
+  Wide vv_, gap_;
+  SectorEdge edge_[4], from_{}, to_{};
+  int edges_ = 0;
+  SeenDirection<Wide> wide_from_, wide_to_;
+  int sign_x_[2], sign_y_[2];
+  mutable Wide straight_[4];
+  mutable bool straight_known_[4];
 };
 
 }  // namespace vesica::detail::cast

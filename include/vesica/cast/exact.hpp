@@ -227,6 +227,7 @@ struct WideTime;
 template <int limbs>
 struct PairDigits;
 class LeadingContact;
+class SeenEllipses;
 
 /// A pair and its motion, v != 0, in exact numbers.
 class ExactPair {
@@ -311,6 +312,7 @@ class ExactPair {
   template <int limbs>
   friend struct PairDigits;
   friend class LeadingContact;
+  friend class SeenEllipses;
 
  private:
   Rough find_witness() const noexcept {

@@ -3,7 +3,7 @@
 ///
 /// It is defined by a search: doubles are tried, from an estimate on, and where a place that is tried is beyond exact
 /// numbers, the search ends with an error. At unlike exponents the time is mostly known without trials (wide.hpp,
-/// ellipse_trials.hpp); then only the places are looked at.
+/// ellipse_time.hpp); then only the places are looked at.
 #pragma once
 
 #include <vesica/arithmetic/rounding.hpp>
@@ -56,24 +56,22 @@ inline std::int32_t repeat_search(const ExactPair& pair, double start, double t)
 }
 
 /// The time, as far as it is known from few digits. `is_beside_start`: whether double leaves open that it is 0.
-inline WideTime known_time_of_ellipses(const ExactPair& pair, bool is_beside_start, EllipsePlace& place) noexcept {
+inline WideTime known_time_of_ellipses(const ExactPair& pair, bool is_beside_start) noexcept {
   const WideTime of_circles = wide_time_of_circles(pair);
   if (of_circles.certain) return of_circles;
-  const PairDigits<exact::few_limbs> digits(pair);
-  const auto soon = [&] { return LeadingContact(digits).soon(pair); };
+  const auto soon = [&] { return LeadingContact(PairDigits<exact::few_limbs>(pair)).soon(pair); };
   WideTime found;
   if (is_beside_start) found = soon();
-  if (!found.tells()) found = SeenEllipses(digits).time(place);
+  if (found.tells()) return found;
+  found = SeenEllipses(pair).time();
   if (found.tells()) return found;
   const WideTime straight = is_beside_start ? WideTime{} : soon();
   if (straight.tells()) return straight;
-  if (found.more_digits && pair.is_long()) found = SeenEllipses(PairDigits<exact::some_limbs>(pair)).time(place);
-  if (found.certain || found.time.sign() > 0) return found;
-  return {straight.time, false, found.more_digits};
+  return found.certain || found.time.sign() > 0 ? found : WideTime{straight.time};
 }
-inline WideTime known_time(const ExactPair& pair, bool is_beside_start, EllipsePlace& place) noexcept {
+inline WideTime known_time(const ExactPair& pair, bool is_beside_start) noexcept {
   if (pair.line_grazes()) return wide_grazing_time(pair);
-  return pair.of_ellipses() ? known_time_of_ellipses(pair, is_beside_start, place) : wide_time(pair);
+  return pair.of_ellipses() ? known_time_of_ellipses(pair, is_beside_start) : wide_time(pair);
 }
 
 /// Contact at one time; where the shapes touch is not told.
@@ -97,14 +95,12 @@ inline std::int32_t contact_at_end(const ExactPair& pair, double end, const Wide
 }
 
 /// Where a few digits do not tell the time of two ellipses: from more of them, or by trials. Negative where unknown.
-VESICA_COLD inline double tried_floor(const ExactPair& pair, double start, WideTime found, EllipsePlace& place,
+VESICA_COLD inline double tried_floor(const ExactPair& pair, double start, WideTime found,
                                       std::int32_t& error) noexcept {
   if (pair.line_grazes() || !pair.of_ellipses()) return -1;
   const WideTime of_thin = pair.is_long() ? wide_time_of_thin(pair) : WideTime{};
   if (of_thin.tells()) {
     found = of_thin;
-  } else if (found.more_digits) {
-    found = SeenEllipses(PairDigits<exact::more_limbs>(pair)).time(place);
   }
   if (!found.tells()) return floor_of_ellipses(pair, start, found.time.sign() > 0 ? between(found.time).least : 0);
   double t;
@@ -119,8 +115,7 @@ VESICA_COLD inline std::int32_t exact_floor(const ExactPair& pair, double end, b
                                             const WideTime& bounds, double& out) noexcept {
   const bool usable = estimate > 0 && estimate < std::numeric_limits<double>::max();
   const double start = usable ? arithmetic::at_rank<double>(arithmetic::rank(estimate) + 1) : 1.0;
-  EllipsePlace place;
-  const WideTime found = bounds.tells() ? bounds : known_time(pair, bounds.certain, place);
+  const WideTime found = bounds.tells() ? bounds : known_time(pair, bounds.certain);
   if (late) {
     const std::int32_t at_end = contact_at_end(pair, end, found);
     if (at_end <= 0) return at_end;
@@ -130,7 +125,7 @@ VESICA_COLD inline std::int32_t exact_floor(const ExactPair& pair, double end, b
   if (found.tells()) {
     error = floor_of_time(pair, found.time, t);
   } else {
-    t = tried_floor(pair, usable ? start : 0, found, place, error);
+    t = tried_floor(pair, usable ? start : 0, found, error);
   }
   if (error != 0) return error;
   if (t >= 0) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The time of first contact where numbers are of unlike exponents: to about 100 bits, by numbers of any exponent with
 /// a bound on their error (crossings/rough.hpp), and from exact polynomials where terms cancel. Of two boxes, and of a
-/// box and a round shape; for two ellipses see ellipse_trials.hpp.
+/// box and a round shape; for two ellipses see ellipse_time.hpp.
 ///
 /// t0 is the greatest T(n) (bound.hpp), for a line that enters M after the start and does not graze.
 ///
@@ -22,12 +22,10 @@
 
 namespace vesica::detail::cast {
 
-/// A time, and whether it is t0 to its error. That may leave open what is asked: `more_digits` says whether it would be
-/// less from more digits.
+/// A time, and whether it is t0 to its error. That may leave open what is asked.
 struct WideTime {
   Rough time;
   bool certain = false;
-  bool more_digits = true;
 
   /// t0 to a few digits more than a double has. It is above 0, and so is what is precise.
   bool tells() const noexcept { return certain && time.is_precise(); }
