@@ -70,8 +70,8 @@ TEST(CastParts, PolishedWithoutABend) {
   EXPECT_FALSE(found.time.certain || std::isfinite(found.time.step));
 }
 
-/// A direction that is certain by a hair, and the next one, which is not, as the errors of both are greater than the step:
-/// the first is kept.
+/// A direction that is certain by a hair, and the next one, which is not, as the errors of both are greater than the
+/// step: the first is kept.
 TEST(CastParts, PolishedUntilNothingIsCertain) {
   const Ellipse<double> needle{0, -0x1.b64ec337f0d07p-65, 0x1.cd0dc50377c1dp-1,
                                0, 0x1.4159398c877aep-36,  0x1.11bde2a671668p-10};

@@ -236,8 +236,8 @@ TEST(ExactCastParts, FloorOfEllipsesBeyondTheDigits) {
   EXPECT_EQ(floor(0x1p-1074), -1);
 }
 
-/// The cubic of two ellipses before they touch, where they do, of which its digits do not tell on which side that is, and
-/// after it.
+/// The cubic of two ellipses before they touch, where they do, of which its digits do not tell on which side that is,
+/// and after it.
 TEST(ExactCastParts, TrialAtTheTimeItself) {
   const Ellipse<double> a{0, 0, 1, 0, 1, 1}, b{8, 0, 0, 1, 1, 1};
   const LeadingContact contact{PairDigits<exact::few_limbs>(pair_of(a, b, -1, 0))};
@@ -250,26 +250,20 @@ TEST(ExactCastParts, TrialAtTheTimeItself) {
 /// Trials are of ellipses.
 TEST(ExactCastParts, NoTrialsOfBoxes) {
   const ExactPair boxes = pair_of(Aabb<double>{-1, -1, 1, 1}, Aabb<double>{3, -1, 5, 1}, -1, 0);
-  EllipsePlace place;
   std::int32_t error = 0;
-  EXPECT_EQ(tried_floor(boxes, 0, {}, place, error), -1);
+  EXPECT_EQ(tried_floor(boxes, 0, {}, error), -1);
   EXPECT_EQ(error, 0);
 }
 
-/// A disc that meets a thin ellipse flat on: few digits do not tell the direction's height. More do, whether the time
-/// might be 0 or not.
-TEST(ExactCastParts, TimesThatTakeMoreDigits) {
+/// A disc that meets a thin ellipse flat on, whether the time might be 0 or not.
+TEST(ExactCastParts, TimeOfAThinEllipseMetFlatOn) {
   const Ellipse<double> thin{0, 0, 0x1.8e0d53f198a59p-1, 0, 0x1.634ea5e9e2933p+2, 0x1.4p-270},
       disc{0x1.2911c0aa2a5a4p-4, 0x1.086c846440b3ep+3, 0x1.a19fe315b1be4p-1,
            0x1.817effc9499e2p-1, 0x1.26af17d2325dbp+0, 0x1.26af17d2325dbp+0};
   const ExactPair pair = pair_of(thin, disc, -0x1p-700, -0x1.e911739e24a04p-1);
-  const PairDigits<exact::few_limbs> few(pair);
-  EllipsePlace place;
-  ASSERT_FALSE(SeenEllipses(few).time(place).tells());
-  ASSERT_FALSE(LeadingContact(few).soon(pair).tells());
+  ASSERT_FALSE(LeadingContact(PairDigits<exact::few_limbs>(pair)).soon(pair).tells());
   for (const bool beside_start : {false, true}) {
-    EllipsePlace from;
-    const WideTime found = known_time_of_ellipses(pair, beside_start, from);
+    const WideTime found = known_time_of_ellipses(pair, beside_start);
     ASSERT_TRUE(found.tells()) << beside_start;
     double t = 0;
     ASSERT_EQ(floor_of_time(pair, found.time, t), 0);

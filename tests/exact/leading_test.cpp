@@ -290,7 +290,8 @@ TEST(Sparse, OfFewRunsAndOfNoMoreLimbsThanThereIsRoomFor) {
   EXPECT_FALSE(multiplied(gap(40), runs_of(48, 0)));
 }
 
-// In each column the products of a number's limbs by themselves are those of two equal numbers; none are beyond its ends.
+// In each column the products of a number's limbs by themselves are those of two equal numbers; none are beyond its
+// ends.
 TEST(Columns, OfASquare) {
   Random random(properties::seed());
   for (int size = 1; size < 6; ++size) {

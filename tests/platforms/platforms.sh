@@ -63,7 +63,8 @@ settings() {
 compile() {
   local packages arguments log=$folder.log targets=(vesica vesica_methods near_tie_hash vectors demo)
   settings "$build"
-  case $checks in *index*) targets+=(index_bytes_test) arguments+=(-DVESICA_CROSS_GOOGLETEST=/usr/src/googletest) ;; esac
+  case $checks in *index* | *batches*) arguments+=(-DVESICA_CROSS_GOOGLETEST=/usr/src/googletest) ;; esac
+  case $checks in *index*) targets+=(index_bytes_test) ;; esac
   case $checks in *batches*) targets+=(corpus_test batch_test) ;; esac
   need g++ cmake ninja-build googletest "${packages[@]}"
   mkdir -p "$root/build"
