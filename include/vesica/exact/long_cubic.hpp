@@ -100,14 +100,11 @@ constexpr int discriminant_sign(const ContactCubic& p, Signs& signs) noexcept {
   const int dense = detail::dense_limbs(p.c1) + detail::dense_limbs(p.c2);
   signs.certain = dense > 3 * some_limbs;
   if (!signs.certain) return 0;
-  const auto twice = integer(2) * (p.root1 * p.root2);
-  const SmallParts<Number<8>> small{p.mu - twice, p.mu + twice, p.d1 + p.d2 - p.mu, p.al - p.be, {}};
+  const auto small = exact_small_parts(p);
   if (small.delta_less.sign == 0) return detail::sign_of_discriminant_of_proportional(p);
-  // Nearly always either nothing cancels here, or more than a few limbs more would show.
-  const auto by_offset = detail::discriminant_by_offset<Leading<fewest_limbs>>(p, small);
+  const Few by_offset = detail::discriminant_by_offset<Few>(p, small);
   if (by_offset.sign_is_certain()) return by_offset.sign;
-  // All digits of fewer take no longer.
-  signs.certain = 3 * dense > 5 * most_limbs;
+  signs.certain = dense > 2 * most_limbs;
   return signs.certain ? signs.of(detail::discriminant<Leading<most_limbs>>(p)) : 0;
 }
 
