@@ -205,7 +205,7 @@ export interface C {
    * or coincide and whatever the sizes are. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the
    * largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is longer over shorter
    * size. "Right to x": the error is <= x. Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for
-   * two ellipses; up to 10 us if outlines nearly touch or coincide, or if one shape is far larger; at worst 30 us.
+   * two ellipses; up to 10 us if outlines nearly touch or coincide, or if one shape is far larger; at worst 45 us.
    * Since: 0.1.
    */
   vesica_area_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
@@ -918,7 +918,7 @@ export interface C {
    * float once. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
    * between their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the
    * error is <= x. Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10
-   * us if outlines nearly touch or coincide, or if one shape is far larger; at worst 30 us. Since: 0.1.
+   * us if outlines nearly touch or coincide, or if one shape is far larger; at worst 45 us. Since: 0.1.
    */
   vesica_area_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
   /**
@@ -2005,7 +2005,7 @@ export interface C {
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their
    * centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is <= x.
    * Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can decide, as
-   * when the distance is met exactly. At extreme magnitudes searches found up to 30 us (AMD EPYC, Zen 4). Since: 0.1.
+   * when the distance is met exactly. At extreme magnitudes searches found up to 40 us (AMD EPYC, Zen 4). Since: 0.1.
    */
   vesica_within_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, distance: number): number;
   /**
@@ -2220,7 +2220,7 @@ export interface C {
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their
    * centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is <= x.
    * Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can decide, as
-   * when the distance is met exactly. At extreme magnitudes searches found up to 30 us (AMD EPYC, Zen 4). Since: 0.1.
+   * when the distance is met exactly. At extreme magnitudes searches found up to 40 us (AMD EPYC, Zen 4). Since: 0.1.
    */
   vesica_within_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, distance: number): number;
   /**

@@ -252,7 +252,7 @@ namespace Vesica
         /// numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
         /// their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.</para>
         /// <para>Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us
-        /// if outlines nearly touch or coincide, or if one shape is far larger; at worst 30 us.</para>
+        /// if outlines nearly touch or coincide, or if one shape is far larger; at worst 45 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -859,7 +859,7 @@ namespace Vesica
         /// 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
         /// lengths. An aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.</para>
         /// <para>Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us
-        /// if outlines nearly touch or coincide, or if one shape is far larger; at worst 30 us.</para>
+        /// if outlines nearly touch or coincide, or if one shape is far larger; at worst 45 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1921,7 +1921,7 @@ namespace Vesica
         /// 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
         /// lengths. An aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.</para>
         /// <para>Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can
-        /// decide, as when the distance is met exactly. At extreme magnitudes searches found up to 30 us (AMD EPYC, Zen
+        /// decide, as when the distance is met exactly. At extreme magnitudes searches found up to 40 us (AMD EPYC, Zen
         /// 4).</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -2185,7 +2185,7 @@ namespace Vesica
         /// 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
         /// lengths. An aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.</para>
         /// <para>Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can
-        /// decide, as when the distance is met exactly. At extreme magnitudes searches found up to 30 us (AMD EPYC, Zen
+        /// decide, as when the distance is met exactly. At extreme magnitudes searches found up to 40 us (AMD EPYC, Zen
         /// 4).</para>
         /// <para>Since: 0.1.</para>
         /// </summary>

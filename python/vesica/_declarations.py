@@ -601,7 +601,7 @@ outlines nearly touch or coincide and whatever the sizes are. Bounds on computed
 scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An
 aspect ratio is longer over shorter size. "Right to x": the error is <= x. Cost: about 50 ns for two boxes,
 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines nearly touch or coincide,
-or if one shape is far larger; at worst 30 us. Since: 0.1.""",
+or if one shape is far larger; at worst 45 us. Since: 0.1.""",
     ),
     "vesica_iou_f64": (
         c_int32,
@@ -1425,7 +1425,7 @@ these bounds, and then rounded to float once. Bounds on computed numbers use u =
 shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is
 longer over shorter size. "Right to x": the error is <= x. Cost: about 50 ns for two boxes, 150 ns for an
 ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines nearly touch or coincide, or if one
-shape is far larger; at worst 30 us. Since: 0.1.""",
+shape is far larger; at worst 45 us. Since: 0.1.""",
     ),
     "vesica_iou_f32": (
         c_int32,
@@ -2714,7 +2714,7 @@ the one asked for. Bounds on computed numbers use u = 2^-53. The scale of two sh
 and |dy| between their centres and of their half lengths. An aspect ratio is longer over shorter size.
 "Right to x": the error is <= x. Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us
 where only exact arithmetic can decide, as when the distance is met exactly. At extreme magnitudes searches
-found up to 30 us (AMD EPYC, Zen 4). Since: 0.1.""",
+found up to 40 us (AMD EPYC, Zen 4). Since: 0.1.""",
     ),
     "vesica_within_many_f64": (
         c_int64,
@@ -2975,7 +2975,7 @@ the one asked for. Bounds on computed numbers use u = 2^-53. The scale of two sh
 and |dy| between their centres and of their half lengths. An aspect ratio is longer over shorter size.
 "Right to x": the error is <= x. Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us
 where only exact arithmetic can decide, as when the distance is met exactly. At extreme magnitudes searches
-found up to 30 us (AMD EPYC, Zen 4). Since: 0.1.""",
+found up to 40 us (AMD EPYC, Zen 4). Since: 0.1.""",
     ),
     "vesica_within_many_f32": (
         c_int64,

@@ -275,7 +275,7 @@ final class Native {
    * aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.
    *
    * <p>Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if
-   * outlines nearly touch or coincide, or if one shape is far larger; at worst 30 us.
+   * outlines nearly touch or coincide, or if one shape is far larger; at worst 45 us.
    *
    * <p>Since: 0.1.
    */
@@ -1001,7 +1001,7 @@ final class Native {
    * over shorter size. "Right to x": the error is &lt;= x.
    *
    * <p>Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if
-   * outlines nearly touch or coincide, or if one shape is far larger; at worst 30 us.
+   * outlines nearly touch or coincide, or if one shape is far larger; at worst 45 us.
    *
    * <p>Since: 0.1.
    */
@@ -2303,7 +2303,7 @@ final class Native {
    * over shorter size. "Right to x": the error is &lt;= x.
    *
    * <p>Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can decide,
-   * as when the distance is met exactly. At extreme magnitudes searches found up to 30 us (AMD EPYC, Zen 4).
+   * as when the distance is met exactly. At extreme magnitudes searches found up to 40 us (AMD EPYC, Zen 4).
    *
    * <p>Since: 0.1.
    */
@@ -2618,7 +2618,7 @@ final class Native {
    * over shorter size. "Right to x": the error is &lt;= x.
    *
    * <p>Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can decide,
-   * as when the distance is met exactly. At extreme magnitudes searches found up to 30 us (AMD EPYC, Zen 4).
+   * as when the distance is met exactly. At extreme magnitudes searches found up to 40 us (AMD EPYC, Zen 4).
    *
    * <p>Since: 0.1.
    */

@@ -522,7 +522,7 @@ extern "C" {
     /// lengths. An aspect ratio is longer over shorter size. "Right to x": the error is \<= x.
     ///
     /// Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if
-    /// outlines nearly touch or coincide, or if one shape is far larger; at worst 30 us.
+    /// outlines nearly touch or coincide, or if one shape is far larger; at worst 45 us.
     ///
     /// Since: 0.1.
     pub fn vesica_area_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
@@ -1412,7 +1412,7 @@ extern "C" {
     /// is longer over shorter size. "Right to x": the error is \<= x.
     ///
     /// Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if
-    /// outlines nearly touch or coincide, or if one shape is far larger; at worst 30 us.
+    /// outlines nearly touch or coincide, or if one shape is far larger; at worst 45 us.
     ///
     /// Since: 0.1.
     pub fn vesica_area_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
@@ -2812,7 +2812,7 @@ extern "C" {
     /// An aspect ratio is longer over shorter size. "Right to x": the error is \<= x.
     ///
     /// Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can decide,
-    /// as when the distance is met exactly. At extreme magnitudes searches found up to 30 us (AMD EPYC, Zen 4).
+    /// as when the distance is met exactly. At extreme magnitudes searches found up to 40 us (AMD EPYC, Zen 4).
     ///
     /// Since: 0.1.
     pub fn vesica_within_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
@@ -3081,7 +3081,7 @@ extern "C" {
     /// An aspect ratio is longer over shorter size. "Right to x": the error is \<= x.
     ///
     /// Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can decide,
-    /// as when the distance is met exactly. At extreme magnitudes searches found up to 30 us (AMD EPYC, Zen 4).
+    /// as when the distance is met exactly. At extreme magnitudes searches found up to 40 us (AMD EPYC, Zen 4).
     ///
     /// Since: 0.1.
     pub fn vesica_within_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
