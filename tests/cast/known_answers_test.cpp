@@ -127,6 +127,23 @@ TEST(Known, ASlideAlongAFaceTouches) {
   expect_hit(disc, {1, 0, infinity}, 5, 0, 1, 0, 1);
 }
 
+// A short segment slides down another from its end, away from it by 2^-50 of its way, and touches it a little later. Of
+// the long one's normal errors hide nearly all of the time; the axes of the short one tell times before that, and were
+// taken for the last: the point was the end, the normal not of the contact.
+TEST(Known, ASlideThatTouchesBesideTheEnd) {
+  constexpr double t = 0x1p-43;
+  const Numbers slope{0, 0, -2, 1, 0, 1}, upright{1, 0x1.ffffffffffffcp+0, 1, 0, 0, 0x1.ffffffffffp-51};
+  const Pair a_pair{VESICA_RECT, VESICA_ELLIPSE, slope, upright};
+  for (const double end : {1.0, infinity}) {
+    const Answer r = cast(Scalar::f64, a_pair, {-1, -0x1.ffffffffffffp+0, end});
+    EXPECT_TRUE(r.code == VESICA_CAST_HIT && r.t == t && r.x == 1 - t && r.y == 2 - 2 * t);
+    EXPECT_TRUE(r.nx == 0x1.c9f25c5bfedd9p-1 && r.ny == -0x1.c9f25c5bfedd9p-2);
+    const Answer s = cast(Scalar::f64, swapped(a_pair), {1, 0x1.ffffffffffffp+0, end});
+    EXPECT_TRUE(s.code == VESICA_CAST_HIT && s.t == t && s.nx == -r.nx && s.ny == -r.ny);
+    EXPECT_TRUE(s.x == 1 && std::fabs(s.y - 2) <= 0x1p-48);
+  }
+}
+
 TEST(Known, PointsOnOneLine) {
   const Pair p{VESICA_POINT, VESICA_POINT, {6, 8}, {0, 0}};
   expect_hit(p, {3, 4, infinity}, 2, 6, 8, -0.6, -0.8);

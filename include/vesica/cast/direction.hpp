@@ -256,6 +256,12 @@ Axis axis(const Scene& scene, const Vector& normal) noexcept {
   return {n, t - error, t + error};
 }
 
+/// Beside that normal, contact that comes after the time that this one tells.
+VESICA_COLD inline Found with_beside(const Found& found, const Vector& beside) noexcept {
+  const double t = found.time.value.high;
+  return {found.normal, found.time, beside, t + (0x1p-50 * abs(t) + found.time.error)};
+}
+
 /// Of two axes whose times cannot be told apart; only the second may have a normal beside it.
 VESICA_COLD inline Found preferred_of(const Scene& scene, const Found& n, const Found& m) noexcept {
   const bool is_first = n.time.error < m.time.error;
@@ -267,8 +273,7 @@ VESICA_COLD inline Found preferred_of(const Scene& scene, const Found& n, const 
     out.until = lane::max(0.0, m.until) + 4 * farther.time.error;
     return out;
   }
-  const double t = nearer.time.value.high;
-  return {nearer.normal, nearer.time, farther.normal, t + (0x1p-50 * abs(t) + nearer.time.error)};
+  return with_beside(nearer, farther.normal);
 }
 
 /// Where no axis separates after the start, and yet the shapes touch then: a thin ellipse that is taken for a segment
@@ -326,7 +331,8 @@ Found latest_axis(const Scene& scene) noexcept {
     if (equal) {
       best = preferred_of(scene, {normal, time}, best);
     } else if (!found || later > 0) {
-      best = {normal, time};
+      // A face of whose time errors hide much may still be met after this.
+      best = best.has_beside() ? with_beside({normal, time}, best.beside) : Found{normal, time};
     }
     found = true;
   }
