@@ -142,15 +142,13 @@ class Search {
 
   bool found() const noexcept { return found_; }
   double place() const noexcept { return x_; }
-  bool begins_as(const Search& other) const noexcept {
-    return low_ == other.low_ && high_ == other.high_ && x_ == other.x_;
-  }
-  void step() noexcept { found_ = stepped() || ++steps_ == 200; }
+  bool begins_at(double x) const noexcept { return low_ == x; }
+  /// Ends, for every step narrows the interval, and of some thirty in a row one halves it.
+  void step() noexcept { found_ = stepped(); }
 
  private:
   const HalfCircle<V>* half_ = nullptr;
   double low_ = 0, high_ = 0, x_ = 0, last_angle_ = 4;
-  int steps_ = 0;
   bool negative_at_low_ = false, found_ = false;
 
   bool is_inside() const noexcept { return x_ > low_ && x_ < high_; }
@@ -189,13 +187,13 @@ template <class V>
 struct Searches {
   Search<V> search[8];  ///< two at most on the lower half circle, and two on each of the three parts of the upper
   int count = 0;
-  /// Where f's centre is on the diameter both half circles see the same, and search the same places: once will do.
+  /// Where f's centre is on the diameter both half circles see the same, and search the same places: once will do. Such
+  /// searches begin at the same place, and those of one half circle at different ones.
   void add(const HalfCircle<V>& half, const Place& low, const Place& high) noexcept {
-    const Search<V> next(half, low, high);
     for (int i = 0; i < count && rounded(half.f.y) == 0; ++i) {
-      if (search[i].begins_as(next)) return;
+      if (search[i].begins_at(low.x)) return;
     }
-    search[count++] = next;
+    search[count++] = Search<V>(half, low, high);
   }
   void run() noexcept {
     for (bool any = true; any;) {

@@ -48,10 +48,13 @@ UnscaledShape form_times(const Shape& s, double k) noexcept {
   } else {
     Box<double> box{{number(f.ux), number(f.uy)}, number(f.hx), number(f.hy)};
     if (box.u.x.high == 0 && box.u.y.high == 0) {
-      if constexpr (f.axis_may_vanish) return {place, no_box, 0, false};
-      // The least axes underflow at an eighth. Their sizes at an eighth give the same shape.
-      const LengthsTimes stored_axis{1};
-      box = {{stored_axis(f.ux), stored_axis(f.uy)}, {k * box.hx.high, 0}, {k * box.hy.high, 0}};
+      if constexpr (f.axis_may_vanish) {
+        return {place, no_box, 0, false};
+      } else {
+        // The least axes underflow at an eighth. Their sizes at an eighth give the same shape.
+        const LengthsTimes stored_axis{1};
+        box = {{stored_axis(f.ux), stored_axis(f.uy)}, {k * box.hx.high, 0}, {k * box.hy.high, 0}};
+      }
     }
     const bool round = f.outline == form::Outline::round;
     return {place, box, 0, round && box.hx.high > 0 && box.hy.high > 0};
