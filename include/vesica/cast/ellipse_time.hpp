@@ -13,7 +13,7 @@
 /// the point x of M being near such ends.
 ///
 /// The l at which the slope is 0 is found in doubles of any exponent. Then T is evaluated there to 100 bits or from
-/// leading digits, and what a better l would gain is added with a bound on its error; Newton's method gives a better one
+/// leading digits. What a better l would gain is added, with a bound on its error; Newton's method gives a better one,
 /// from the same digits. So a bad l costs time, and never a wrong answer.
 #pragma once
 
@@ -71,21 +71,34 @@ class SeenEllipses {
   WideTime time() noexcept {
     find_sector();
     Digits share = digits(find_share(), most_limbs);
+    int low = -far, high = far, way = 1;
     for (int i = 0;; ++i) {
       const Evaluated at = limbs_ == 0 ? evaluate(rough(share)) : evaluate(share.with_limbs(limbs_));
       const WideTime found{at.time, at.is_near};
       if (at.is_near && at.is_below_all_doubles()) return {Rough(crossings::Real(1.0), 0, least_exponent), true};
       if (found.tells() || i == most_steps || (limbs_ == most_limbs && at.more_digits)) return found;
-      if (at.more_digits) limbs_ = limbs_ == 0 ? exact::few_limbs : 2 * limbs_;
-      // This is the direction now.
-      share = (share + digits(at.step, most_limbs)).with_limbs(most_limbs);
-      if (share.sign <= 0) return found;
+      // A step of 100 bits gains some 200.
+      if (at.more_digits) limbs_ = limbs_ == 0 ? exact::few_limbs : limbs_ < most_limbs - 4 ? limbs_ + 4 : most_limbs;
+      const int exponent = wide(share).exponent, sign = at.step.sign();
+      if (at.is_near || sign == 0 || wide(at.step).exponent < exponent - 2) {
+        // This is the direction now.
+        share = (share + digits(at.step, most_limbs)).with_limbs(most_limbs);
+        if (share.sign <= 0 || std::abs(wide(share).exponent) > far) return found;
+      } else {
+        // A longer step may be as bad again: the exponent is looked for, farther each time and then between.
+        (sign > 0 ? low : high) = exponent;
+        const bool is_between = low > -far && high < far;
+        if (!is_between && way > far / 64) return found;
+        share = digits(Wide(1, is_between ? (low + high) / 2 : exponent + sign * way), most_limbs);
+        way *= 4;
+      }
     }
   }
 
  private:
   static constexpr int least_exponent = -1100;  ///< below those of doubles
-  static constexpr int most_steps = 12;         ///< of Newton's method, each of some 50 bits
+  static constexpr int most_steps = 20;         ///< of Newton's method, each of some 100 bits
+  static constexpr int far = 1 << 20;           ///< beyond the exponents of l
   static constexpr int most_trials = 60;        ///< before them, of l
   static constexpr int most_limbs = exact::more_limbs;
 
@@ -363,8 +376,8 @@ class SeenEllipses {
       return arithmetic::scale(std::fabs(rounded(time.value)) + time.error, time.exponent - least_exponent) < 1;
     }
   };
-  /// A step of Newton's method in s is slope / bend, bend = k (n.v)^3 / v.v with k = sum of area^2 / h^3. It gains about
-  /// slope^2 / (2 bend v.v).
+  /// A step of Newton's method in s is slope / bend, bend = k (n.v)^3 / v.v with k = sum of area^2 / h^3. It gains
+  /// about slope^2 / (2 bend v.v).
   ///
   /// Proved: the greatest T lies within 2d (bound.hpp), where h changes by a share x = d / (4 room) at most. So bend is
   /// between bend / (1 + x)^3 and bend / (1 - x)^3 there, and what is gained between (1 - x)^3 and (1 + x)^3 times the

@@ -305,6 +305,8 @@ class ExactPair {
       const auto q = q_ + exact::from_double(t) * vv_ + (reach_a_.edge + reach_b_.edge);
       return witness_sign(reach_a_, reach_b_, w_, q) < 0 ? 1 : 0;
     }
+    // Where insides meet, contact is in the inside of its interval.
+    if (t == asked_.time && asked_.contact == Contact::inside) return 1;
     if (witness_after(t) < 0) return 1;
     const Contact contact = contact_at(t);
     return contact == Contact::beyond ? error_range : contact == Contact::inside ? 1 : 0;

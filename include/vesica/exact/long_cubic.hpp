@@ -95,10 +95,7 @@ namespace detail {
 /// Whether d1 + mu - al = c1 is far less than its terms, or c2. Then d1 + mu is about al, so that nothing cancels in a
 /// form by powers of al and be but what cancels there once more in c1.
 constexpr bool coefficients_cancel(const ContactCubic& p) noexcept {
-  const auto cancels = [](const Number<8>& c, const Number<8>& offset) {
-    return offset.sign != 0 && (c.sign == 0 || top_bit(c) + 32 < top_bit(offset));
-  };
-  return cancels(p.c1, p.al) || cancels(p.c2, p.be);
+  return p.c1.low + p.c1.size + 1 < p.al.low + p.al.size || p.c2.low + p.c2.size + 1 < p.be.low + p.be.size;
 }
 
 constexpr bool digits_tell_discriminant(int& sign, const ContactCubic& p, int limbs) noexcept {
@@ -127,8 +124,9 @@ constexpr int discriminant_sign(const ContactCubic& p, Signs& signs) noexcept {
     if (by_offset.sign_is_certain()) return by_offset.sign;
   }
   int sign = 0;
-  for (int limbs = some_limbs; limbs <= Digits::most_limbs && dense > 2 * limbs; limbs *= 2) {
-    if (detail::digits_tell_discriminant(sign, p, limbs)) return sign;
+  const int more = dense > 2 * Digits::most_limbs ? Digits::most_limbs : more_limbs;
+  for (const int limbs : {some_limbs, more}) {
+    if (dense > 48 + limbs && detail::digits_tell_discriminant(sign, p, limbs)) return sign;
   }
   signs.certain = false;
   return 0;
