@@ -55,7 +55,7 @@ Leading<limbs> leading(const Digits& a) {
 /// a, of which 2^error may be missing.
 template <int limbs>
 void check(const Leading<limbs>& a) {
-  const Leading<limbs> x = leading<limbs>(root(digits(a)));
+  const Leading<limbs> x = leading<limbs>(vesica::detail::cast::root(digits(a)));
   ASSERT_EQ(x.sign, 1);
   // Exactly, in twice as many digits.
   const auto exactly = [](const Leading<limbs>& number) {
