@@ -8,7 +8,7 @@ namespace vesica::exact {
 
 /// The members mean what those of Leading do. Both numbers of an operation have the same limbs, or one of them is 0.
 struct Digits {
-  static constexpr int most_limbs = 48;
+  static constexpr int most_limbs = exact::most_limbs;
   static constexpr std::int64_t nothing = Leading<few_limbs>::nothing;
 
   std::int32_t sign = 0;

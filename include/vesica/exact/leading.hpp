@@ -160,7 +160,7 @@ constexpr Leading<limbs> operator-(const Leading<limbs>& a, const Leading<limbs>
 }
 
 /// For numbers with more limbs than this, leading digits are tried first: few of them, and then more.
-inline constexpr int least_long = 16, few_limbs = 6, some_limbs = 12, more_limbs = 24;
+inline constexpr int least_long = 16, few_limbs = 6, some_limbs = 12, more_limbs = 24, most_limbs = 48;
 
 template <int Degree>
 constexpr bool is_long(const Number<Degree>& x) noexcept {
