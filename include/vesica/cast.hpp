@@ -49,15 +49,18 @@ std::int32_t cast_any(const A<T>& a, const B<T>& b, const Motion& motion, Impact
   Impact<double> found;
   const Body first = body(a), second = body(b);
   const Filtered known = filter(sketch(first), sketch(second), motion);
-  const std::int32_t answer = cast_bodies(
-      first, second, motion, known, [&] { return overlap_or_error(a, b); }, fused_meeting, found);
+  // The depth of shapes that overlap is wanted too, and tells whether they do: only then it has a direction.
+  Penetration<T> penetration;
+  const auto overlap_at_start = [&]() -> std::int32_t {
+    const std::int32_t error = depth_or_error(a, b, penetration);
+    return error != 0 ? error : penetration.x != 0 || penetration.y != 0 ? 1 : 0;
+  };
+  const std::int32_t answer = cast_bodies(first, second, motion, known, overlap_at_start, fused_meeting, found);
   if (answer == cast_miss) out = no_impact<T>();
   if (answer == cast_hit && !rounded_to(found, out)) return error_range;
   if (answer == cast_start) {
     ClosestPoints<T> common;
-    Penetration<T> penetration;
-    std::int32_t error = nearest_or_error(a, b, common);
-    if (error == 0) error = depth_or_error(a, b, penetration);
+    const std::int32_t error = nearest_or_error(a, b, common);
     if (error != 0) return error;
     out = {0, common.ax, common.ay, penetration.x, penetration.y};
   }

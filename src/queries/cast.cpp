@@ -39,12 +39,16 @@ detail::cast::FindMeeting fused_meeting() noexcept { return has_fused() ? find_m
 detail::cast::FindMeeting fused_meeting() noexcept { return detail::cast::fused_meeting; }
 #endif
 
-/// For shapes that overlap at the start.
-std::int32_t start(const Body& a, const Body& b, Impact<double>& out) noexcept {
+/// Whether shapes overlap, or an error. The depth of those that do is wanted too: only then it has a direction.
+std::int32_t overlap_and_depth(const Body& a, const Body& b, Penetration<double>& out) noexcept {
+  const std::int32_t error = answer(queries::depth, a, b, &out);
+  return error != 0 ? error : out.x != 0 || out.y != 0 ? 1 : 0;
+}
+
+/// For shapes that overlap at the start, and their depth.
+std::int32_t start(const Body& a, const Body& b, const Penetration<double>& penetration, Impact<double>& out) noexcept {
   ClosestPoints<double> common;
-  Penetration<double> penetration;
-  std::int32_t error = answer(queries::nearest, a, b, &common);
-  if (error == 0) error = answer(queries::depth, a, b, &penetration);
+  const std::int32_t error = answer(queries::nearest, a, b, &common);
   if (error != 0) return error;
   out = {0, common.ax, common.ay, penetration.x, penetration.y};
   return cast_start;
@@ -56,9 +60,10 @@ namespace queries {
 
 [[gnu::noinline]] std::int32_t cast_rest(const Body& a, const Body& b, const Motion& motion,
                                          const detail::cast::Filtered& known, Impact<double>& out) noexcept {
+  Penetration<double> penetration;
   const std::int32_t code = detail::cast::cast_bodies(
-      a, b, motion, known, [&] { return answer(overlap, a, b, nullptr); }, fused_meeting(), out);
-  return code == cast_start ? start(a, b, out) : code;
+      a, b, motion, known, [&] { return overlap_and_depth(a, b, penetration); }, fused_meeting(), out);
+  return code == cast_start ? start(a, b, penetration, out) : code;
 }
 
 [[gnu::noinline]] std::int32_t cast_open(const Body& a, const Body& b, const Motion& motion,
@@ -114,8 +119,9 @@ namespace {
 
 struct AskBodies {
   const Body &a, &b;
+  Penetration<double>& at_start;
 
-  std::int32_t overlap_at_start() const noexcept { return answer(overlap, a, b, nullptr); }
+  std::int32_t overlap_at_start() const noexcept { return overlap_and_depth(a, b, at_start); }
   void nearest(const Body& p, const Body& q, ClosestPoints<double>& out) const noexcept {
     answer(queries::nearest, p, q, &out);
   }
@@ -131,9 +137,10 @@ std::int32_t impact_time(const Body& a, const Turn<double>& turn_a, const Body& 
                          double tolerance, Impact<T>& out, T& gap) noexcept {
   Impact<double> found{};
   double found_gap = 0;
-  std::int32_t code =
-      detail::impact_time::impact_time<T>(a, turn_a, b, turn_b, tolerance, AskBodies{a, b}, found, found_gap);
-  if (code == cast_start) code = start(a, b, found);
+  Penetration<double> penetration;
+  std::int32_t code = detail::impact_time::impact_time<T>(a, turn_a, b, turn_b, tolerance, AskBodies{a, b, penetration},
+                                                          found, found_gap);
+  if (code == cast_start) code = start(a, b, penetration, found);
   if (code <= 0) return code;
   return detail::impact_time::rounded_to(found, found_gap, out, gap) ? code : error_range;
 }

@@ -13,7 +13,7 @@
 /// the point x of M being near such ends.
 ///
 /// The l at which the slope is 0 is found in doubles of any exponent. Then T is evaluated there to 100 bits or from
-/// leading digits, and its error includes a bound on what a better l would gain; Newton's method gives a better one
+/// leading digits. What a better l would gain is added, with a bound on its error; Newton's method gives a better one,
 /// from the same digits. So a bad l costs time, and never a wrong answer.
 #pragma once
 
@@ -24,23 +24,10 @@ namespace vesica::detail::cast {
 inline Wide wide(const Rough& x) noexcept { return Wide(x.scaled()); }
 inline Wide magnitude(const Wide& x) noexcept { return arithmetic::abs(x); }
 inline Rough magnitude(const Rough& x) noexcept { return x.sign() < 0 ? -x : x; }
-template <int limbs>
-Leading<limbs> magnitude(const Leading<limbs>& x) noexcept {
-  return exact::abs(x);
-}
+inline Digits magnitude(const Digits& x) noexcept { return exact::abs(x); }
 template <class Real>
 Real turned(const Real& x, int sign) noexcept {
   return sign < 0 ? -x : x;
-}
-
-/// Numbers of some type from exact ones.
-template <class Real, int Degree>
-Real from_exact(const Number<Degree>& x) noexcept {
-  if constexpr (std::is_same_v<Real, Wide>) {
-    return Wide(exact::rounded(x));
-  } else {
-    return Real(x);
-  }
 }
 
 /// What bounds a sector: an axis of an ellipse or what is across that, turned against v; or what is across v.
@@ -59,7 +46,6 @@ struct SeenDirection {
 /// A pair of ellipses whose line enters M after the start and does not graze it.
 class SeenEllipses {
   using Few = Leading<exact::few_limbs>;
-  using Many = Leading<exact::more_limbs>;
 
  public:
   explicit SeenEllipses(const ExactPair& pair) noexcept
@@ -84,25 +70,49 @@ class SeenEllipses {
   /// The greatest T(n).
   WideTime time() noexcept {
     find_sector();
-    Many share = leading<exact::more_limbs>(find_share());
-    for (int i = 0, digits = 0;; ++i) {
-      const Evaluated at = digits == 0   ? evaluate(cast::rough(share))
-                           : digits == 1 ? evaluate(few(share))
-                                         : evaluate(share);
+    Digits share = digits(find_share(), most_limbs);
+    int low = -far, high = far, way = 1;
+    for (int i = 0;; ++i) {
+      const Evaluated at = limbs_ == 0 ? evaluate(rough(share)) : evaluate(share.with_limbs(limbs_));
       const WideTime found{at.time, at.is_near};
       if (at.is_near && at.is_below_all_doubles()) return {Rough(crossings::Real(1.0), 0, least_exponent), true};
-      if (found.tells() || i == most_steps || (digits == 2 && at.more_digits)) return found;
-      if (at.more_digits) ++digits;
-      share = share + leading<exact::more_limbs>(at.step);
-      share.error = Many::nothing;  // this is the direction now
-      if (share.sign <= 0) return found;
+      if (found.tells() || i == most_steps || (limbs_ == most_limbs && at.more_digits)) return found;
+      // A step of 100 bits gains some 200.
+      if (at.more_digits) limbs_ = limbs_ == 0 ? exact::few_limbs : limbs_ < most_limbs - 4 ? limbs_ + 4 : most_limbs;
+      const int exponent = wide(share).exponent, sign = at.step.sign();
+      if (at.is_near || sign == 0 || wide(at.step).exponent < exponent - 2) {
+        // This is the direction now.
+        share = (share + digits(at.step, most_limbs)).with_limbs(most_limbs);
+        if (share.sign <= 0 || std::abs(wide(share).exponent) > far) return found;
+      } else {
+        // A longer step may be as bad again: the exponent is looked for, farther each time and then between.
+        (sign > 0 ? low : high) = exponent;
+        const bool is_between = low > -far && high < far;
+        if (!is_between && way > far / 64) return found;
+        share = digits(Wide(1, is_between ? (low + high) / 2 : exponent + sign * way), most_limbs);
+        way *= 4;
+      }
     }
   }
 
  private:
   static constexpr int least_exponent = -1100;  ///< below those of doubles
-  static constexpr int most_steps = 12;         ///< of Newton's method, each of some 50 bits
+  static constexpr int most_steps = 20;         ///< of Newton's method, each of some 100 bits
+  static constexpr int far = 1 << 20;           ///< beyond the exponents of l
   static constexpr int most_trials = 60;        ///< before them, of l
+  static constexpr int most_limbs = exact::more_limbs;
+
+  /// Numbers of some type from exact ones.
+  template <class Real, int Degree>
+  Real from_exact(const Number<Degree>& x) const noexcept {
+    if constexpr (std::is_same_v<Real, Wide>) {
+      return Wide(exact::rounded(x));
+    } else if constexpr (std::is_same_v<Real, Digits>) {
+      return Digits(x, limbs_);
+    } else {
+      return Real(x);
+    }
+  }
 
   /// By s. Of two directions against v, e is before f iff e x f < 0.
   void insert(const SectorEdge& e) noexcept {
@@ -304,11 +314,15 @@ class SeenEllipses {
   }
   /// A change of s as one of l: dl / ds = (n.v)^2 / (v.v |e x f|).
   Wide as_share(const Wide& step, const Wide& against) const noexcept {
+    return step * against * against / (vv_ * width(wide_from_, wide_to_));
+  }
+  /// |e x f|
+  template <class Real>
+  Real width(const SeenDirection<Real>& e, const SeenDirection<Real>& f) const noexcept {
     const bool from_ellipse = from_.ellipse != SectorEdge::across_v;
-    const SectorEdge& e = from_ellipse ? from_ : to_;
-    const SeenDirection<Wide>& f = from_ellipse ? wide_to_ : wide_from_;
-    const Wide width = arithmetic::abs(e.turned ? f.along[e.ellipse] : f.across[e.ellipse]);
-    return step * against * against / (vv_ * width);
+    const SectorEdge& edge = from_ellipse ? from_ : to_;
+    const SeenDirection<Real>& other = from_ellipse ? f : e;
+    return magnitude(edge.turned ? other.along[edge.ellipse] : other.across[edge.ellipse]);
   }
 
   /// From where on n is e, and f, but for what is 0 there.
@@ -352,10 +366,9 @@ class SeenEllipses {
     }
   }
 
-  /// T(n), with all that a better n can gain in the error; how far off the best l is.
+  /// The greatest T(n), from one n; how far off the best l is.
   struct Evaluated {
-    Rough time;
-    Wide step;
+    Rough time, step;
     bool is_near;      ///< the step is so short that what it gains has a bound
     bool more_digits;  ///< are needed
 
@@ -363,39 +376,37 @@ class SeenEllipses {
       return arithmetic::scale(std::fabs(rounded(time.value)) + time.error, time.exponent - least_exponent) < 1;
     }
   };
-  static const Rough& rough(const Rough& x) noexcept { return x; }
-  template <int limbs>
-  static Rough rough(const Leading<limbs>& x) noexcept {
-    return cast::rough(x);
-  }
-  static Few few(const Many& x) noexcept {
-    Few out;
-    out.set(x.sign, x.span());
-    out.error = out.nothing;
-    return out;
-  }
-
+  /// A step of Newton's method in s is slope / bend, bend = k (n.v)^3 / v.v with k = sum of area^2 / h^3. It gains
+  /// about slope^2 / (2 bend v.v).
+  ///
+  /// Proved: the greatest T lies within 2d (bound.hpp), where h changes by a share x = d / (4 room) at most. So bend is
+  /// between bend / (1 + x)^3 and bend / (1 - x)^3 there, and what is gained between (1 - x)^3 and (1 + x)^3 times the
+  /// above. As x <= 1/4, that is within 4 x of it.
   template <class Real>
   VESICA_COLD Evaluated evaluate(const Real& l) const noexcept {
-    const SeenDirection<Real> n = between(seen<Real>(from_), seen<Real>(to_), l);
+    const SeenDirection<Real> e = seen<Real>(from_), f = seen<Real>(to_), n = between(e, f, l);
     const SeenDirection<Wide> seen_n = between(wide_from_, wide_to_, wide(rough(l)));
     const bool a_by_x = is_by_x(seen_n, 0), b_by_x = is_by_x(seen_n, 1);
     const Sizes<Real> s = sizes<Real>();
     const Reach<Real> a = reach(s, n, 0, a_by_x), b = reach(s, n, 1, b_by_x);
     const Real of_a = a.h * a.sum, of_b = b.h * b.sum;
     const Real beside = from_exact<Real>(straight(a_by_x, b_by_x)) * of_a * of_b - a.beside * of_b - b.beside * of_a;
-    const Rough slope = rough(beside) / rough(of_a * of_b);
+    const Rough slope = rough(beside) / rough(of_a * of_b), against = rough(n.against);
+    const Rough height_a = rough(a.h), height_b = rough(b.h);
+    const Rough k = square(rough(s.area[0]) / height_a) / height_a + square(rough(s.area[1]) / height_b) / height_b;
     Wide falls[2];
-    const Slope at = fall(seen_n.against, wide(rough(a.h)), wide(rough(b.h)), falls);
+    const Slope at = fall(seen_n.against, wide(height_a), wide(height_b), falls);
     const Wide steepest(std::fabs(rounded(slope.value)) + slope.error, slope.exponent), change = steepest / at.fall;
     const Real gap = ahead(l, a_by_x, b_by_x) * a.sum * b.sum - a.rest * b.sum - b.rest * a.sum;
     const Rough time = rough(gap) / rough(a.sum * b.sum * n.against);
-    const Wide gain = steepest * change / vv_;
-    // The gain as a number of its own: where T is 0, in whatever unit, it is all that there is.
+    const Rough unit = k * against;
+    const Wide rest = Wide(0.51, 0) * steepest * change / vv_ * (change / at.room);
+    const Rough gain =
+        square(slope) / crossings::times(2, unit * square(against)) + Rough({}, rest.value, rest.exponent);
     const bool is_known = slope.sign_is_known();
-    const Wide step = is_known ? as_share(wide(slope) / at.fall, seen_n.against) : Wide{};
-    return {time + Rough({}, 1.01 * gain.value, gain.exponent), step, change < at.room,
-            !is_known || gain < Wide(time.error, time.exponent)};
+    const Rough step = is_known ? slope / (unit * rough(width(e, f))) : Rough();
+    return {time + gain, step, change < at.room,
+            !is_known || Wide(gain.error, gain.exponent) < Wide(time.error, time.exponent)};
   }
   /// n.D'.
   template <class Real>
@@ -428,7 +439,7 @@ class SeenEllipses {
   Sizes<Wide> sizes_;
   Wide vv_, gap_;
   SectorEdge edge_[4], from_{}, to_{};
-  int edges_ = 0;
+  int edges_ = 0, limbs_ = 0;  ///< limbs: of the digits, 0 for Rough
   SeenDirection<Wide> wide_from_, wide_to_;
   int sign_x_[2], sign_y_[2];
   mutable Wide straight_[4];

@@ -13,6 +13,7 @@
 #include <vesica/cast/body.hpp>
 #include <vesica/crossings/rough.hpp>
 #include <vesica/depth/exact_zero.hpp>
+#include <vesica/exact/digits.hpp>
 #include <vesica/exact/rounded.hpp>
 
 namespace vesica::detail::cast {
@@ -21,15 +22,22 @@ using crossings::Rough;
 using exact::Leading;
 using exact::Number;
 
-template <int limbs>
-Rough rough(const Leading<limbs>& x) noexcept {
-  Rough out(exact::detail::digits_of(x));
-  if (x.error == Leading<limbs>::nothing) return out;
-  const int place = static_cast<int>(x.error);
+/// Of leading digits.
+template <int Degree>
+Rough rough(const Number<Degree>& kept, std::int64_t error) noexcept {
+  Rough out(kept);
+  if (error == exact::Digits::nothing) return out;
+  const int place = static_cast<int>(error);
   // Of digits that are all beyond what is known, only how great they may be.
-  if (x.sign == 0 || place > out.exponent + 60) return {{}, 2, place};
+  if (kept.sign == 0 || place > out.exponent + 60) return {{}, 2, place};
   return {out.value, out.error + arithmetic::scale(1.01, place - out.exponent), out.exponent};
 }
+template <int limbs>
+Rough rough(const Leading<limbs>& x) noexcept {
+  return rough(exact::detail::digits_of(x), x.error);
+}
+inline Rough rough(const exact::Digits& x) noexcept { return rough(exact::detail::digits_of(x), x.error); }
+inline const Rough& rough(const Rough& x) noexcept { return x; }
 
 /// A shape in its exact form; a round one has an area.
 struct ExactBody {
@@ -297,6 +305,8 @@ class ExactPair {
       const auto q = q_ + exact::from_double(t) * vv_ + (reach_a_.edge + reach_b_.edge);
       return witness_sign(reach_a_, reach_b_, w_, q) < 0 ? 1 : 0;
     }
+    // Where insides meet, contact is in the inside of its interval.
+    if (t == asked_.time && asked_.contact == Contact::inside) return 1;
     if (witness_after(t) < 0) return 1;
     const Contact contact = contact_at(t);
     return contact == Contact::beyond ? error_range : contact == Contact::inside ? 1 : 0;

@@ -44,12 +44,13 @@ inline std::int32_t repeat_search(const ExactPair& pair, double start, double t)
   const Between witness = between(pair.rough_witness());
   const PlaceBits places = pair.place_bits();
   if (pair.line_grazes() || have_room_for_trials(places, start, t, witness.most)) return 0;
+  // After the witness no place is asked for, and contact was before: t <= t0 <= witness < x. So where the place is held
+  // it need not be asked whether x is after the witness.
   const auto reaches = [&](double x) -> std::int32_t {
     if (!(x > 0)) return 0;
-    const bool is_after_witness = x > witness.most || (x >= witness.least && pair.witness_after(x) < 0);
-    if (is_after_witness) return 1;
-    const bool holds = places.have_room(x) || pair.holds_place(x);
-    return holds ? (x > t ? 1 : 0) : static_cast<std::int32_t>(error_range);
+    if (x > witness.most || places.have_room(x) || pair.holds_place(x)) return x > t ? 1 : 0;
+    const bool is_after_witness = x >= witness.least && pair.witness_after(x) < 0;
+    return is_after_witness ? 1 : static_cast<std::int32_t>(error_range);
   };
   double out;
   return search(start, reaches, out);

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Leading digits of long numbers, as many as are asked for at run time: one function serves all precisions.
+#pragma once
+
+#include <vesica/exact/leading.hpp>
+
+namespace vesica::exact {
+
+/// The members mean what those of Leading do. Both numbers of an operation have the same limbs, or one of them is 0.
+struct Digits {
+  static constexpr int most_limbs = exact::most_limbs;
+  static constexpr std::int64_t nothing = Leading<few_limbs>::nothing;
+
+  std::int32_t sign = 0;
+  std::int32_t low = 0;
+  std::int32_t limbs = 0;  ///< an even number of them
+  std::int64_t error = nothing;
+  Limb limb[most_limbs];  ///< [0, limbs) hold the value, unless the sign is 0
+
+  constexpr Digits() noexcept {}
+  template <int Degree>
+  constexpr Digits(const Number<Degree>& x, int its_limbs) noexcept : limbs(its_limbs) {
+    if (x.sign != 0) set(x.sign, x.span());
+  }
+  constexpr Digits(const Digits& other) noexcept { *this = other; }
+  constexpr Digits& operator=(const Digits& other) noexcept {
+    sign = other.sign;
+    low = other.low;
+    limbs = other.limbs;
+    error = other.error;
+    if (sign != 0) detail::move_limbs(other.limb, limbs, limb);
+    return *this;
+  }
+
+  /// Of a magnitude that may begin with zeros.
+  constexpr void set(int its_sign, detail::Span x) noexcept {
+    while (x.size > 0 && x.limb[x.size - 1] == 0) --x.size;
+    if (x.size == 0) return;
+    sign = its_sign;
+    low = x.low + x.size - limbs;
+    const int cut = x.size - limbs;
+    detail::place_magnitude(x, low, limbs, limb);
+    for (int i = 0; i < cut; ++i) {
+      if (x.limb[i] != 0) return lose(std::int64_t{64} * low);
+    }
+  }
+  constexpr void lose(std::int64_t exponent) noexcept { error = (error > exponent ? error : exponent) + 1; }
+
+  constexpr detail::Span span() const noexcept { return {limb, low, sign == 0 ? 0 : limbs}; }
+  /// These digits, or as many of them, as a number of its own.
+  constexpr Digits with_limbs(int count) const noexcept {
+    Digits out;
+    out.limbs = count;
+    out.set(sign, span());
+    out.error = nothing;
+    return out;
+  }
+  constexpr std::int64_t top() const noexcept {
+    return sign == 0 ? nothing : 64 * (std::int64_t{low} + limbs) - std::countl_zero(limb[limbs - 1]);
+  }
+  constexpr int lowest() const noexcept {
+    int i = 0;
+    while (limb[i] == 0) ++i;
+    return i;
+  }
+  constexpr bool sign_is_certain() const noexcept { return error == nothing || top() - 1 > error; }
+};
+
+namespace detail {
+
+/// a * b, the same number or two. What is left out below the lowest limb that is kept is lost, as of Leading.
+VESICA_CALLED constexpr Digits product(const Digits& a, const Digits& b) noexcept {
+  Digits product;
+  product.limbs = a.limbs > b.limbs ? a.limbs : b.limbs;
+  if (a.sign != 0 && b.sign != 0) {
+    const int n = a.limbs, first = n - 2;
+    Limb limb[2 * Digits::most_limbs];
+    if (&a == &b) {
+      multiply_by_itself(a.limb, n, limb, first);
+    } else {
+      multiply(a.limb, n, b.limb, n, limb, first);
+    }
+    product.set(a.sign * b.sign, {limb + first, a.low + b.low + first, 2 * n - first});
+    if (a.lowest() + b.lowest() < first) product.lose(std::int64_t{64} * (a.low + b.low + first + 1) + 6);
+  }
+  for (const std::int64_t part : {a.top() + b.error, b.top() + a.error, a.error + b.error}) {
+    if (part > Digits::nothing / 2) product.lose(part);
+  }
+  return product;
+}
+
+VESICA_CALLED constexpr Digits sum(const Digits& a, const Digits& b, int sign_b) noexcept {
+  Digits sum;
+  if (a.sign == 0 || b.sign == 0) {
+    sum = a.sign == 0 ? b : a;
+    sum.sign = a.sign == 0 ? sign_b : a.sign;
+    sum.error = Digits::nothing;
+  } else {
+    sum.limbs = a.limbs;
+    // As for Leading: one limb more, and what is cut off is the same for both.
+    const int n = a.limbs + 2, low = (a.low > b.low ? a.low : b.low) - 1;
+    Limb limb[Digits::most_limbs + 2];
+    const int order = a.sign == sign_b ? 1 : compare_magnitude(a.span(), b.span());
+    const Span x = order < 0 ? b.span() : a.span(), y = order < 0 ? a.span() : b.span();
+    a.sign == sign_b ? add_wide(x, y, low, n, limb) : subtract_wide(x, y, low, n, limb);
+    sum.set(order < 0 ? sign_b : a.sign, {limb, low, n});
+    if (a.low < low || b.low < low) sum.lose(std::int64_t{64} * low);
+  }
+  for (const std::int64_t error : {a.error, b.error}) {
+    if (error != Digits::nothing) sum.lose(error);
+  }
+  return sum;
+}
+
+/// As a number of a degree that has room for them.
+constexpr Number<2> digits_of(const Digits& x) noexcept {
+  Number<2> kept;
+  static_assert(Digits::most_limbs <= kept.capacity);
+  kept.sign = x.sign;
+  kept.low = x.low;
+  kept.size = x.span().size;
+  move_limbs(x.limb, kept.size, kept.limb);
+  kept.strip();
+  return kept;
+}
+
+}  // namespace detail
+
+constexpr Digits operator*(const Digits& a, const Digits& b) noexcept { return detail::product(a, b); }
+constexpr Digits square(const Digits& a) noexcept { return detail::product(a, a); }
+constexpr Digits operator+(const Digits& a, const Digits& b) noexcept { return detail::sum(a, b, b.sign); }
+constexpr Digits operator-(const Digits& a, const Digits& b) noexcept { return detail::sum(a, b, -b.sign); }
+constexpr Digits operator-(const Digits& a) noexcept {
+  Digits negative = a;
+  negative.sign = -a.sign;
+  return negative;
+}
+constexpr Digits abs(const Digits& a) noexcept { return a.sign < 0 ? -a : a; }
+
+/// A small whole number of times.
+VESICA_CALLED constexpr Digits times(int factor, const Digits& a) noexcept {
+  Digits product;
+  product.limbs = a.limbs;
+  const Limb size = static_cast<Limb>(factor < 0 ? -factor : factor);
+  if (a.sign != 0) {
+    Limb limb[Digits::most_limbs + 1];
+    detail::multiply(&size, 1, a.limb, a.limbs, limb);
+    product.set(factor < 0 ? -a.sign : a.sign, {limb, a.low, a.limbs + 1});
+  }
+  if (a.error != Digits::nothing) product.lose(a.error + static_cast<std::int64_t>(std::bit_width(size)));
+  return product;
+}
+
+}  // namespace vesica::exact
