@@ -66,6 +66,14 @@ struct Digits {
   constexpr bool sign_is_certain() const noexcept { return error == nothing || top() - 1 > error; }
 };
 
+/// As many of them for all numbers of a formula, where it names a type.
+template <int count>
+struct DigitsOf : Digits {
+  template <int Degree>
+  constexpr explicit DigitsOf(const Number<Degree>& x) noexcept : Digits(x, count) {}
+  constexpr DigitsOf(const Digits& x) noexcept : Digits(x) {}
+};
+
 namespace detail {
 
 /// a * b, the same number or two. What is left out below the lowest limb that is kept is lost, as of Leading.

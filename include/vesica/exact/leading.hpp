@@ -231,8 +231,9 @@ struct Signs {
   constexpr int of(const Number<Degree>& x) noexcept {
     return x.sign;
   }
-  template <int limbs>
-  constexpr int of(const Leading<limbs>& x) noexcept {
+  /// Of leading digits.
+  template <class Digits>
+  constexpr int of(const Digits& x) noexcept {
     certain = certain && x.sign_is_certain();
     return x.sign;
   }

@@ -90,23 +90,6 @@ constexpr bool first_in_second(const ContactCubic& p, const Small& small, Signs&
 
 }  // namespace detail
 
-namespace detail {
-
-/// Whether d1 + mu - al = c1 is far less than its terms, or c2. Then d1 + mu is about al, so that nothing cancels in a
-/// form by powers of al and be but what cancels there once more in c1.
-constexpr bool coefficients_cancel(const ContactCubic& p) noexcept {
-  return p.c1.low + p.c1.size + 1 < p.al.low + p.al.size || p.c2.low + p.c2.size + 1 < p.be.low + p.be.size;
-}
-
-constexpr bool digits_tell_discriminant(int& sign, const ContactCubic& p, int limbs) noexcept {
-  const Digits d1(p.d1, limbs), c1(p.c1, limbs), c2(p.c2, limbs), d2(p.d2, limbs);
-  const Digits value = discriminant(d1, c1, c2, d2, d1 * d2);
-  sign = value.sign;
-  return value.sign_is_certain();
-}
-
-}  // namespace detail
-
 /// As the functions of the same names in ellipse_ellipse.hpp; not certain where the leading digits do not tell, or all
 /// digits tell as soon.
 constexpr int discriminant_sign(const ContactCubic& p, Signs& signs) noexcept {
@@ -117,19 +100,15 @@ constexpr int discriminant_sign(const ContactCubic& p, Signs& signs) noexcept {
   const int dense = detail::dense_limbs(p.c1) + detail::dense_limbs(p.c2);
   signs.certain = dense > 3 * some_limbs;
   if (!signs.certain) return 0;
-  if (!detail::coefficients_cancel(p)) {
-    const auto small = exact_small_parts(p);
-    if (small.delta_less.sign == 0) return detail::sign_of_discriminant_of_proportional(p);
-    const Few by_offset = detail::discriminant_by_offset<Few>(p, small);
-    if (by_offset.sign_is_certain()) return by_offset.sign;
-  }
-  int sign = 0;
-  const int more = dense > 2 * Digits::most_limbs ? Digits::most_limbs : more_limbs;
-  for (const int limbs : {some_limbs, more}) {
-    if (dense > 48 + limbs && detail::digits_tell_discriminant(sign, p, limbs)) return sign;
-  }
-  signs.certain = false;
-  return 0;
+  const auto small = exact_small_parts(p);
+  if (small.delta_less.sign == 0) return detail::sign_of_discriminant_of_proportional(p);
+  const Few by_offset = detail::discriminant_by_offset<Few>(p, small);
+  if (by_offset.sign_is_certain()) return by_offset.sign;
+  const int limbs = dense > 2 * Digits::most_limbs ? Digits::most_limbs : more_limbs;
+  const Digits d1(p.d1, limbs), c1(p.c1, limbs), c2(p.c2, limbs), d2(p.d2, limbs);
+  const Digits value = detail::discriminant(d1, c1, c2, d2, d1 * d2);
+  signs.certain = value.sign_is_certain();
+  return value.sign;
 }
 
 constexpr bool few_digits_tell_first_in_second(bool& inside, const ContactCubic& p) noexcept {
@@ -145,7 +124,7 @@ constexpr bool first_in_second(const ContactCubic& p, Signs& signs) noexcept {
   Signs of_small;
   const auto small = exact_small_parts(p);
   const bool by_small = detail::first_in_second<Leading<few_limbs>>(p, small, of_small);
-  return of_small.certain ? by_small : detail::first_in_second<Leading<more_limbs>>(p, small, signs);
+  return of_small.certain ? by_small : detail::first_in_second<DigitsOf<more_limbs>>(p, small, signs);
 }
 
 }  // namespace vesica::exact
