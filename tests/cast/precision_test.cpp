@@ -121,8 +121,8 @@ void ask(const Body& a, const Body& b, const core::Motion& motion, Known& known)
   if (usual.time.sign() > 0) ask_trials(pair, usual.time, known);
 }
 
-/// All but in contact: from a contact the first shape, at 0, is moved away by 2^-10 to 2^-110, and the second moves towards it
-/// again, or along the tangent; at any magnitude.
+/// All but in contact: from a contact the first shape, at 0, is moved away by 2^-10 to 2^-110, and the second moves
+/// towards it again, or along the tangent; at any magnitude.
 void ask_beside_contact(int kind_a, int kind_b, properties::Random& random, Known& known) {
   auto [pair, x, y] = properties::touching(kind_a, kind_b, random);
   const double away = std::ldexp(1, -random.integer(10, 110)), along = random.chance(0.5) ? 0 : random.integer(-9, 9);
