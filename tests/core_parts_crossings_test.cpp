@@ -109,6 +109,7 @@ TEST(CrossingsParts, PlacesOfGroups) {
             (Places{1, 1, 0, 0}));
   EXPECT_EQ(shared_out(spots_of({odd(0.5, 3), even(1.5, 1), odd(2.5, 1)}), {4, 0, false}), (Places{1, 2, 1}));
   EXPECT_EQ(shared_out(spots_of({odd(0.5, 3), odd(2.5, 1)}), {4, 0, false}), (Places{3, 1}));
+  EXPECT_EQ(shared_out(spots_of({odd(0.5, 1), odd(2.5, 3)}), {4, 0, false}), (Places{1, 3}));
   EXPECT_EQ(shared_out(spots_of({even(0.5, 3), even(1.5, 1), even(2.5, 2)}), {0, 2, false}), (Places{0, 1, 1}));
   EXPECT_EQ(shared_out(spots_of({even(0.5, 3), even(1.5, 1)}), {2, 0, false}), (Places{0, 2}));
 }
