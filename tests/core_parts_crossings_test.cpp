@@ -231,4 +231,15 @@ TEST(CrossingsParts, ATipBesideTwoPlaces) {
   }
 }
 
+/// From 0 at the positive x axis up to 4, which is not reached.
+TEST(CrossingsParts, Turns) {
+  const auto at = [](double x, double y) { return rounded(turn(Real(x), Real(y))); };
+  EXPECT_EQ(at(0, 0), 0);
+  for (const double size : {1.0, 0x1p-60, 3.0}) {
+    EXPECT_TRUE(at(size, 0) == 0 && at(0, size) == 1 && at(-size, 0) == 2 && at(0, -size) == 3) << size;
+    EXPECT_TRUE(at(size, size) == 0.5 && at(-size, size) == 1.5 && at(-size, -size) == 2.5 && at(size, -size) == 3.5);
+  }
+  EXPECT_TRUE(at(1, 0x1p-60) > 0 && at(1, -0x1p-40) > 3.99 && at(1, -0x1p-40) < 4);
+}
+
 }  // namespace

@@ -153,6 +153,10 @@ TEST(RoughNumbers, SquaresLess) {
   };
   EXPECT_TRUE(is(less(5, 3, 4), 0) && is(less(-5, 4, -3), 0));
   EXPECT_TRUE(is(less(1, 1, 0x1p-40), 0x1p-80) && is(less(-1, 0x1p-40, -1), 0x1p-80));
+  for (const auto& tiny : {less(1, 1, 0x1p-60), less(-1, 0x1p-60, -1)}) {
+    EXPECT_LE(abs(mpq_class(value(tiny) - power_of_two(-120))), error(tiny));
+    EXPECT_LE(error(tiny), power_of_two(-210));
+  }
   EXPECT_TRUE(is(less(2, 1, 1), -2) && is(less(1, 2, 2), 7) && is(less(0, 0, 0), 0));
 }
 

@@ -12,6 +12,7 @@
 #include <vesica/exact/ellipse_ellipse.hpp>
 #include <vesica/exact/leading.hpp>
 #include <vesica/exact/rounded.hpp>
+#include <vesica/shape_area.hpp>
 
 #include "properties/random.hpp"
 
@@ -465,6 +466,16 @@ TEST(LeadingDigits, OneThatIsFarBelow) {
     EXPECT_EQ(std::ldexp(high.value, high.exponent - exponent), 1);
     EXPECT_EQ(std::ldexp(low, high.exponent), 1) << exponent;
   }
+}
+
+/// The ratio of a circle's circumference to its diameter, to a hundred decimals.
+TEST(ExactPi, HasThreeLimbsOfFraction) {
+  mpz_class digits(
+      "3141592653589793238462643383279502884197169399375105820974944592307816406286208998628034825342117067");
+  mpz_class one;
+  mpz_ui_pow_ui(one.get_mpz_t(), 10, 99);
+  const mpq_class pi = mpq_class(digits, one), off = value(detail::area::exact_pi()) - pi;
+  EXPECT_LT(abs(off), power_of_two(-192));
 }
 
 }  // namespace
