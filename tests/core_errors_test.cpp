@@ -25,6 +25,7 @@ TEST(CoreErrors, AnInvalidShapeIsDisjointAndNotNear) {
   EXPECT_EQ(within(invalid, unit, 100.0), Within::no);
   EXPECT_EQ(depth(invalid, unit).depth, 0);
   EXPECT_TRUE(std::isnan(nearest(invalid_oval, Ellipse<double>{100, 0, 1, 0, 2, 1}).distance));
+  EXPECT_EQ(signed_distance(Circle<double>{0, 0, 1}, Circle<double>{5, 0, 1}), 3);
   EXPECT_TRUE(std::isnan(signed_distance(unit, invalid)));
   EXPECT_EQ(within(unit, oval, 5.0), Within::no);  // they are 6 apart
   EXPECT_EQ(within(unit, oval, 7.0), Within::yes);

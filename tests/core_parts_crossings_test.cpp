@@ -109,6 +109,7 @@ TEST(CrossingsParts, PlacesOfGroups) {
             (Places{1, 1, 0, 0}));
   EXPECT_EQ(shared_out(spots_of({odd(0.5, 3), even(1.5, 1), odd(2.5, 1)}), {4, 0, false}), (Places{1, 2, 1}));
   EXPECT_EQ(shared_out(spots_of({odd(0.5, 3), odd(2.5, 1)}), {4, 0, false}), (Places{3, 1}));
+  EXPECT_EQ(shared_out(spots_of({odd(0.5, 1), odd(2.5, 3)}), {4, 0, false}), (Places{1, 3}));
   EXPECT_EQ(shared_out(spots_of({even(0.5, 3), even(1.5, 1), even(2.5, 2)}), {0, 2, false}), (Places{0, 1, 1}));
   EXPECT_EQ(shared_out(spots_of({even(0.5, 3), even(1.5, 1)}), {2, 0, false}), (Places{0, 2}));
 }
@@ -228,6 +229,17 @@ TEST(CrossingsParts, ATipBesideTwoPlaces) {
     }
     EXPECT_EQ(tips, at_tip);
   }
+}
+
+/// From 0 at the positive x axis up to 4, which is not reached.
+TEST(CrossingsParts, Turns) {
+  const auto at = [](double x, double y) { return rounded(turn(Real(x), Real(y))); };
+  EXPECT_EQ(at(0, 0), 0);
+  for (const double size : {1.0, 0x1p-60, 3.0}) {
+    EXPECT_TRUE(at(size, 0) == 0 && at(0, size) == 1 && at(-size, 0) == 2 && at(0, -size) == 3) << size;
+    EXPECT_TRUE(at(size, size) == 0.5 && at(-size, size) == 1.5 && at(-size, -size) == 2.5 && at(size, -size) == 3.5);
+  }
+  EXPECT_TRUE(at(1, 0x1p-60) > 0 && at(1, -0x1p-40) > 3.99 && at(1, -0x1p-40) < 4);
 }
 
 }  // namespace

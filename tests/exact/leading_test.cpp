@@ -12,6 +12,7 @@
 #include <vesica/exact/ellipse_ellipse.hpp>
 #include <vesica/exact/leading.hpp>
 #include <vesica/exact/rounded.hpp>
+#include <vesica/shape_area.hpp>
 
 #include "properties/random.hpp"
 
@@ -118,6 +119,33 @@ int expect_arithmetic(const Number<8>& p, const Number<8>& q) {
   expect_within_bound(none, 0);
   expect_within_bound(none * b, 0);
   return none.sign_is_certain() ? 1 : 0;
+}
+
+/// Factors whose lowest limb is anywhere: what is not formed of a product is in its error, and a product that fits is
+/// exact.
+TEST(Leading, ProductsOfAnyLowestLimb) {
+  constexpr int limbs = exact::more_limbs;
+  Random random(properties::seed());
+  const auto number = [&random](int lowest, Limb limb, bool is_full) {
+    exact::Leading<limbs> x;
+    x.sign = 1;
+    for (int i = lowest + 1; i < limbs; ++i) x.limb[i] = is_full ? random.bits() : 0;
+    x.limb[limbs - 1] |= Limb{1} << 63;
+    x.limb[lowest] |= limb;
+    return x;
+  };
+  for (int i = 0; i < limbs; ++i) {
+    for (int k = 0; k < limbs; ++k) {
+      for (const Limb limb : {Limb{1}, Limb{2}, ~Limb{0}}) {
+        const auto a = number(i, limb, k % 2 == 0), b = number(k, limb, i % 3 == 0), product = a * b;
+        expect_within_bound(product, value(a) * value(b));
+        expect_within_bound(square(a), value(a) * value(a));
+        if (i + k >= limbs) {
+          EXPECT_EQ(product.error, product.nothing) << i << ' ' << k;
+        }
+      }
+    }
+  }
 }
 
 TEST(Leading, WithinItsBound) {
@@ -421,6 +449,33 @@ TEST(LongCubic, SurelyInside) {
   };
   EXPECT_TRUE(inside(lesser, greater));
   EXPECT_FALSE(inside(greater, lesser));
+}
+
+/// What is far below a tie breaks it, and what is far below a double is what that leaves.
+TEST(LeadingDigits, OneThatIsFarBelow) {
+  const auto one = exact::from_double(1), tie = exact::from_double(0x1p128) + exact::from_double(0x1p75);
+  const auto rounded = [](const auto& x) {
+    const auto found = exact::rounded(x);
+    return std::ldexp(found.value, found.exponent);
+  };
+  EXPECT_EQ(rounded(tie), 0x1p128);
+  EXPECT_EQ(rounded(tie + one), 0x1p128 + 0x1p76);
+  EXPECT_EQ(rounded(tie - one), 0x1p128);
+  for (const int exponent : {60, 130, 400, 800, 1000}) {
+    const auto [high, low] = exact::rounded_twice(exact::from_double(1, exponent) + one);
+    EXPECT_EQ(std::ldexp(high.value, high.exponent - exponent), 1);
+    EXPECT_EQ(std::ldexp(low, high.exponent), 1) << exponent;
+  }
+}
+
+/// The ratio of a circle's circumference to its diameter, to a hundred decimals.
+TEST(ExactPi, HasThreeLimbsOfFraction) {
+  mpz_class digits(
+      "3141592653589793238462643383279502884197169399375105820974944592307816406286208998628034825342117067");
+  mpz_class one;
+  mpz_ui_pow_ui(one.get_mpz_t(), 10, 99);
+  const mpq_class pi = mpq_class(digits, one), off = value(detail::area::exact_pi()) - pi;
+  EXPECT_LT(abs(off), power_of_two(-192));
 }
 
 }  // namespace

@@ -51,6 +51,16 @@ TEST(Known, ABarTurnsOntoADisc) {
   expect_hit({bar_and_disc, {0, 0, 100}, still, 1e-7}, pi / 200, 0, 0.5, 1e-6);
 }
 
+/// However long it is, as a segment and as a box.
+TEST(Known, ABarOfAnyLengthTurnsOntoADisc) {
+  for (const double h : {0.25, 0.5, 1.0, 2.0, 4.0}) {
+    const Pair segment{VESICA_SEGMENT, VESICA_CIRCLE, {-h, 0, h, 0}, {0, h / 2, 1e-8}};
+    const Pair box{VESICA_RECT, VESICA_CIRCLE, {0, 0, 1, 0, h, 0}, {0, h / 2, 1e-8}};
+    expect_hit({segment, {0, 0, pi}, still, 1e-7}, 0.5, 0, h / 2, 2e-6);
+    expect_hit({box, {0, 0, pi}, still, 1e-7}, 0.5, 0, h / 2, 2e-6);
+  }
+}
+
 TEST(Known, ABarTurnsOntoAPoint) {
   // Without area contact is never proved; but it is not missed.
   const Answer r = impact_time(Scalar::f64, {bar_and_point, {0, 0, pi}, still, 1e-7});

@@ -74,9 +74,14 @@ def parts_of(build, names):
     return parts
 
 
+def built_at(part):
+    facts = os.stat(part.command[0])
+    return [facts.st_size, facts.st_mtime_ns]
+
+
 def reach(parts, count, kept=None, workers=1):
-    """{part: [processor seconds, numbers of the mutants to which it makes a difference]}. With no mutant every part must
-    pass. What a file keeps from an earlier time is not asked again."""
+    """{part: [processor seconds, numbers of the mutants to which it makes a difference, when it was built]}. With no mutant
+    every part must pass. What a file keeps from an earlier time is not asked again, unless the test was built since."""
     result = json.loads(kept.read_text()) if kept and kept.exists() else {}
 
     def one(part):
@@ -94,10 +99,10 @@ def reach(parts, count, kept=None, workers=1):
             with open(file.name, "rb") as marks:
                 return seconds, [i for i, mark in enumerate(marks.read()) if mark]
 
-    left = [p for p in parts if p.name not in result]
+    left = [p for p in parts if result.get(p.name, [])[2:] != [built_at(p)]]
     with concurrent.futures.ThreadPoolExecutor(workers) as pool:
         for i, (part, answer) in enumerate(zip(left, pool.map(one, left))):
-            result[part.name] = answer
+            result[part.name] = [*answer, built_at(part)]
             if kept and (i % PARTS == 0 or part is left[-1]):
                 kept.write_text(json.dumps(result))
     for test in dict.fromkeys(p.test for p in parts) if kept else ():

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// How many trials find the time at which two ellipses begin to touch, which is known here: the discriminant is 0 there.
+// A search that begins elsewhere, or closes otherwise, finds the same time by another number of trials: that is a
+// reason to write other numbers here. Nothing is fused, so that they are the same everywhere.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vesica/cast/ellipse_trials.hpp>
+
+#include "properties/random.hpp"
+
+namespace {
+
+using namespace vesica::detail::cast;
+using properties::Random;
+using vesica::detail::arithmetic::Scaled;
+
+constexpr double infinity = std::numeric_limits<double>::infinity(), largest = std::numeric_limits<double>::max();
+constexpr int count = 64;
+
+/// What a trial tells of the time: nothing but before or after; a value that falls straight through 0; one that falls
+/// ever more steeply; one that touches 0 and is not told after; one of that sort that is not told far off either.
+enum class Form { none, straight, bent, touching, near_alone };
+
+Scaled scaled(double x, double unit) {
+  int exponent;
+  const double value = std::frexp(x / unit, &exponent);
+  return {value, exponent};
+}
+
+Trial trial(Form form, double zero, double t) {
+  const bool after = t > zero;
+  const double left = (zero - t) / zero;  // exact enough: only where trials go depends on it
+  switch (form) {
+    case Form::none:
+      return {true, after};
+    case Form::straight:
+      return {true, after, true, scaled(left, 1)};
+    case Form::bent:
+      return {true, after, true, scaled(left * (1 + 100 * (t / zero)), 1)};
+    case Form::touching:
+      return after ? Trial{true, true} : Trial{true, false, true, scaled(left * left, 1)};
+    default:
+      return after || left > 0.25 ? Trial{true, after} : Trial{true, false, true, scaled(left * left, 1)};
+  }
+}
+
+/// Where a search begins: from nothing; from the time or a little before; from far before; from a start beside the
+/// time; from a witness that is about it, or far after.
+enum class From { nothing, near, below, start, witness, far_witness };
+
+/// Trials in all, to times of 2^-900 to 2^900 and to times about 1.
+int trials(Form form, From from) {
+  Random random(1);
+  int asked = 0;
+  for (int i = 0; i < count; ++i) {
+    const int exponent = i % 2 == 0 ? random.integer(-900, 900) : random.integer(-2, 2);
+    const double zero = std::ldexp(1 + random.unit(), exponent);
+    const int bits = random.integer(1, 53);
+    const double before = zero * (1 - std::ldexp(1, -bits));
+    const double guess = from == From::near ? before : from == From::below ? std::ldexp(before, -bits) : 0;
+    const double start = from == From::start ? std::nextafter(zero, i % 4 < 2 ? infinity : 0.0) : 1;
+    const Between witness = from == From::witness       ? Between{before, 2 * zero - before}
+                            : from == From::far_witness ? Between{4 * zero, 5 * zero}
+                                                        : Between{infinity, infinity};
+    const auto ask = [&](double t) {
+      ++asked;
+      return trial(form, zero, t);
+    };
+    EXPECT_EQ(floor_by_trials(start, witness, guess, ask), zero) << i;
+  }
+  return asked;
+}
+
+struct Expected {
+  const char* name;
+  Form form;
+  std::array<int, 6> trials;  ///< from each
+};
+
+class TrialsOfEllipses : public testing::TestWithParam<Expected> {};
+
+TEST_P(TrialsOfEllipses, FindTheTimeByAsMany) {
+  const auto of = [](From from) { return trials(GetParam().form, from); };
+  const std::array<int, 6> found{of(From::nothing), of(From::near),    of(From::below),
+                                 of(From::start),   of(From::witness), of(From::far_witness)};
+  EXPECT_EQ(found, GetParam().trials);
+}
+
+constexpr Expected all_expected[] = {
+    {"none", Form::none, {4184, 3210, 4828, 2177, 1932, 4180}},
+    {"straight", Form::straight, {996, 950, 1640, 582, 345, 992}},
+    {"bent", Form::bent, {1481, 1281, 2125, 828, 349, 1477}},
+    {"touching", Form::touching, {2218, 1833, 2862, 1207, 359, 2214}},
+    {"near_alone", Form::near_alone, {2279, 1880, 2923, 1247, 359, 2275}},
+};
+
+INSTANTIATE_TEST_SUITE_P(Forms, TrialsOfEllipses, testing::ValuesIn(all_expected),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+/// At the ends of the numbers there is one.
+TEST(TrialsOfEllipses, AtTheEndsOfNumbers) {
+  const Between none{infinity, infinity};
+  const auto find = [&](double zero, double guess) {
+    return floor_by_trials(1, none, guess, [zero](double t) { return trial(Form::none, zero, t); });
+  };
+  for (const double guess : {0.0, 0x1p-1074, 0.75, 0x1p1022, 0x1p1023}) {
+    EXPECT_EQ(find(infinity, guess), infinity) << guess;
+    EXPECT_EQ(find(0x1.8p1023, guess), -1) << guess;
+  }
+  for (const double guess : {0.0, 0x1p-1074}) {
+    EXPECT_EQ(find(0x1p-1074, guess), 0x1p-1074) << guess;
+    EXPECT_EQ(find(0x1p-1073, guess), 0x1p-1073) << guess;
+  }
+  EXPECT_EQ(find(0, 0), 0);
+  EXPECT_EQ(find(0x1.fffffffffffffp1022, 0), 0x1.fffffffffffffp1022);
+}
+
+}  // namespace
