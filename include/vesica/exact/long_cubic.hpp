@@ -88,6 +88,12 @@ constexpr bool first_in_second(const ContactCubic& p, const Small& small, Signs&
   return rising > 0;
 }
 
+/// From leading digits.
+VESICA_CALLED constexpr Digits discriminant(const ContactCubic& p, int limbs) noexcept {
+  const Digits d1(p.d1, limbs), c1(p.c1, limbs), c2(p.c2, limbs), d2(p.d2, limbs);
+  return discriminant(d1, c1, c2, d2, d1 * d2);
+}
+
 }  // namespace detail
 
 /// As the functions of the same names in ellipse_ellipse.hpp; not certain where the leading digits do not tell, or all
@@ -104,11 +110,7 @@ constexpr int discriminant_sign(const ContactCubic& p, Signs& signs) noexcept {
   if (small.delta_less.sign == 0) return detail::sign_of_discriminant_of_proportional(p);
   const Few by_offset = detail::discriminant_by_offset<Few>(p, small);
   if (by_offset.sign_is_certain()) return by_offset.sign;
-  const int limbs = dense > 2 * Digits::most_limbs ? Digits::most_limbs : more_limbs;
-  const Digits d1(p.d1, limbs), c1(p.c1, limbs), c2(p.c2, limbs), d2(p.d2, limbs);
-  const Digits value = detail::discriminant(d1, c1, c2, d2, d1 * d2);
-  signs.certain = value.sign_is_certain();
-  return value.sign;
+  return signs.of(detail::discriminant(p, dense > 2 * Digits::most_limbs ? Digits::most_limbs : more_limbs));
 }
 
 constexpr bool few_digits_tell_first_in_second(bool& inside, const ContactCubic& p) noexcept {
