@@ -50,7 +50,7 @@ std::int32_t cast_any(const A<T>& a, const B<T>& b, const Motion& motion, Impact
   const Body first = body(a), second = body(b);
   const Filtered known = filter(sketch(first), sketch(second), motion);
   // The depth of shapes that overlap is wanted too, and tells whether they do: only then it has a direction.
-  Penetration<T> penetration;
+  Penetration<T> penetration{};
   const auto overlap_at_start = [&]() -> std::int32_t {
     const std::int32_t error = depth_or_error(a, b, penetration);
     return error != 0 ? error : penetration.x != 0 || penetration.y != 0 ? 1 : 0;
