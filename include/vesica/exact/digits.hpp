@@ -45,6 +45,10 @@ struct Digits {
     }
   }
   constexpr void lose(std::int64_t exponent) noexcept { error = (error > exponent ? error : exponent) + 1; }
+  /// A sum with an error of nothing is below half of that.
+  constexpr void lose_if_any(std::int64_t exponent) noexcept {
+    if (exponent > nothing / 2) lose(exponent);
+  }
 
   constexpr detail::Span span() const noexcept { return {limb, low, sign == 0 ? 0 : limbs}; }
   /// These digits, or as many of them, as a number of its own.
@@ -91,9 +95,9 @@ VESICA_CALLED constexpr Digits product(const Digits& a, const Digits& b) noexcep
     product.set(a.sign * b.sign, {limb + first, a.low + b.low + first, 2 * n - first});
     if (a.lowest() + b.lowest() < first) product.lose(std::int64_t{64} * (a.low + b.low + first + 1) + 6);
   }
-  for (const std::int64_t part : {a.top() + b.error, b.top() + a.error, a.error + b.error}) {
-    if (part > Digits::nothing / 2) product.lose(part);
-  }
+  product.lose_if_any(a.top() + b.error);
+  product.lose_if_any(b.top() + a.error);
+  product.lose_if_any(a.error + b.error);
   return product;
 }
 
@@ -114,9 +118,8 @@ VESICA_CALLED constexpr Digits sum(const Digits& a, const Digits& b, int sign_b)
     sum.set(order < 0 ? sign_b : a.sign, {limb, low, n});
     if (a.low < low || b.low < low) sum.lose(std::int64_t{64} * low);
   }
-  for (const std::int64_t error : {a.error, b.error}) {
-    if (error != Digits::nothing) sum.lose(error);
-  }
+  sum.lose_if_any(a.error);
+  sum.lose_if_any(b.error);
   return sum;
 }
 
@@ -155,7 +158,7 @@ VESICA_CALLED constexpr Digits times(int factor, const Digits& a) noexcept {
     detail::multiply(&size, 1, a.limb, a.limbs, limb);
     product.set(factor < 0 ? -a.sign : a.sign, {limb, a.low, a.limbs + 1});
   }
-  if (a.error != Digits::nothing) product.lose(a.error + static_cast<std::int64_t>(std::bit_width(size)));
+  product.lose_if_any(a.error + static_cast<std::int64_t>(std::bit_width(size)));
   return product;
 }
 
