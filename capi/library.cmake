@@ -52,7 +52,7 @@ function(vesica_library name)
     target_link_options(${name} PRIVATE ${library_link_options})
     if(WIN32)
       vesica_windows_exports(${name} ${arg_MAP})
-      # What SSE2 has no instruction for is a function of the compiler's, which otherwise is in a DLL of its own.
+      # SSE2 has no instruction that counts bits: the compiler calls a function of its own, by default in another DLL.
       target_link_options(${name} PRIVATE $<$<BOOL:${MINGW}>:-static-libgcc>)
     elseif(VESICA_LINKER_HAS_VERSION_SCRIPT)
       target_link_options(${name} PRIVATE -Wl,--version-script=${arg_MAP})

@@ -8,6 +8,7 @@
 #include <vesica/crossings.hpp>
 #include <vesica/within.hpp>
 
+#include "crossings/quartics.hpp"
 #include "properties/random.hpp"
 
 namespace {
@@ -48,16 +49,7 @@ Quartic draw_group(Random& random) {
     for (int j = i + 1; j > 0; --j) power[j] = (j <= i ? -root * power[j] : 0) + power[j - 1];
     power[0] *= -root;
   }
-  constexpr double binomial[5][5] = {
-      {1, 0, 0, 0, 0}, {1, 1, 0, 0, 0}, {1, 2, 1, 0, 0}, {1, 3, 3, 1, 0}, {1, 4, 6, 4, 1}};
-  const int down = random.integer(20, 300);
-  Quartic q;
-  for (int i = 0; i < 5; ++i) {
-    double value = 0;
-    for (int j = 0; j <= i; ++j) value += binomial[i][j] / binomial[4][j] * power[j];
-    q.coefficient[i] = fixed(exact::from_double(value), down);
-  }
-  return q;
+  return crossings_test::quartic_of_powers(power, random.integer(20, 300));
 }
 
 /// part(), however many changes of sign it has.

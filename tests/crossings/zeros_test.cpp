@@ -9,12 +9,12 @@
 #include <cmath>
 #include <vesica/crossings/quartic_zeros.hpp>
 
+#include "crossings/quartics.hpp"
 #include "properties/random.hpp"
 
 namespace {
 
 using namespace vesica::detail::crossings;
-namespace exact = vesica::exact;
 using properties::Random;
 
 /// Fixed: the numbers below are of these quartics.
@@ -42,15 +42,7 @@ Quartic draw(Random& random, int down) {
     std::copy(next, next + 5, power);
     i += degree;
   }
-  constexpr double binomial[5][5] = {
-      {1, 0, 0, 0, 0}, {1, 1, 0, 0, 0}, {1, 2, 1, 0, 0}, {1, 3, 3, 1, 0}, {1, 4, 6, 4, 1}};
-  Quartic q;
-  for (int i = 0; i < 5; ++i) {
-    double value = 0;
-    for (int j = 0; j <= i; ++j) value += binomial[i][j] / binomial[4][j] * power[j];
-    q.coefficient[i] = fixed(exact::from_double(value), down);
-  }
-  return q;
+  return crossings_test::quartic_of_powers(power, down);
 }
 
 /// By half widths from 1 down to 2^-120.

@@ -256,7 +256,7 @@ Axis axis(const Scene& scene, const Vector& normal) noexcept {
   return {n, t - error, t + error};
 }
 
-/// Beside that normal, contact that comes after the time that this one tells.
+/// What was found, with the normal of a face that is met instead where contact comes after the time told so far.
 VESICA_COLD inline Found with_beside(const Found& found, const Vector& beside) noexcept {
   const double t = found.time.value.high;
   return {found.normal, found.time, beside, t + (0x1p-50 * abs(t) + found.time.error)};

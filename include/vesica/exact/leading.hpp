@@ -232,8 +232,8 @@ struct Signs {
     return x.sign;
   }
   /// Of leading digits.
-  template <class Digits>
-  constexpr int of(const Digits& x) noexcept {
+  template <class Kept>
+  constexpr int of(const Kept& x) noexcept {
     certain = certain && x.sign_is_certain();
     return x.sign;
   }
