@@ -310,4 +310,17 @@ TEST(Ratio, OfNearlyConcentricShapesAtEveryScale) {
   }
 }
 
+// The same where both are small: the square of their distance is 2^-1072 or less, and a part of the hull's.
+TEST(Ratio, OfSmallNearlyConcentricShapesAtEveryScale) {
+  for (const int exponent : {-8, -7, -1, 0, 1, 6, 40}) {
+    const double k = std::ldexp(1, exponent);
+    const Pair p{VESICA_POINT, VESICA_RECT, {0, 0}, {k * 0x1p-536, 0, 0, 0x1p-21, k * 0x1p-126, k * 0x1p-167}};
+    for (const int which : {VESICA_RATIO_DISTANCE, VESICA_RATIO_COMPLETE}) {
+      const Answer found = ratio(which, p);
+      EXPECT_EQ(found.code, 0);
+      EXPECT_EQ(found.value, -0x1p-780) << exponent << ' ' << which;
+    }
+  }
+}
+
 }  // namespace

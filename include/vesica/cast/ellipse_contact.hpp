@@ -101,7 +101,7 @@ class LeadingContact {
     if (c1.sign >= 0 && c2.sign >= 0) return {true, true};
     const Few discriminant = exact::detail::discriminant(d1, c1, c2, d2, product_);
     if (!discriminant.sign_is_certain() || discriminant.sign == 0) return trial;
-    return {true, discriminant.sign < 0, true, scaled(discriminant)};
+    return {true, discriminant.sign < 0, true, scaled(discriminant.span(), discriminant.sign)};
   }
 
   /// The same from the cubic's exact coefficients; not known where the place then is beyond exact numbers.
@@ -113,9 +113,14 @@ class LeadingContact {
         trial = {true, true};
         return;
       }
-      const Few value = leading_discriminant(p);
-      const bool tells = value.sign != 0 && value.sign_is_certain();
-      trial = {true, (tells ? value.sign : exact::discriminant_sign(p)) < 0, tells, scaled(value)};
+      const auto tells = [&trial](const auto& value) {
+        if (value.sign == 0 || !value.sign_is_certain()) return false;
+        trial = {true, value.sign < 0, true, scaled(value.span(), value.sign)};
+        return true;
+      };
+      if (!tells(leading_discriminant(p)) && !tells(exact::detail::discriminant(p, exact::most_limbs))) {
+        trial = {true, exact::discriminant_sign(p) < 0};
+      }
       trial.value.exponent -= 32 * 64 * window.limbs();
     });
     return trial;
@@ -148,8 +153,10 @@ class LeadingContact {
   }
 
  private:
-  static arithmetic::Scaled scaled(const Few& x) noexcept {
-    return {x.sign * static_cast<double>(x.limb[exact::few_limbs - 1]) * 0x1p-64, 64 * (x.low + exact::few_limbs)};
+  static arithmetic::Scaled scaled(exact::detail::Span x, int sign) noexcept {
+    if (x.size == 0) return {0, 0};
+    const auto digit = [&x](int i) { return static_cast<double>(x.limb[x.size - i]); };
+    return {sign * (digit(1) * 0x1p-64 + digit(2) * 0x1p-128), 64 * (x.low + x.size)};
   }
   static Few mixed(const PairDigits<exact::few_limbs>& pair) noexcept {
     const auto& [e, f] = pair.ellipse;

@@ -109,6 +109,15 @@ VESICA_COLD inline double tried_floor(const ExactPair& pair, double start, WideT
   return t;
 }
 
+/// The smallest double with contact before it, by the search that defines it.
+VESICA_COLD inline std::int32_t searched(const ExactPair& pair, double start, double& out) noexcept {
+  if (!pair.is_long() || pair.line_grazes() || !pair.of_ellipses()) {
+    return search(start, [&pair](double x) { return pair.contact_before(x); }, out);
+  }
+  const EllipseTrials trials(pair);
+  return search(start, [&trials](double x) { return trials.contact_before(x); }, out);
+}
+
 /// For a line that enters M after the start, and a witness that comes after the end if that is `late`. `bounds`: what
 /// is known of the time. Returns 1, or 0 where there is no contact up to the end, or error_range where the time or a
 /// place is beyond the numbers.
@@ -134,8 +143,7 @@ VESICA_COLD inline std::int32_t exact_floor(const ExactPair& pair, double end, b
     out = t;
   } else {
     double after;
-    error = search(
-        start, [&](double x) { return pair.contact_before(x); }, after);
+    error = searched(pair, start, after);
     if (error == 0) out = arithmetic::at_rank<double>(arithmetic::rank(after) - 1) + 0.0;
   }
   return error != 0 ? error : 1;
