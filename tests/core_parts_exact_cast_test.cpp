@@ -210,7 +210,8 @@ TEST(ExactCastParts, SearchesThatFindNothing) {
 /// Trials from any start and with any guess: contact of insides comes after t0, and the witness after that.
 TEST(ExactCastParts, FloorByTrials) {
   const auto floor = [](double start, double t0, double guess = 0, Between witness = {largest, infinity}) {
-    return floor_by_trials(start, witness, guess, [t0](double t) { return Trial{true, t > t0}; });
+    const auto ask = [t0](double t) { return Trial{true, t > t0}; };
+    return TrialSearch(ask).floor(start, witness, guess);
   };
   for (const double t0 : {0x1p-1074, 0x1p-1022, 0x1.8p-3, 1.0, before(2.0), 0x1.5555p100, before(0x1p1023)}) {
     for (const double start : {0x1p-1074, 1.0, next(t0), t0, largest}) EXPECT_EQ(floor(start, t0), t0) << start;
@@ -223,7 +224,7 @@ TEST(ExactCastParts, FloorByTrials) {
     EXPECT_EQ(floor(0, t0, 0, {0x1p900, 0x1p901}), t0);
   }
   EXPECT_EQ(floor(0x1.8p1023, before(0x1.8p1023)), before(0x1.8p1023));
-  EXPECT_EQ(floor(1, 0x1.8p1023), -1);
+  EXPECT_EQ(floor(1, 0x1.8p1023), 0x1.8p1023);
   EXPECT_EQ(floor(1, largest), infinity);
 }
 
@@ -231,7 +232,9 @@ TEST(ExactCastParts, FloorByTrials) {
 TEST(ExactCastParts, FloorOfEllipsesBeyondTheDigits) {
   const Circle<double> large{0, 0, 0x1p1000};
   const Ellipse<double> small{0x1p1001, 0, 1, 0, 0x1p-54, 0x1p-54};
-  const auto floor = [&](double vy) { return floor_of_ellipses(pair_of(large, small, -0x1p1002, vy), next(0.25), 0); };
+  const auto floor = [&](double vy) {
+    return EllipseTrials(pair_of(large, small, -0x1p1002, vy)).floor(next(0.25), 0);
+  };
   EXPECT_EQ(floor(0), before(0.25));
   EXPECT_EQ(floor(0x1p-1074), -1);
 }
@@ -245,14 +248,6 @@ TEST(ExactCastParts, TrialAtTheTimeItself) {
   EXPECT_TRUE(no.known && !no.after && no.has_value && no.value.value > 0);
   EXPECT_FALSE(at.known);
   EXPECT_TRUE(yes.known && yes.after && yes.has_value && yes.value.value < 0);
-}
-
-/// Trials are of ellipses.
-TEST(ExactCastParts, NoTrialsOfBoxes) {
-  const ExactPair boxes = pair_of(Aabb<double>{-1, -1, 1, 1}, Aabb<double>{3, -1, 5, 1}, -1, 0);
-  std::int32_t error = 0;
-  EXPECT_EQ(tried_floor(boxes, 0, {}, error), -1);
-  EXPECT_EQ(error, 0);
 }
 
 /// A disc that meets a thin ellipse flat on, whether the time might be 0 or not.

@@ -115,7 +115,7 @@ void ask(const Body& a, const Body& b, const core::Motion& motion, Known& known)
   add(core::known_time(pair, true), known.from_start);
   if (usual.time.sign() > 0) ask_room(pair, usual.time, known);
   if (pair.line_grazes() || !pair.of_ellipses()) return;
-  add(core::wide_time_of_thin(pair), known.thin);
+  add(core::wide_time_of_thin(pair, core::ByExtent(pair)), known.thin);
   add(core::LeadingContact(core::PairDigits<vesica::exact::few_limbs>(pair)).soon(pair), known.soon);
   add(core::SeenEllipses(pair).time(), known.by_direction);
   if (usual.time.sign() > 0) ask_trials(pair, usual.time, known);
@@ -193,9 +193,9 @@ constexpr Expected all_expected[] = {
      {{1032, 16, 97883},
       {1032, 99573},
       {1032, 99573},
-      {78, 9388},
+      {78, 9382},
       {65, 5626},
-      {902, 83541},
+      {901, 83455},
       {2579, 4679},
       {5074, 5074},
       {5322, 2579, 4679, 78282}}},
@@ -203,26 +203,26 @@ constexpr Expected all_expected[] = {
      Kind::ellipse,
      Kind::circle,
      {{1013, 9, 96046},
-      {1009, 94777},
-      {1009, 93967},
-      {75, 9181},
+      {1009, 94769},
+      {1009, 94000},
+      {87, 10292},
       {77, 6591},
       {815, 76041},
-      {2275, 4356},
+      {2275, 4362},
       {4972, 4974},
       {4854, 2272, 4362, 78033}}},
     {"ellipse_ellipse",
      Kind::ellipse,
      Kind::ellipse,
      {{1046, 5, 99288},
-      {1044, 98145},
-      {1044, 97203},
-      {76, 9142},
+      {1045, 98276},
+      {1045, 97334},
+      {83, 9820},
       {80, 6877},
-      {839, 78454},
-      {2321, 4505},
-      {5132, 5139},
-      {4998, 2321, 4505, 78652}}},
+      {840, 78551},
+      {2324, 4511},
+      {5137, 5144},
+      {5004, 2324, 4511, 78731}}},
 };
 
 INSTANTIATE_TEST_SUITE_P(Kinds, PrecisionOfTimes, testing::ValuesIn(all_expected),

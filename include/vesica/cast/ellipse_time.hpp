@@ -18,6 +18,7 @@
 #pragma once
 
 #include <vesica/cast/ellipse_contact.hpp>
+#include <vesica/cast/share_search.hpp>
 
 namespace vesica::detail::cast {
 
@@ -71,34 +72,31 @@ class SeenEllipses {
   WideTime time() noexcept {
     find_sector();
     Digits share = digits(find_share(), most_limbs);
-    int low = -far, high = far, way = 1;
+    ShareSearch search;
+    const int limit = pair_.is_long() ? most_limbs : exact::some_limbs;  // of short numbers trials are as quick
     for (int i = 0;; ++i) {
       const Evaluated at = limbs_ == 0 ? evaluate(rough(share)) : evaluate(share.with_limbs(limbs_));
       const WideTime found{at.time, at.is_near};
       if (at.is_near && at.is_below_all_doubles()) return {Rough(crossings::Real(1.0), 0, least_exponent), true};
-      if (found.tells() || i == most_steps || (limbs_ == most_limbs && at.more_digits)) return found;
-      // A step of 100 bits gains some 200.
-      if (at.more_digits) limbs_ = limbs_ == 0 ? exact::few_limbs : limbs_ < most_limbs - 4 ? limbs_ + 4 : most_limbs;
-      const int exponent = wide(share).exponent, sign = at.step.sign();
-      if (at.is_near || sign == 0 || wide(at.step).exponent < exponent - 2) {
+      if (found.tells() || i == most_steps || (limbs_ == limit && at.more_digits)) return found;
+      // A step of 100 bits gains some 200. Of a direction that is not near only its side is asked.
+      if (at.more_digits && (at.is_near || at.step.sign() == 0)) {
+        limbs_ = limbs_ == 0 ? exact::few_limbs : limbs_ < limit - 4 ? limbs_ + 4 : limit;
+      }
+      const Wide l = wide(share), step = wide(at.step);
+      if (at.is_near || step.sign() == 0 || step.exponent < l.exponent - 2) {
         // This is the direction now.
         share = (share + digits(at.step, most_limbs)).with_limbs(most_limbs);
-        if (share.sign <= 0 || std::abs(wide(share).exponent) > far) return found;
       } else {
-        // A longer step may be as bad again: the exponent is looked for, farther each time and then between.
-        (sign > 0 ? low : high) = exponent;
-        const bool is_between = low > -far && high < far;
-        if (!is_between && way > far / 64) return found;
-        share = digits(Wide(1, is_between ? (low + high) / 2 : exponent + sign * way), most_limbs);
-        way *= 4;
+        share = digits(search.next(l, step), most_limbs);
       }
+      if (share.sign <= 0 || std::abs(wide(share).exponent) > ShareSearch::far) return found;
     }
   }
 
  private:
   static constexpr int least_exponent = -1100;  ///< below those of doubles
   static constexpr int most_steps = 20;         ///< of Newton's method, each of some 100 bits
-  static constexpr int far = 1 << 20;           ///< beyond the exponents of l
   static constexpr int most_trials = 60;        ///< before them, of l
   static constexpr int most_limbs = exact::more_limbs;
 

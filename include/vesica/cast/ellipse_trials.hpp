@@ -39,7 +39,7 @@ class Bracket {
       // 0, and then a little less far.
       const double falling = std::sqrt(ratio(at_earlier_no_.value, at_no_.value));
       const double to_zero = static_cast<double>(no_ - earlier_no_) / (falling - 1);
-      share = (was_after_ ? 0.98 : repeated_ ? 2 : 1.02) * to_zero;
+      share = lane::min((was_after_ ? 0.98 : repeated_ ? 2 : 1.02) * to_zero, (1 - 0x1p-8) * whole);
       if (was_after_ && repeated_) share = 0.5 * whole;
     }
     if (!(share <= most)) share = 0.5 * whole;
@@ -68,66 +68,97 @@ class Bracket {
   bool was_after_ = false, repeated_ = false;
 };
 
-/// The greatest double with no contact before it, for which ask(t) is answered by trials; infinite where there is no
-/// contact before the largest, negative where it is about that. A guess above 0 is T(n) of some n (bound.hpp), which is
-/// not after contact, and mostly not long before it. Where wide formulas do not tell the time, it is often 0, or beside
-/// `start`, or about the witness, which it never is after. Else first the power of two is bisected, from the guess on,
-/// then the zero of the discriminant is approached by secants.
+/// A search for the greatest double with no contact before it, for which ask(t) is answered by trials.
 template <class Ask>
-double floor_by_trials(double start, const Between& witness, double guess, const Ask& ask) noexcept {
-  constexpr double largest = std::numeric_limits<double>::max(), infinity = std::numeric_limits<double>::infinity();
-  double no = 0, yes = infinity;
-  Trial at_no, at_yes;
-  const auto is_after = [&](double t) {
-    const Trial trial = ask(t);
-    (trial.after ? yes : no) = t;
-    (trial.after ? at_yes : at_no) = trial;
-    return trial.after;
-  };
-  const auto narrowed = [&] {
-    Bracket bracket(no, yes, at_no, at_yes);
-    while (!bracket.is_closed()) {
-      const std::uint64_t at = bracket.next();
-      bracket.narrow(at, ask(arithmetic::at_rank<double>(at)));
+class TrialSearch {
+  using Limits = std::numeric_limits<double>;
+  static constexpr double least_double = Limits::denorm_min(), largest = Limits::max();
+
+ public:
+  explicit TrialSearch(const Ask& ask) noexcept : ask_(ask) {}
+
+  /// Infinite where there is no contact before the largest double, negative where a trial that was needed is not known.
+  /// A guess above 0 is T(n) of some n (bound.hpp), which is not after contact, and mostly not long before it. Where
+  /// wide formulas do not tell the time, it is often 0, or beside `start`, or about the witness, which it never is
+  /// after. Else first the power of two is bisected, from the guess on, then the zero of the discriminant is approached
+  /// by secants.
+  double floor(double start, const Between& witness, double guess) noexcept {
+    if (begins_about(guess) || begins_about(start)) return narrowed();
+    if (no_ == 0) {
+      const Trial first = ask_(least_double);
+      if (first.known && first.after) return 0;
+      if (first.known) no_ = least_double, at_no_ = first;
     }
-    return bracket.floor();
-  };
-  // Whether contact begins about a time: a double is tried there, and then others ever farther from it.
-  const auto begins_about = [&](double t) {
-    if (!(no < t && t < yes && t < 0x1p1023)) return false;
-    const bool after = is_after(t);
-    for (std::uint64_t way = 1; way < 0x1000000; way *= 16) {
-      const std::uint64_t rank = arithmetic::rank(t), least = arithmetic::rank(no);
-      if (after && rank <= least + way) break;
-      t = arithmetic::at_rank<double>(after ? rank - way : rank + way);
-      const Trial earlier = at_no;
-      if (is_after(t) != after) return true;
-      const bool have_values = !after && earlier.has_value && at_no.has_value;
-      if (have_values && ratio(at_no.value, earlier.value) > 1 - 0x1p-12) break;  // it falls to 0 far from here
-    }
-    return false;
-  };
-  if (begins_about(guess) || begins_about(start)) return narrowed();
-  if (no == 0 && is_after(arithmetic::scale_far(1, -1074))) return 0;
-  if (witness.least > 0 && witness.most <= yes && witness.most <= largest &&
-      (witness.least <= no || !is_after(witness.least))) {
-    yes = witness.most;
-    at_yes = {};
+    if (begins_at(witness)) return narrowed();
+    bisect_powers(guess);
+    if (!lost_ && yes_ > largest && !is_after(largest)) return yes_;
     return narrowed();
   }
-  int least = arithmetic::exponent_of(no) - 1, most = yes <= largest ? arithmetic::exponent_of(yes) : 1024;
-  int at = guess > 0 ? arithmetic::exponent_of(guess) : most, step = 1;
-  while (most - least > 1) {
-    const bool is_guessed = least < at && at < most;
-    if (!is_guessed) at = (most + least) / 2;
-    const bool after = is_after(arithmetic::scale_far(1, at));
-    (after ? most : least) = at;
-    at = is_guessed ? (after ? most - step : least + step) : most;
-    step *= 2;
+
+ private:
+  bool is_after(double t) noexcept {
+    const Trial trial = ask_(t);
+    lost_ = lost_ || !trial.known;
+    (trial.after ? yes_ : no_) = t;
+    (trial.after ? at_yes_ : at_no_) = trial;
+    return trial.after;
   }
-  if (most == 1024 && !is_after(largest)) return infinity;
-  return most == 1024 ? -1 : narrowed();
-}
+
+  /// Whether contact begins about a time: that is tried, and then others ever farther from it.
+  bool begins_about(double t) noexcept {
+    if (!(no_ < t && t < yes_)) return false;
+    const bool after = is_after(t);
+    for (std::uint64_t way = 1; way < 0x1000000; way *= 16) {
+      const std::uint64_t rank = arithmetic::rank(t);
+      if (after ? rank <= arithmetic::rank(no_) + way : rank + way >= arithmetic::rank(yes_)) break;
+      t = arithmetic::at_rank<double>(after ? rank - way : rank + way);
+      const Trial &at = after ? at_yes_ : at_no_, earlier = at;
+      if (is_after(t) != after) return true;
+      const bool have_values = earlier.has_value && at.has_value;
+      if (have_values && ratio(at.value, earlier.value) > 1 - 0x1p-12) break;  // it is 0 far from here
+    }
+    return false;
+  }
+
+  bool begins_at(const Between& witness) noexcept {
+    if (!(witness.least > 0 && witness.most <= yes_ && witness.most <= largest)) return false;
+    if (witness.least > no_ && is_after(witness.least)) return false;
+    yes_ = witness.most;
+    at_yes_ = {};
+    return true;
+  }
+
+  /// Between what is known; from the guess on by steps that double.
+  void bisect_powers(double guess) noexcept {
+    int least = no_ == 0 ? -1074 : arithmetic::exponent_of(no_) - 1;
+    int most = yes_ <= largest ? arithmetic::exponent_of(yes_) : 1024;
+    int at = guess > 0 ? arithmetic::exponent_of(guess) : most, step = 1;
+    while (!lost_ && most - least > 1) {
+      const bool is_guessed = least < at && at < most;
+      if (!is_guessed) at = (most + least) / 2;
+      const bool after = is_after(arithmetic::scale_far(1, at));
+      (after ? most : least) = at;
+      at = is_guessed ? (after ? most - step : least + step) : most;
+      step *= 2;
+    }
+  }
+
+  double narrowed() noexcept {
+    Bracket bracket(no_, yes_, at_no_, at_yes_);
+    while (!lost_ && !bracket.is_closed()) {
+      const std::uint64_t at = bracket.next();
+      const Trial trial = ask_(arithmetic::at_rank<double>(at));
+      lost_ = !trial.known;
+      bracket.narrow(at, trial);
+    }
+    return lost_ ? -1 : bracket.floor();
+  }
+
+  const Ask& ask_;
+  double no_ = 0, yes_ = Limits::infinity();
+  Trial at_no_, at_yes_;
+  bool lost_ = false;
+};
 
 /// Trials of a pair of ellipses whose line enters M after the start and does not graze it, at times above 0.
 class EllipseTrials {
@@ -135,35 +166,40 @@ class EllipseTrials {
   explicit EllipseTrials(const ExactPair& pair) noexcept
       : pair_(pair), contact_(PairDigits<exact::few_limbs>(pair)), witness_(pair.rough_witness()) {}
 
-  Between witness() const noexcept { return between(witness_); }
-  /// Whether a place that was tried is beyond exact numbers.
-  bool went_beyond() const noexcept { return beyond_; }
+  /// As of TrialSearch; negative where the place at a time that is tried is beyond exact numbers.
+  VESICA_COLD double floor(double start, double guess) noexcept {
+    const auto ask = [this](double t) { return at(t); };
+    return TrialSearch(ask).floor(start, between(witness_), guess);
+  }
 
+  /// What ExactPair::contact_before() answers; mostly known from the trials before.
+  std::int32_t contact_before(double t) const noexcept {
+    const int left = t > 0 ? to_witness(t) : 0;
+    if (left < 0) return 1;
+    if (left == 0 || (latest_before_ < t && t < first_after_)) return pair_.contact_before(t);
+    return pair_.holds_place(t) ? (t < first_after_ ? 0 : 1) : static_cast<std::int32_t>(error_range);
+  }
+
+ private:
   Trial at(double t) noexcept {
+    const Trial trial = find(t);
+    if (trial.known && trial.after && t < first_after_) first_after_ = t;
+    if (trial.known && !trial.after && t > latest_before_) latest_before_ = t;
+    return trial;
+  }
+  /// Not known where the place is beyond exact numbers.
+  Trial find(double t) noexcept {
     const int left = to_witness(t);
     if (left < 0) return {true, true};
     Trial trial = contact_.at(t);
     if (!trial.known && exact_digits_tell_) {
       trial = LeadingContact::exactly_at(pair_, t);
-      exact_digits_tell_ = trial.after || trial.has_value;
+      exact_digits_tell_ = !trial.known || trial.after || trial.has_value;
     }
     if (trial.known && (trial.after || left > 0)) return trial;
-    const int before = pair_.contact_before(t);
-    beyond_ = beyond_ || before < 0;
-    return {true, before != 0};
+    const std::int32_t before = pair_.contact_before(t);
+    return {before >= 0, before != 0};
   }
-
-  /// What ExactPair::contact_before() answers.
-  std::int32_t contact_before(double t) const noexcept {
-    const int left = t > 0 ? to_witness(t) : 0;
-    if (left < 0) return 1;
-    const Trial trial = left > 0 ? contact_.at(t) : Trial{};
-    if (!trial.known) return pair_.contact_before(t);
-    if (!pair_.holds_place(t)) return error_range;
-    return trial.after ? 1 : 0;
-  }
-
- private:
   /// The sign of t_w - t, 0 where a few digits do not tell it. Without contact it is before the witness or after.
   int to_witness(double t) const noexcept {
     const Rough left = witness_ - Rough(exact::from_double(t));
@@ -173,14 +209,8 @@ class EllipseTrials {
   const ExactPair& pair_;
   LeadingContact contact_;
   Rough witness_;
-  bool beyond_ = false, exact_digits_tell_ = true;
+  double latest_before_ = 0, first_after_ = std::numeric_limits<double>::infinity();
+  bool exact_digits_tell_ = true;
 };
-
-/// Negative where a place that is tried is beyond exact numbers.
-VESICA_COLD inline double floor_of_ellipses(const ExactPair& pair, double start, double guess) noexcept {
-  EllipseTrials trials(pair);
-  const double t = floor_by_trials(start, trials.witness(), guess, [&trials](double x) { return trials.at(x); });
-  return trials.went_beyond() ? -1 : t;
-}
 
 }  // namespace vesica::detail::cast

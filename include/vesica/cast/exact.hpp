@@ -232,6 +232,7 @@ struct PlaceBits {
 enum class Contact { none, touch, inside, beyond };
 
 struct WideTime;
+struct ByExtent;
 template <int limbs>
 struct PairDigits;
 class LeadingContact;
@@ -317,10 +318,11 @@ class ExactPair {
 
   friend WideTime wide_time(const ExactPair& pair) noexcept;
   friend WideTime wide_time_of_circles(const ExactPair& pair) noexcept;
-  friend WideTime wide_time_of_thin(const ExactPair& pair) noexcept;
+  friend WideTime wide_time_of_thin(const ExactPair& pair, const ByExtent& by_extent) noexcept;
   friend WideTime wide_grazing_time(const ExactPair& pair) noexcept;
   template <int limbs>
   friend struct PairDigits;
+  friend struct ByExtent;
   friend class LeadingContact;
   friend class SeenEllipses;
 

@@ -60,6 +60,9 @@ inline std::int32_t repeat_search(const ExactPair& pair, double start, double t)
 inline WideTime known_time_of_ellipses(const ExactPair& pair, bool is_beside_start) noexcept {
   const WideTime of_circles = wide_time_of_circles(pair);
   if (of_circles.certain) return of_circles;
+  const ByExtent by_extent(pair);
+  const WideTime of_thin = by_extent.bits > 64 ? wide_time_of_thin(pair, by_extent) : WideTime{};
+  if (of_thin.tells()) return of_thin;
   const auto soon = [&] { return LeadingContact(PairDigits<exact::few_limbs>(pair)).soon(pair); };
   WideTime found;
   if (is_beside_start) found = soon();
@@ -95,27 +98,24 @@ inline std::int32_t contact_at_end(const ExactPair& pair, double end, const Wide
   return exact_contact_at(pair, end);
 }
 
-/// Where a few digits do not tell the time of two ellipses: from more of them, or by trials. Negative where unknown.
-VESICA_COLD inline double tried_floor(const ExactPair& pair, double start, WideTime found,
-                                      std::int32_t& error) noexcept {
-  if (pair.line_grazes() || !pair.of_ellipses()) return -1;
-  const WideTime of_thin = pair.is_long() ? wide_time_of_thin(pair) : WideTime{};
-  if (of_thin.tells()) {
-    found = of_thin;
-  }
-  if (!found.tells()) return floor_of_ellipses(pair, start, found.time.sign() > 0 ? between(found.time).least : 0);
-  double t;
-  error = floor_of_time(pair, found.time, t);
-  return t;
+/// The floor of a time by the search that defines it.
+template <class ContactBefore>
+std::int32_t searched_floor(double start, const ContactBefore& contact_before, double& out) noexcept {
+  double after;
+  const std::int32_t error = search(start, contact_before, after);
+  if (error == 0) out = arithmetic::at_rank<double>(arithmetic::rank(after) - 1) + 0.0;
+  return error;
 }
 
-/// The smallest double with contact before it, by the search that defines it.
-VESICA_COLD inline std::int32_t searched(const ExactPair& pair, double start, double& out) noexcept {
-  if (!pair.is_long() || pair.line_grazes() || !pair.of_ellipses()) {
-    return search(start, [&pair](double x) { return pair.contact_before(x); }, out);
-  }
-  const EllipseTrials trials(pair);
-  return search(start, [&trials](double x) { return trials.contact_before(x); }, out);
+/// The same for two ellipses, of whose time `found` is all that is known.
+VESICA_COLD inline std::int32_t tried_floor(const ExactPair& pair, double start, bool start_is_estimate,
+                                            const WideTime& found, double& out) noexcept {
+  EllipseTrials trials(pair);
+  const double guess = found.time.sign() > 0 ? between(found.time).least : 0;
+  out = trials.floor(start_is_estimate ? start : 0, guess);
+  if (out >= 0) return repeat_search(pair, start, out);
+  return searched_floor(
+      start, [&trials](double t) { return trials.contact_before(t); }, out);
 }
 
 /// For a line that enters M after the start, and a witness that comes after the end if that is `late`. `bounds`: what
@@ -130,21 +130,15 @@ VESICA_COLD inline std::int32_t exact_floor(const ExactPair& pair, double end, b
     const std::int32_t at_end = contact_at_end(pair, end, found);
     if (at_end <= 0) return at_end;
   }
-  std::int32_t error = 0;
-  double t;
+  std::int32_t error;
   if (found.tells()) {
-    error = floor_of_time(pair, found.time, t);
+    error = floor_of_time(pair, found.time, out);
+    if (error == 0) error = repeat_search(pair, start, out);
+  } else if (pair.of_ellipses() && !pair.line_grazes()) {
+    error = tried_floor(pair, start, usable, found, out);
   } else {
-    t = tried_floor(pair, usable ? start : 0, found, error);
-  }
-  if (error != 0) return error;
-  if (t >= 0) {
-    error = repeat_search(pair, start, t);
-    out = t;
-  } else {
-    double after;
-    error = searched(pair, start, after);
-    if (error == 0) out = arithmetic::at_rank<double>(arithmetic::rank(after) - 1) + 0.0;
+    error = searched_floor(
+        start, [&pair](double t) { return pair.contact_before(t); }, out);
   }
   return error != 0 ? error : 1;
 }

@@ -214,18 +214,33 @@ VESICA_COLD inline WideTime wide_time(const ExactPair& pair) noexcept {
   return latest;
 }
 
+/// Two ellipses, the one of the least extent first.
+struct ByExtent {
+  const ExactBody &thin, &other;
+  const ExactReach& reach_of_other;
+  std::int64_t bits;  ///< about as many powers of two the least extent of the other is more
+
+  explicit ByExtent(const ExactPair& pair) noexcept : ByExtent(pair, extent(pair.a_.box), extent(pair.b_.box)) {}
+
+ private:
+  ByExtent(const ExactPair& pair, std::int64_t of_a, std::int64_t of_b) noexcept
+      : thin(of_a < of_b ? pair.a_ : pair.b_),
+        other(of_a < of_b ? pair.b_ : pair.a_),
+        reach_of_other(of_a < of_b ? pair.reach_b_ : pair.reach_a_),
+        bits(of_a < of_b ? of_b - of_a : of_a - of_b) {}
+  static std::int64_t extent(const exact::Box& e) noexcept {
+    const std::int64_t x = exact::detail::top_bit(e.ux), y = exact::detail::top_bit(e.uy);
+    return (x > y ? x : y) + exact::detail::top_bit(exact::compare(e.hx, e.hy) < 0 ? e.hx : e.hy);
+  }
+};
+
 /// Of two ellipses of which one is so small or thin that how it is rounded does not count. It lies in the box of its
 /// numbers, and the segment of its longer axis lies in it. So contact begins after that of the box and before that of
 /// the segment, where the line meets that one's sum; if not, wide_time() finds no time.
-VESICA_COLD inline WideTime wide_time_of_thin(const ExactPair& pair) noexcept {
+VESICA_COLD inline WideTime wide_time_of_thin(const ExactPair& pair, const ByExtent& by_extent) noexcept {
   const Passage p{pair.dx_, pair.dy_, pair.vx_, pair.vy_};
-  const auto shorter = [](const exact::Box& e) -> const exact::Length& {
-    return exact::compare(e.hx, e.hy) < 0 ? e.hx : e.hy;
-  };
-  const bool a_is_thin = exact::compare(shorter(pair.a_.box), shorter(pair.b_.box)) < 0;
-  ExactBody thin = a_is_thin ? pair.a_ : pair.b_;
-  const ExactBody& other = a_is_thin ? pair.b_ : pair.a_;
-  const SeenEllipse round(other, a_is_thin ? pair.reach_b_ : pair.reach_a_, p);
+  const SeenEllipse round(by_extent.other, by_extent.reach_of_other, p);
+  ExactBody thin = by_extent.thin;
   const WideTime of_box = wide_time(SeenBox(thin, p.vx, p.vy), round, pair.w_);
   if (!of_box.tells()) return {};
   (exact::compare(thin.box.hx, thin.box.hy) < 0 ? thin.box.hx : thin.box.hy) = {};

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Where a function of l > 0 is 0, of which little is known but its sign and how far Newton's method would go.
+#pragma once
+
+#include <vesica/arithmetic/wide.hpp>
+
+namespace vesica::detail::cast {
+
+using arithmetic::Wide;
+
+/// A search over all magnitudes, for steps too long to be taken.
+class ShareSearch {
+ public:
+  static constexpr int far = 1 << 20;  ///< beyond the exponents of l
+
+  /// The l to look at after this one, from which such a step leads; 0 where none is left. The exponent is looked for
+  /// first, farther each time and then between; or where two steps of one sign say that they become as long as l. Once
+  /// it is known nearly, the step is taken if it stays within the bracket.
+  Wide next(const Wide& l, const Wide& step) noexcept {
+    const int sign = step.sign();
+    End& end = sign > 0 ? low_ : high_;
+    const End earlier = end;
+    end = {l, step.exponent - l.exponent, true};
+    const bool is_between = low_.is_known && high_.is_known;
+    const int low = low_.is_known ? low_.l.exponent : -far, high = high_.is_known ? high_.l.exponent : far;
+    if (is_between && high - low <= 2) {
+      const Wide there = l + step;
+      return low_.l < there && there < high_.l ? there : Wide(0.5, 0) * (low_.l + high_.l);
+    }
+    const int told = ++looked_ % 3 == 0 ? l.exponent : equal_exponent(earlier, end);
+    if (low < told && told < high && (told - l.exponent) * sign > 0) return {1, told};
+    if (is_between) return {1, (low + high) / 2};
+    if (way_ > far / 64) return {};
+    const Wide there{1, l.exponent + sign * way_};
+    way_ *= 4;
+    return there;
+  }
+
+ private:
+  struct End {
+    Wide l;
+    int excess = 0;  ///< of the step's exponent over that of l
+    bool is_known = false;
+  };
+
+  /// The exponent of l where the excess would be 0, as it goes on from one end to the next; that of the latter where it
+  /// does not tell.
+  static int equal_exponent(const End& earlier, const End& end) noexcept {
+    const int way = end.l.exponent - earlier.l.exponent, fall = earlier.excess - end.excess;
+    if (!earlier.is_known || fall == 0) return end.l.exponent;
+    const double share = static_cast<double>(end.excess) / fall;
+    return share < far ? end.l.exponent + static_cast<int>(share * way) : end.l.exponent;
+  }
+
+  End low_, high_;
+  int way_ = 1, looked_ = 0;
+};
+
+}  // namespace vesica::detail::cast
