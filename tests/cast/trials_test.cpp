@@ -93,11 +93,11 @@ TEST_P(TrialsOfEllipses, FindTheTimeByAsMany) {
 }
 
 constexpr Expected all_expected[] = {
-    {"none", Form::none, {4098, 2752, 4717, 288, 1846, 4094}},
-    {"straight", Form::straight, {910, 346, 983, 192, 259, 906}},
-    {"bent", Form::bent, {1395, 612, 1504, 192, 263, 1391}},
-    {"touching", Form::touching, {2159, 1970, 2344, 288, 288, 2155}},
-    {"near_alone", Form::near_alone, {2254, 1970, 2864, 288, 288, 2250}},
+    {"none", Form::none, {4098, 2762, 4499, 352, 1846, 4094}},
+    {"straight", Form::straight, {514, 340, 766, 192, 259, 588}},
+    {"bent", Form::bent, {1598, 605, 1436, 192, 263, 1117}},
+    {"touching", Form::touching, {2159, 1979, 2300, 352, 288, 2155}},
+    {"near_alone", Form::near_alone, {2254, 1979, 2650, 352, 288, 2250}},
 };
 
 INSTANTIATE_TEST_SUITE_P(Forms, TrialsOfEllipses, testing::ValuesIn(all_expected),

@@ -108,7 +108,7 @@ class TrialSearch {
   bool begins_about(double t) noexcept {
     if (!(no_ < t && t < yes_)) return false;
     const bool after = is_after(t);
-    for (std::uint64_t way = 1; way < 0x1000000; way *= 16) {
+    for (std::uint64_t way = 1; way < 0x100000; way *= 64) {
       const std::uint64_t rank = arithmetic::rank(t);
       if (after ? rank <= arithmetic::rank(no_) + way : rank + way >= arithmetic::rank(yes_)) break;
       t = arithmetic::at_rank<double>(after ? rank - way : rank + way);
@@ -128,20 +128,29 @@ class TrialSearch {
     return true;
   }
 
-  /// Between what is known; from the guess on by steps that double.
+  /// Between what is known: from the guess on by steps that double; then where values say that they would be 0 if they
+  /// fell straight, for so long as that is quicker than to go halfway.
   void bisect_powers(double guess) noexcept {
     int least = no_ == 0 ? -1074 : arithmetic::exponent_of(no_) - 1;
     int most = yes_ <= largest ? arithmetic::exponent_of(yes_) : 1024;
-    int at = guess > 0 ? arithmetic::exponent_of(guess) : most, step = 1;
-    while (!lost_ && most - least > 1) {
+    int at = guess > 0 ? arithmetic::exponent_of(guess) : most;
+    bool values_tell = true;
+    for (int step = 1; !lost_ && most - least > 1; step *= 2) {
+      const int way = most - least;
       const bool is_guessed = least < at && at < most;
+      const bool is_told = !is_guessed && values_tell && at_no_.has_value && at_yes_.has_value;
       if (!is_guessed) at = (most + least) / 2;
+      if (is_told) {
+        const int told = most + exponent(at_no_.value) - exponent(at_yes_.value);
+        at = told <= least ? least + 1 : told >= most ? most - 1 : told;
+      }
       const bool after = is_after(arithmetic::scale_far(1, at));
       (after ? most : least) = at;
+      values_tell = !is_told || most - least <= way / 2;
       at = is_guessed ? (after ? most - step : least + step) : most;
-      step *= 2;
     }
   }
+  static int exponent(const arithmetic::Scaled& x) noexcept { return x.exponent + arithmetic::exponent_of(x.value); }
 
   double narrowed() noexcept {
     Bracket bracket(no_, yes_, at_no_, at_yes_);
