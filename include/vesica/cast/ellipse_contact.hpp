@@ -118,7 +118,7 @@ class LeadingContact {
         trial = {true, value.sign < 0, true, scaled(value.span(), value.sign)};
         return true;
       };
-      if (!tells(leading_discriminant(p)) && !tells(exact::detail::discriminant(p, exact::most_limbs))) {
+      if (!tells(leading_discriminant(p)) && !tells(discriminant_from_digits(p))) {
         trial = {true, exact::discriminant_sign(p) < 0};
       }
       trial.value.exponent -= 32 * 64 * window.limbs();
@@ -181,6 +181,9 @@ class LeadingContact {
     return n(6.1) * (by_c1 * bend1 + by_c2 * bend2) + n(3.1) * twice;
   }
 
+  static Digits discriminant_from_digits(const exact::ContactCubic& p) noexcept {
+    return exact::detail::discriminant(p, exact::detail::telling_limbs(exact::detail::dense_limbs(p)));
+  }
   /// Of the exact coefficients.
   static Few leading_discriminant(const exact::ContactCubic& p) noexcept {
     const Few value = exact::detail::discriminant<Few>(p);

@@ -88,6 +88,13 @@ constexpr bool first_in_second(const ContactCubic& p, const Small& small, Signs&
   return rising > 0;
 }
 
+/// How many limbs of long coefficients have digits, c1 and c2 together.
+constexpr int dense_limbs(const ContactCubic& p) noexcept { return dense_limbs(p.c1) + dense_limbs(p.c2); }
+/// How many leading limbs of coefficients as dense are likely to tell the discriminant.
+constexpr int telling_limbs(int dense) noexcept {
+  return dense > 2 * Digits::most_limbs ? Digits::most_limbs : more_limbs;
+}
+
 /// From leading digits.
 VESICA_CALLED constexpr Digits discriminant(const ContactCubic& p, int limbs) noexcept {
   const Digits d1(p.d1, limbs), c1(p.c1, limbs), c2(p.c2, limbs), d2(p.d2, limbs);
@@ -103,14 +110,14 @@ constexpr int discriminant_sign(const ContactCubic& p, Signs& signs) noexcept {
   const Few few = detail::discriminant<Few>(p);
   if (few.sign_is_certain()) return few.sign;
   // Of few limbs that cost time the whole discriminant is there as soon.
-  const int dense = detail::dense_limbs(p.c1) + detail::dense_limbs(p.c2);
+  const int dense = detail::dense_limbs(p);
   signs.certain = dense > 3 * some_limbs;
   if (!signs.certain) return 0;
   const auto small = exact_small_parts(p);
   if (small.delta_less.sign == 0) return detail::sign_of_discriminant_of_proportional(p);
   const Few by_offset = detail::discriminant_by_offset<Few>(p, small);
   if (by_offset.sign_is_certain()) return by_offset.sign;
-  return signs.of(detail::discriminant(p, dense > 2 * Digits::most_limbs ? Digits::most_limbs : more_limbs));
+  return signs.of(detail::discriminant(p, detail::telling_limbs(dense)));
 }
 
 constexpr bool few_digits_tell_first_in_second(bool& inside, const ContactCubic& p) noexcept {
