@@ -73,7 +73,7 @@ class SeenEllipses {
     find_sector();
     Digits share = digits(find_share(), most_limbs);
     ShareSearch search;
-    const int limit = pair_.is_long() ? most_limbs : exact::some_limbs;  // of short numbers trials are as quick
+    const int limit = pair_.is_long() ? most_limbs : exact::few_limbs;  // of short numbers trials are as quick
     for (int i = 0;; ++i) {
       const Evaluated at = limbs_ == 0 ? evaluate(rough(share)) : evaluate(share.with_limbs(limbs_));
       const WideTime found{at.time, at.is_near};
