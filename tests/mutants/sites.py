@@ -123,8 +123,8 @@ class Finder:
         if cursor.kind in (K.VAR_DECL, K.FIELD_DECL, K.UNEXPOSED_DECL):
             # Of the second of two names the text begins at the comma.
             begin = max(self.text.rfind(c, 0, start) for c in (b";", b"{", b"}")) + 1
-            return b"constexpr" in self.text[start:cursor.location.offset] or \
-                re.search(rb"(^|\n) *(static |inline )*constexpr [^;{}]*$", self.text[begin:start]) is not None
+            return re.search(rb"constexpr|constinit", self.text[start:cursor.location.offset]) is not None or \
+                re.search(rb"(^|\n) *(static |inline )*(constexpr|constinit) [^;{}]*$", self.text[begin:start]) is not None
         return False
 
     def is_code(self, cursor):
@@ -134,6 +134,8 @@ class Finder:
             return False
         if self.text[begin - 1:begin] == b"<" or self.text[end:end + 1] == b">":
             return False  # an argument of a template
+        if re.search(rb"integer_sequence<[^<>;]*$", self.text[max(0, begin - 120):begin]):
+            return False  # a part of one
         return not self.is_operand_of_decltype(begin) and not any(a < end and begin < b for a, b in self.macros)
 
     def is_operand_of_decltype(self, begin):
