@@ -47,6 +47,15 @@ EllipsePair nearly_concentric(Random& random) {
   if (random.chance(0.5)) f.ux = e.ux, f.uy = e.uy;
   return {e, f};
 }
+/// The same centre, or but for one coordinate.
+EllipsePair about_one_point(Random& random) {
+  Ellipse<double> e = any(random, 1, 2), f = any(random, 1, 2);
+  f.cx = e.cx + (random.chance(0.3) ? tiny(random, 60) : 0);
+  f.cy = e.cy + (random.chance(0.3) ? tiny(random, 60) : 0);
+  if (random.chance(0.2)) f.ux = e.ux, f.uy = e.uy, f.a = e.a;
+  if (random.chance(0.1)) f = e;
+  return {e, f};
+}
 /// An ellipse and its circle of curvature at the end of an axis, moved hardly.
 EllipsePair nearly_osculating(Random& random) {
   const double q = random.integer(1, 8), p = q * random.integer(2, 4), r = p * (p / q);
@@ -96,6 +105,7 @@ TEST(CensusOfEllipses, IsWhatExactIntegersTell) {
   nearly_all(concentric);
   EXPECT_TRUE(concentric.of[0] > 0 && concentric.of[4] > 0);
   nearly_all(tell(thin, count));
+  EXPECT_GT(tell(about_one_point, count).known, count / 4);
   EXPECT_GT(tell(nearly_osculating, count).known, count);
 }
 

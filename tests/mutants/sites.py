@@ -3,7 +3,8 @@
 
 A candidate is a dict: file, begin and end (bytes), line, kind, form, original, mutated, changes. Its form is "expression"
 (the text is replaced by a choice of two), "condition" (negated) or "statement" (left out); `changes` where the text calls a
-function that may change its arguments or its object. What the compiler evaluates, and what comes of a macro, is passed over.
+function that may change its arguments or its object, or the change may be a call without end. What the compiler evaluates,
+and what comes of a macro, is passed over.
 """
 
 import re
@@ -82,8 +83,14 @@ class Finder:
         """Each candidate once, in the order of the files; a template's pattern may be met twice."""
         seen = {(c["file"], c["begin"], c["end"], c["form"], c["mutated"]): c for c in self.found}
         called = re.compile(r"(\w+)\s*(?:<[^<>()]*>)?\(")
-        return [dict(seen[key], changes=any(name in self.changing for name in called.findall(seen[key]["original"])))
-                for key in sorted(seen)]
+        return [dict(seen[key], changes=self.calls_itself(key) or
+                     any(name in self.changing for name in called.findall(seen[key]["original"]))) for key in sorted(seen)]
+
+    def calls_itself(self, key):
+        """Whether an operator is defined in that line, of which the change may be another call."""
+        file, begin = key[:2]
+        text = self.texts[file]
+        return b" operator" in text[text.rfind(b"\n", 0, begin) + 1:begin]
 
     # ---- the walk
 
