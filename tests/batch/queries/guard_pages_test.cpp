@@ -242,7 +242,7 @@ TYPED_TEST(GuardPagesOfArrays, AreNotTouchedByBoxes) {
   using F = Face<T>;
   for (std::size_t n = 0; n <= longest; ++n) {
     for (const Edge edge : {Edge::before, Edge::after}) {
-      for (const std::size_t gap : {0, 1}) {
+      for (const std::size_t gap : {std::size_t{0}, std::size_t{1}}) {
         const std::size_t row = 5 + gap;
         const std::vector<T> numbers(n == 0 ? 0 : (n - 1) * row + 5, T(3));
         const auto count = static_cast<std::int64_t>(n);
