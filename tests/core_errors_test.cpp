@@ -62,6 +62,30 @@ TEST(CoreErrors, TheSameInvalidShapeTwice) {
   EXPECT_EQ(out, 7);
 }
 
+/// Two shapes without area have no intersection over union, apart or not, the same or not; one has, and it is 0.
+TEST(CoreErrors, ARatioOfNoArea) {
+  constexpr Segment<double> flat{0, 0, 2, 2};
+  constexpr Point<double> middle{1, 1}, apart{5, 1};
+  constexpr Circle<double> dot{1, 1, 0}, disc{1, 1, 2};
+  double out = 7;
+  EXPECT_EQ(iou_or_error(flat, middle, out), error_argument);
+  EXPECT_EQ(iou_or_error(apart, flat, out), error_argument);
+  EXPECT_EQ(iou_or_error(middle, middle, out), error_argument);
+  EXPECT_EQ(iou_or_error(dot, dot, out), error_argument);
+  EXPECT_EQ(iou_or_error(dot, Circle<double>{9, 9, 0}, out), error_argument);
+  EXPECT_EQ(iou_or_error(invalid, dot, out), error_shape);
+  EXPECT_EQ(iou_or_error(dot, invalid, out), error_shape);
+  EXPECT_EQ(out, 7);
+  EXPECT_EQ(iou(middle, flat), 0);
+  EXPECT_EQ(iou(dot, dot), 0);
+  EXPECT_EQ(iou(dot, invalid), 0);
+  EXPECT_EQ(iou(disc, disc), 1);
+  EXPECT_EQ(iou_or_error(disc, dot, out), 0);
+  EXPECT_EQ(out, 0);
+  EXPECT_EQ(iou_or_error(flat, disc, out), 0);
+  EXPECT_EQ(out, 0);
+}
+
 /// A depth beyond the range of float is an error, and none where the answer is a value.
 TEST(CoreErrors, ADepthBeyondTheRange) {
   const Circle<float> huge{0, 0, largest_f32};

@@ -134,6 +134,7 @@ void expect_the_rule() {
   if constexpr (EveryQueryAnswers<A, B>) {
     expect_checked_forms_to_refuse(bad_a, b);
     expect_checked_forms_to_refuse(a, bad_b);
+    expect_checked_forms_to_refuse(bad_a, bad_b);
     expect_checked_forms_to_refuse(bad_b, a);
     expect_nothing_in_common(bad_a, b);
     expect_nothing_in_common(a, bad_b);

@@ -116,13 +116,16 @@ class Stored {
 
 /// The same as the C functions take it.
 template <class T>
-typename capi_tests::Face<T>::Shapes c_shapes(const Stored<T>& stored) {
-  const auto& view = stored.view();
+typename capi_tests::Face<T>::Shapes c_shapes(const vesica::batch::Shapes<T>& view) {
   typename capi_tests::Face<T>::Shapes shapes{view.kind, 0, view.count, view.stride, {}};
   for (int k = 0; k < properties::field_count(view.kind); ++k) {
     shapes.field[k] = reinterpret_cast<const T*>(view.field[k].bytes());
   }
   return shapes;
+}
+template <class T>
+typename capi_tests::Face<T>::Shapes c_shapes(const Stored<T>& stored) {
+  return c_shapes(stored.view());
 }
 
 }  // namespace batch_tests

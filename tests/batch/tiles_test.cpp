@@ -76,7 +76,11 @@ TEST(Surroundings, ApartToEachSide) {
       EXPECT_EQ(box.apart_from({x, y, x + 2, y + 1}), x != 0 || y != 0) << x << ' ' << y;
     }
   }
-  EXPECT_FALSE(box.apart_from({2, 1, 3, 3})) << "they touch";
+  for (const double x : {-2.0, 0.0, 2.0}) {
+    for (const double y : {-1.0, 0.0, 1.0}) {
+      EXPECT_FALSE(box.apart_from({x, y, x + 2, y + 1})) << "they touch: " << x << ' ' << y;
+    }
+  }
 }
 
 class TilesOfMatrix : public EveryCase {

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <vector>
 
 #include "area/hard_pairs.hpp"
@@ -105,6 +106,51 @@ TEST(Crossings, Ellipses) {
   expect_places({VESICA_CIRCLE, {1.5, 0, 0.5}}, {VESICA_ELLIPSE, {0, 0, 1, 0, 2, 1}}, {{2, 0}});
   expect_places({VESICA_CIRCLE, {1.25, 0, 0.75}}, {VESICA_ELLIPSE, {0, 0, 1, 0, 2, 1}},
                 {{2, 0}, {4.0 / 3, std::sqrt(5.0) / 3}, {4.0 / 3, -std::sqrt(5.0) / 3}});
+}
+
+/// Some shapes of a kind with few integers for numbers, about the origin.
+std::vector<Kinded> small_shapes(int kind) {
+  std::vector<Kinded> shapes;
+  for (const double x : {-2.0, 0.0, 1.0}) {
+    for (const double y : {-1.0, 0.0}) {
+      for (const double size : {1.0, 2.0, 3.0}) {
+        const std::vector<double> of_kind[] = {{x, y},
+                                               {x, y, x + size, y - 1},
+                                               {x, y, size},
+                                               {x, y, x + size, y + 2},
+                                               {x, y, 1, 1, size, 1},
+                                               {x, y, 0, 1, size, 2}};
+        shapes.push_back({kind, of_kind[kind]});
+      }
+    }
+  }
+  return shapes;
+}
+
+/// An ellipse without area is a segment or a point, and so is a rectangle of the same numbers: along any other outline
+/// both have the same places.
+TEST(Crossings, OfFlatEllipsesAreThoseOfFlatRectangles) {
+  const auto ask = [](const Kinded& a, const Kinded& b) {
+    vesica_crossing_points_f64 out{};
+    EXPECT_GE(vesica_crossings_f64(a.kind, a.numbers.data(), b.kind, b.numbers.data(), &out), 0);
+    return out;
+  };
+  const std::vector<double> flat[] = {{0, 0, 1, 0, 3, 0},  {0, 0, 1, 0, 0, 3},  {0, -1, 0, -1, 2, 0},
+                                      {1, 0, 3, -4, 1, 0}, {1, 0, -1, 2, 0, 1}, {0, 0, 1, 1, 0, 0}};
+  int places = 0;
+  for (const std::vector<double>& numbers : flat) {
+    const Kinded ellipse{VESICA_ELLIPSE, numbers}, rect{VESICA_RECT, numbers};
+    for (int kind = 0; kind < kinds; ++kind) {
+      for (const Kinded& other : small_shapes(kind)) {
+        const auto of_ellipse = ask(other, ellipse), of_rect = ask(other, rect), exchanged = ask(ellipse, other);
+        EXPECT_EQ(std::memcmp(&of_ellipse, &of_rect, sizeof of_rect), 0) << kind_name(kind) << ' ' << places;
+        EXPECT_EQ(exchanged.count, of_ellipse.count) << kind_name(kind) << ' ' << places;
+        EXPECT_EQ(exchanged.shared, of_ellipse.shared) << kind_name(kind) << ' ' << places;
+        places += of_ellipse.count;
+      }
+    }
+  }
+  EXPECT_GT(places, 500);
 }
 
 struct Worst {

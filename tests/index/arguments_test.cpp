@@ -2,6 +2,8 @@
 /// What the functions refuse, and that they write nothing then.
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "index/face.hpp"
 
 namespace index_tests {
@@ -112,6 +114,14 @@ TYPED_TEST(ArgumentsTest, Join) {
   state[2] = -1;
   EXPECT_EQ(call(0, b, 0, 1, scratch.size, 4, state), VESICA_E_ARGUMENT) << "fewer than no candidates";
   state[2] = sound[2];
+  constexpr std::int64_t least = std::numeric_limits<std::int64_t>::min(), far = std::int64_t{1} << 40;
+  for (const int number : {0, 1, 3}) {
+    for (const std::int64_t x : {least, -far, std::int64_t{-2}, far, std::numeric_limits<std::int64_t>::max()}) {
+      state[number] = x;
+      EXPECT_EQ(call(0, b, 0, 1, scratch.size, 4, state), VESICA_E_ARGUMENT) << number << ' ' << x;
+    }
+    state[number] = sound[number];
+  }
   EXPECT_EQ(call(0, b, 0, 1, scratch.size, 4, state), 4);
 
   char foreign[512] = {};

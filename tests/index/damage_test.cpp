@@ -89,6 +89,43 @@ TEST(Damage, NumbersThatDisagree) {
   }));
 }
 
+/// Every function looks at the header, those too that trust the rest.
+TEST(Damage, HeadersThatDisagree) {
+  enum Field { size = 2, items = 3, placed = 4, blocks = 5, places = 6, tree = 7 };
+  const Indexed<double> whole(rects<double>("two_scales", 5000, 1));
+  const auto bytes_after = [&](auto change) {
+    const Memory copy(whole.result + 64);
+    std::memcpy(copy.get(), whole.index.get(), static_cast<std::size_t>(whole.result));
+    change(static_cast<std::int64_t*>(copy.get()));
+    const std::int64_t bytes = vesica_index_bytes(copy.get());
+    EXPECT_EQ(vesica_index_count(copy.get()) < 0, bytes < 0);
+    return bytes;
+  };
+  EXPECT_EQ(bytes_after([](std::int64_t*) {}), whole.result);
+  for (const std::int64_t by : {8, 64, -8, -64}) {
+    EXPECT_EQ(bytes_after([by](std::int64_t* header) { header[size] += by; }), VESICA_E_INDEX) << by;
+    EXPECT_EQ(bytes_after([by](std::int64_t* header) { header[places] += by; }), VESICA_E_INDEX) << by;
+    EXPECT_EQ(bytes_after([by](std::int64_t* header) { header[tree] += by; }), VESICA_E_INDEX) << by;
+    EXPECT_EQ(bytes_after([by](std::int64_t* header) {
+                header[places] += by;
+                header[tree] += by;
+              }),
+              VESICA_E_INDEX)
+        << by;
+  }
+  EXPECT_EQ(bytes_after([](std::int64_t* header) {  // all alike, but not in whole lines
+              header[size] += 8;
+              header[places] += 8;
+              header[tree] += 8;
+            }),
+            VESICA_E_INDEX);
+  EXPECT_EQ(bytes_after([](std::int64_t* header) { header[blocks] += 64; }), VESICA_E_INDEX);
+  EXPECT_EQ(bytes_after([](std::int64_t* header) { header[placed] = header[items] + 1; }), VESICA_E_INDEX);
+  for (const Field field : {size, items, placed, blocks, places, tree}) {
+    EXPECT_EQ(bytes_after([field](std::int64_t* header) { header[field] = -64; }), VESICA_E_INDEX) << field;
+  }
+}
+
 /// As the index mixes a word into its checksum.
 std::uint64_t mixed(std::uint64_t sum, std::uint64_t word) {
   sum = (sum ^ word) * 0x9e3779b97f4a7c15u;

@@ -3,7 +3,8 @@
 
 A candidate is a dict: file, begin and end (bytes), line, kind, form, original, mutated, changes. Its form is "expression"
 (the text is replaced by a choice of two), "condition" (negated) or "statement" (left out); `changes` where the text calls a
-function that may change its arguments or its object. What the compiler evaluates, and what comes of a macro, is passed over.
+function that may change its arguments or its object, or the change may be a call without end. What the compiler evaluates,
+and what comes of a macro, is passed over.
 """
 
 import re
@@ -82,8 +83,14 @@ class Finder:
         """Each candidate once, in the order of the files; a template's pattern may be met twice."""
         seen = {(c["file"], c["begin"], c["end"], c["form"], c["mutated"]): c for c in self.found}
         called = re.compile(r"(\w+)\s*(?:<[^<>()]*>)?\(")
-        return [dict(seen[key], changes=any(name in self.changing for name in called.findall(seen[key]["original"])))
-                for key in sorted(seen)]
+        return [dict(seen[key], changes=self.calls_itself(key) or
+                     any(name in self.changing for name in called.findall(seen[key]["original"]))) for key in sorted(seen)]
+
+    def calls_itself(self, key):
+        """Whether an operator is defined in that line, of which the change may be another call."""
+        file, begin = key[:2]
+        text = self.texts[file]
+        return b" operator" in text[text.rfind(b"\n", 0, begin) + 1:begin]
 
     # ---- the walk
 
@@ -123,8 +130,8 @@ class Finder:
         if cursor.kind in (K.VAR_DECL, K.FIELD_DECL, K.UNEXPOSED_DECL):
             # Of the second of two names the text begins at the comma.
             begin = max(self.text.rfind(c, 0, start) for c in (b";", b"{", b"}")) + 1
-            return b"constexpr" in self.text[start:cursor.location.offset] or \
-                re.search(rb"(^|\n) *(static |inline )*constexpr [^;{}]*$", self.text[begin:start]) is not None
+            return re.search(rb"constexpr|constinit", self.text[start:cursor.location.offset]) is not None or \
+                re.search(rb"(^|\n) *(static |inline )*(constexpr|constinit) [^;{}]*$", self.text[begin:start]) is not None
         return False
 
     def is_code(self, cursor):
@@ -134,6 +141,8 @@ class Finder:
             return False
         if self.text[begin - 1:begin] == b"<" or self.text[end:end + 1] == b">":
             return False  # an argument of a template
+        if re.search(rb"integer_sequence<[^<>;]*$", self.text[max(0, begin - 120):begin]):
+            return False  # a part of one
         return not self.is_operand_of_decltype(begin) and not any(a < end and begin < b for a, b in self.macros)
 
     def is_operand_of_decltype(self, begin):

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <utility>
 
 namespace small {
 
@@ -10,6 +11,7 @@ namespace small {
 constexpr int sides = 2 + 2;
 inline std::array<int, 2> corners{};
 static_assert(sides > 3);
+inline constinit int turns = sides + 1;
 #define SMALL_HALF(x) ((x) / 2)
 template <class T>
 inline constexpr bool is_wide = false;
@@ -20,6 +22,10 @@ constexpr decltype(T() + 1) wide() {
   if constexpr (is_wide<T> && sizeof(T) > 4) return T();
 }
 static_assert(wide<double>() < 1);
+template <class T>
+constexpr auto places() {
+  return std::make_integer_sequence<int, sizeof(T) - 1>{};
+}
 
 enum class Verdict { apart, touching, crossing };
 
