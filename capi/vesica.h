@@ -249,7 +249,8 @@ VESICA_API int32_t vesica_contains_f64(int32_t kind_a, const double *numbers_a,
  * stretch, its two end points are places, and out->shared is 1; so equal boxes meet at their four corners. Two equal
  * curves meet everywhere: then the count is 0 and out->shared is 1.
  * Places come in order along a's outline, counter-clockwise in the frame of its axis. The start is a box's corner
- * C - hx u - hy perp(u), an ellipse's point C + a u, a circle's point C + (r, 0), or a segment's first end.
+ * C - hx u - hy perp(u), an ellipse's point C + a u (one without area begins as a box), a circle's point C + (r, 0),
+ * or a segment's first end.
  * Returns: the number of places, 0 to 8.
  * Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape, even
  * where the outlines nearly coincide. Places closer to one another than that may come in either order or be equal.

@@ -104,7 +104,8 @@ class LeadingContact {
     return {true, discriminant.sign < 0, true, scaled(discriminant.span(), discriminant.sign)};
   }
 
-  /// The same from the cubic's exact coefficients; not known where the place then is beyond exact numbers.
+  /// The same from the cubic's exact coefficients; not known where their digits do not tell, or the place then is
+  /// beyond exact numbers.
   VESICA_COLD static Trial exactly_at(const ExactPair& pair, double time) noexcept {
     Trial trial;
     pair.with_placed(time, [&trial](const ExactBody& a, const ExactBody& b, const Window& window) {
@@ -113,13 +114,13 @@ class LeadingContact {
         trial = {true, true};
         return;
       }
-      const auto tells = [&trial](const auto& value) {
-        if (value.sign == 0 || !value.sign_is_certain()) return false;
-        trial = {true, value.sign < 0, true, scaled(value.span(), value.sign)};
-        return true;
-      };
-      if (!tells(leading_discriminant(p)) && !tells(discriminant_from_digits(p))) {
-        trial = {true, exact::discriminant_sign(p) < 0};
+      const Few few = leading_discriminant(p);
+      if (few.sign_is_certain() && few.sign != 0) {
+        trial = {true, few.sign < 0, true, scaled(few.span(), few.sign)};
+      } else {
+        const Digits more = discriminant_from_digits(p);
+        const bool tells = more.sign_is_certain() && more.sign != 0;
+        trial = {tells, more.sign < 0, tells, scaled(more.span(), more.sign)};
       }
       trial.value.exponent -= 32 * 64 * window.limbs();
     });
@@ -153,7 +154,7 @@ class LeadingContact {
   }
 
  private:
-  static arithmetic::Scaled scaled(exact::detail::Span x, int sign) noexcept {
+  VESICA_CALLED static arithmetic::Scaled scaled(exact::detail::Span x, int sign) noexcept {
     if (x.size == 0) return {0, 0};
     const auto digit = [&x](int i) { return static_cast<double>(x.limb[x.size - i]); };
     return {sign * (digit(1) * 0x1p-64 + digit(2) * 0x1p-128), 64 * (x.low + x.size)};

@@ -89,14 +89,15 @@ class TrialSearch {
       if (first.known && first.after) return 0;
       if (first.known) no_ = least_double, at_no_ = first;
     }
-    if (begins_at(witness)) return narrowed();
-    bisect_powers(guess);
-    if (!lost_ && yes_ > largest && !is_after(largest)) return yes_;
+    if (!begins_at(witness)) {
+      bisect_powers(guess);
+      if (!lost_ && yes_ > largest && !is_after(largest)) return yes_;
+    }
     return narrowed();
   }
 
  private:
-  bool is_after(double t) noexcept {
+  VESICA_COLD bool is_after(double t) noexcept {
     const Trial trial = ask_(t);
     lost_ = lost_ || !trial.known;
     (trial.after ? yes_ : no_) = t;
@@ -105,7 +106,7 @@ class TrialSearch {
   }
 
   /// Whether contact begins about a time: that is tried, and then others ever farther from it.
-  bool begins_about(double t) noexcept {
+  VESICA_COLD bool begins_about(double t) noexcept {
     if (!(no_ < t && t < yes_)) return false;
     const bool after = is_after(t);
     for (std::uint64_t way = 1; way < 0x100000; way *= 64) {
@@ -152,7 +153,7 @@ class TrialSearch {
   }
   static int exponent(const arithmetic::Scaled& x) noexcept { return x.exponent + arithmetic::exponent_of(x.value); }
 
-  double narrowed() noexcept {
+  VESICA_COLD double narrowed() noexcept {
     Bracket bracket(no_, yes_, at_no_, at_yes_);
     while (!lost_ && !bracket.is_closed()) {
       const std::uint64_t at = bracket.next();
@@ -190,7 +191,7 @@ class EllipseTrials {
   }
 
  private:
-  Trial at(double t) noexcept {
+  VESICA_COLD Trial at(double t) noexcept {
     const Trial trial = find(t);
     if (trial.known && trial.after && t < first_after_) first_after_ = t;
     if (trial.known && !trial.after && t > latest_before_) latest_before_ = t;
@@ -201,10 +202,7 @@ class EllipseTrials {
     const int left = to_witness(t);
     if (left < 0) return {true, true};
     Trial trial = contact_.at(t);
-    if (!trial.known && exact_digits_tell_) {
-      trial = LeadingContact::exactly_at(pair_, t);
-      exact_digits_tell_ = !trial.known || trial.after || trial.has_value;
-    }
+    if (!trial.known) trial = LeadingContact::exactly_at(pair_, t);
     if (trial.known && (trial.after || left > 0)) return trial;
     const std::int32_t before = pair_.contact_before(t);
     return {before >= 0, before != 0};
@@ -219,7 +217,6 @@ class EllipseTrials {
   LeadingContact contact_;
   Rough witness_;
   double latest_before_ = 0, first_after_ = std::numeric_limits<double>::infinity();
-  bool exact_digits_tell_ = true;
 };
 
 }  // namespace vesica::detail::cast

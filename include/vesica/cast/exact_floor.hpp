@@ -98,9 +98,12 @@ inline std::int32_t contact_at_end(const ExactPair& pair, double end, const Wide
   return exact_contact_at(pair, end);
 }
 
-/// The floor of a time by the search that defines it.
-template <class ContactBefore>
-std::int32_t searched_floor(double start, const ContactBefore& contact_before, double& out) noexcept {
+/// The floor of a time by the search that defines it, with what trials told, if there were any.
+VESICA_COLD inline std::int32_t searched_floor(const ExactPair& pair, const EllipseTrials* trials, double start,
+                                               double& out) noexcept {
+  const auto contact_before = [&pair, trials](double t) {
+    return trials != nullptr ? trials->contact_before(t) : pair.contact_before(t);
+  };
   double after;
   const std::int32_t error = search(start, contact_before, after);
   if (error == 0) out = arithmetic::at_rank<double>(arithmetic::rank(after) - 1) + 0.0;
@@ -113,9 +116,7 @@ VESICA_COLD inline std::int32_t tried_floor(const ExactPair& pair, double start,
   EllipseTrials trials(pair);
   const double guess = found.time.sign() > 0 ? between(found.time).least : 0;
   out = trials.floor(start_is_estimate ? start : 0, guess);
-  if (out >= 0) return repeat_search(pair, start, out);
-  return searched_floor(
-      start, [&trials](double t) { return trials.contact_before(t); }, out);
+  return out >= 0 ? repeat_search(pair, start, out) : searched_floor(pair, &trials, start, out);
 }
 
 /// For a line that enters M after the start, and a witness that comes after the end if that is `late`. `bounds`: what
@@ -137,8 +138,7 @@ VESICA_COLD inline std::int32_t exact_floor(const ExactPair& pair, double end, b
   } else if (pair.of_ellipses() && !pair.line_grazes()) {
     error = tried_floor(pair, start, usable, found, out);
   } else {
-    error = searched_floor(
-        start, [&pair](double t) { return pair.contact_before(t); }, out);
+    error = searched_floor(pair, nullptr, start, out);
   }
   return error != 0 ? error : 1;
 }

@@ -214,11 +214,11 @@ VESICA_COLD inline WideTime wide_time(const ExactPair& pair) noexcept {
   return latest;
 }
 
-/// Two ellipses, the one of the least extent first.
+/// Two ellipses, the one that is less wide first, by powers of two.
 struct ByExtent {
   const ExactBody &thin, &other;
   const ExactReach& reach_of_other;
-  std::int64_t bits;  ///< about as many powers of two the least extent of the other is more
+  std::int64_t bits;  ///< about so many powers of two the other is wider
 
   explicit ByExtent(const ExactPair& pair) noexcept : ByExtent(pair, extent(pair.a_.box), extent(pair.b_.box)) {}
 
@@ -229,8 +229,9 @@ struct ByExtent {
         reach_of_other(of_a < of_b ? pair.reach_b_ : pair.reach_a_),
         bits(of_a < of_b ? of_b - of_a : of_a - of_b) {}
   static std::int64_t extent(const exact::Box& e) noexcept {
-    const std::int64_t x = exact::detail::top_bit(e.ux), y = exact::detail::top_bit(e.uy);
-    return (x > y ? x : y) + exact::detail::top_bit(exact::compare(e.hx, e.hy) < 0 ? e.hx : e.hy);
+    const auto bit = [](const exact::Length& x) { return x.sign == 0 ? INT64_MIN / 4 : exact::detail::top_bit(x); };
+    const std::int64_t x = bit(e.ux), y = bit(e.uy), along = bit(e.hx), across = bit(e.hy);
+    return (x > y ? x : y) + (along < across ? along : across);
   }
 };
 

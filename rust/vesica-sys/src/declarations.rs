@@ -403,7 +403,7 @@ extern "C" {
     /// a stretch, its two end points are places, and out-\>shared is 1; so equal boxes meet at their four corners. Two
     /// equal curves meet everywhere: then the count is 0 and out-\>shared is 1. Places come in order along a's outline,
     /// counter-clockwise in the frame of its axis. The start is a box's corner C - hx u - hy perp(u), an ellipse's
-    /// point C + a u, a circle's point C + (r, 0), or a segment's first end.
+    /// point C + a u (one without area begins as a box), a circle's point C + (r, 0), or a segment's first end.
     ///
     /// Returns: the number of places, 0 to 8.
     ///
@@ -1290,7 +1290,7 @@ extern "C" {
     /// a stretch, its two end points are places, and out-\>shared is 1; so equal boxes meet at their four corners. Two
     /// equal curves meet everywhere: then the count is 0 and out-\>shared is 1. Places come in order along a's outline,
     /// counter-clockwise in the frame of its axis. The start is a box's corner C - hx u - hy perp(u), an ellipse's
-    /// point C + a u, a circle's point C + (r, 0), or a segment's first end.
+    /// point C + a u (one without area begins as a box), a circle's point C + (r, 0), or a segment's first end.
     ///
     /// Returns: the number of places, 0 to 8.
     ///

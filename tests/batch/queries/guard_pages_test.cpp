@@ -80,7 +80,8 @@ class GuardPagesOfArrays : public testing::Test {
  protected:
   using Shapes = typename Face<T>::Shapes;
 
-  /// Calls body for all kinds at every length and edge, with a number that differs from length to length and kind to kind.
+  /// Calls body for all kinds at every length and edge, with a number that differs from length to length and kind to
+  /// kind.
   template <class Body>
   void at_every_length(const Body& body) {
     for (int kind_a = 0; kind_a < properties::kinds; ++kind_a) {
