@@ -2295,7 +2295,7 @@ export interface C {
    * between their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the
    * error is <= x. Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and
    * two ellipses, see the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly
-   * unlike exponents most take 10 to 30 us; the dearest that searches found took 0.15 ms (AMD EPYC, Zen 4). Since: 0.1.
+   * unlike exponents most take 10 to 30 us; the dearest that searches found took 0.2 ms (AMD EPYC, Zen 4). Since: 0.1.
    */
   vesica_cast_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, vx: number, vy: number,
     t_end: number, out: number): number;
@@ -2475,7 +2475,7 @@ export interface C {
    * between their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the
    * error is <= x. Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and
    * two ellipses, see the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly
-   * unlike exponents most take 10 to 30 us; the dearest that searches found took 0.15 ms (AMD EPYC, Zen 4). Since: 0.1.
+   * unlike exponents most take 10 to 30 us; the dearest that searches found took 0.2 ms (AMD EPYC, Zen 4). Since: 0.1.
    */
   vesica_cast_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, vx: number, vy: number,
     t_end: number, out: number): number;

@@ -2281,7 +2281,7 @@ namespace Vesica
         /// aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.</para>
         /// <para>Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two
         /// ellipses, see the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly
-        /// unlike exponents most take 10 to 30 us; the dearest that searches found took 0.15 ms (AMD EPYC, Zen
+        /// unlike exponents most take 10 to 30 us; the dearest that searches found took 0.2 ms (AMD EPYC, Zen
         /// 4).</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -2525,7 +2525,7 @@ namespace Vesica
         /// aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.</para>
         /// <para>Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two
         /// ellipses, see the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly
-        /// unlike exponents most take 10 to 30 us; the dearest that searches found took 0.15 ms (AMD EPYC, Zen
+        /// unlike exponents most take 10 to 30 us; the dearest that searches found took 0.2 ms (AMD EPYC, Zen
         /// 4).</para>
         /// <para>Since: 0.1.</para>
         /// </summary>

@@ -3066,7 +3066,7 @@ numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| b
 their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is <= x. Cost: 30
 to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two ellipses, see
 the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly unlike
-exponents most take 10 to 30 us; the dearest that searches found took 0.15 ms (AMD EPYC, Zen 4). Since: 0.1.""",
+exponents most take 10 to 30 us; the dearest that searches found took 0.2 ms (AMD EPYC, Zen 4). Since: 0.1.""",
     ),
     "vesica_cast_many_f64": (
         c_int64,
@@ -3291,7 +3291,7 @@ numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| b
 their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is <= x. Cost: 30
 to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two ellipses, see
 the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly unlike
-exponents most take 10 to 30 us; the dearest that searches found took 0.15 ms (AMD EPYC, Zen 4). Since: 0.1.""",
+exponents most take 10 to 30 us; the dearest that searches found took 0.2 ms (AMD EPYC, Zen 4). Since: 0.1.""",
     ),
     "vesica_cast_many_f32": (
         c_int64,

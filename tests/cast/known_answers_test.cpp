@@ -144,6 +144,20 @@ TEST(Known, ASlideThatTouchesBesideTheEnd) {
   }
 }
 
+// A needle flies at a disc. Newton's method for the direction went in a circle, and what it had after 80
+// steps was taken: the point was on the disc, but a quarter of the needle's length off.
+TEST(Known, ANeedleThatPassesADisc) {
+  const Pair p{VESICA_CIRCLE,
+               VESICA_ELLIPSE,
+               {0, 0, 0x1.33cp+0},
+               {1, 0x1.337bp+0, 0x1.fep-1, -0x1.5bp-4, 0x1.c1p-5, 0x1.48p-12}};
+  const double t = 0x1.de0841106caf3p-1, x = 0x1.8e146e20764d3p-4, y = 0x1.32be1dd10352cp+0;
+  const Answer r = cast(Scalar::f64, p, {-1, 0, infinity});
+  EXPECT_TRUE(r.code == VESICA_CAST_HIT && r.t == t);
+  EXPECT_LT(std::hypot(r.x - x, r.y - y), 0x1p-40);
+  EXPECT_LT(std::hypot(r.nx - x / 0x1.33cp+0, r.ny - y / 0x1.33cp+0), 0x1p-40);
+}
+
 TEST(Known, PointsOnOneLine) {
   const Pair p{VESICA_POINT, VESICA_POINT, {6, 8}, {0, 0}};
   expect_hit(p, {3, 4, infinity}, 2, 6, 8, -0.6, -0.8);

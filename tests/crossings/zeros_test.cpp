@@ -24,7 +24,9 @@ constexpr int count = 4000;
 /// Products of (t - z), or of pairs of complex ones (t - z)^2 + w^2, over 2^down: the zeros in groups of any width.
 Quartic draw(Random& random, int down) {
   double power[5] = {1, 0, 0, 0, 0};
-  const double centre = random.between(-0.25, 1.25), spread = std::ldexp(random.unit(), -random.integer(1, 45));
+  const double centre = random.between(-0.25, 1.25);
+  const int narrow = random.integer(1, 45);
+  const double spread = std::ldexp(random.unit(), -narrow);
   const auto zero = [&](bool in_group) {
     return in_group ? centre + spread * random.between(-1, 1) : random.between(-3, 3);
   };

@@ -3176,7 +3176,7 @@ extern "C" {
     ///
     /// Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two ellipses,
     /// see the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly unlike
-    /// exponents most take 10 to 30 us; the dearest that searches found took 0.15 ms (AMD EPYC, Zen 4).
+    /// exponents most take 10 to 30 us; the dearest that searches found took 0.2 ms (AMD EPYC, Zen 4).
     ///
     /// Since: 0.1.
     pub fn vesica_cast_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64, vx: f64, vy: f64,
@@ -3438,7 +3438,7 @@ extern "C" {
     ///
     /// Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two ellipses,
     /// see the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly unlike
-    /// exponents most take 10 to 30 us; the dearest that searches found took 0.15 ms (AMD EPYC, Zen 4).
+    /// exponents most take 10 to 30 us; the dearest that searches found took 0.2 ms (AMD EPYC, Zen 4).
     ///
     /// Since: 0.1.
     pub fn vesica_cast_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32, vx: f32, vy: f32,
