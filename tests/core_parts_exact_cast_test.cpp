@@ -248,6 +248,19 @@ TEST(ExactCastParts, TrialAtTheTimeItself) {
   EXPECT_TRUE(no.known && !no.after && no.has_value && no.value.value > 0);
   EXPECT_FALSE(at.known);
   EXPECT_TRUE(yes.known && yes.after && yes.has_value && yes.value.value < 0);
+  EXPECT_FALSE(LeadingContact::exactly_at(pair_of(a, b, -1, 0), 6).known);
+}
+
+/// A start in the middle of contact, where digits do not tell on which side of the witness it is.
+TEST(ExactCastParts, TrialsFromTheWitness) {
+  const Ellipse<double> a{0, 0, 1, 0, 1, 1}, b{8, 0, 0, 1, 1, 1};
+  const ExactPair pair = pair_of(a, b, -1, 0);
+  ASSERT_EQ(pair.witness_after(8), 0);
+  EllipseTrials trials(pair);
+  EXPECT_EQ(trials.floor(8, 0), 6);
+  for (const double t : {0.0, 0x1p-1074, 6.0, next(6), 7.0, before(8), 8.0, next(8), largest}) {
+    EXPECT_EQ(trials.contact_before(t), t > 6 ? 1 : 0) << t;
+  }
 }
 
 /// A disc that meets a thin ellipse flat on, whether the time might be 0 or not.

@@ -197,7 +197,8 @@ Pair axis_length_pair(int kind_a, int kind_b, Scalar scalar, Random& random) {
   const auto proportions = [&] {
     Proportions p = ordinary(random);
     const int reach = random.chance(0.5) ? 4 : range(scalar).axis_exponent;
-    p.axis_length = std::ldexp(random.between(1, 2), random.integer(-reach, reach));
+    const int exponent = random.integer(-reach, reach);
+    p.axis_length = std::ldexp(random.between(1, 2), exponent);
     return p;
   };
   const Numbers a = shape_at_origin(kind_a, random, proportions());

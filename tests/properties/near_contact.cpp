@@ -40,12 +40,14 @@ double candidate(Pair pair, Place place, Scalar scalar, Random& random) {
   const Role r = role(kind_at(pair, place), place.field);
   if (random.chance(0.1)) return 0;
   if (r == Role::size || r == Role::axis) {
-    const double x = std::ldexp(old == 0 ? 1 : old, random.integer(-6, 6)) * random.between(1, 2);
+    double x = std::ldexp(old == 0 ? 1 : old, random.integer(-6, 6));
+    x *= random.between(1, 2);
     return nearest(scalar, r == Role::axis ? x * random.sign() : x);
   }
   Place other = random_place(pair, random);
   while (role(kind_at(pair, other), other.field) == Role::axis) other = random_place(pair, random);
-  const double step = std::ldexp(number_at(pair, other) - (random.chance(0.5) ? old : 0), random.integer(-4, 3));
+  const int exponent = random.integer(-4, 3);
+  const double step = std::ldexp(number_at(pair, other) - (random.chance(0.5) ? old : 0), exponent);
   return nearest(scalar, random.chance(0.2) ? number_at(pair, other) : old + step);
 }
 

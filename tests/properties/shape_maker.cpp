@@ -97,7 +97,9 @@ Vector random_point(int kind, const Numbers& numbers, Random& random, double rea
   }
   if (random.chance(0.2)) {
     // Just inside a tip or a side's middle, where a thin shape's small cross product is all rounding error.
-    s = random.sign() * (1 - std::ldexp(random.unit(), -random.integer(0, 50)));
+    const double sign = random.sign();
+    const int near = random.integer(0, 50);
+    s = sign * (1 - std::ldexp(random.unit(), -near));
     t = 0;
     if (random.chance(0.5)) std::swap(s, t);
   }

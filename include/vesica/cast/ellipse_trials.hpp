@@ -193,8 +193,7 @@ class EllipseTrials {
  private:
   VESICA_COLD Trial at(double t) noexcept {
     const Trial trial = find(t);
-    if (trial.known && trial.after && t < first_after_) first_after_ = t;
-    if (trial.known && !trial.after && t > latest_before_) latest_before_ = t;
+    if (trial.known) (trial.after ? first_after_ : latest_before_) = t;
     return trial;
   }
   /// Not known where the place is beyond exact numbers.
