@@ -72,4 +72,12 @@ TEST(ShareSearch, EndsWhereNothingIsFound) {
   }
 }
 
+/// Where steps hardly fall they say nothing: what they tell is beyond all exponents, and of an int.
+TEST(ShareSearch, OfStepsThatHardlyFall) {
+  ShareSearch search;
+  const Wide far = search.next(Wide(1, -900'000), Wide(1, 100'000));
+  EXPECT_EQ(far.exponent, -899'999);
+  EXPECT_EQ(search.next(Wide(1, 900'000), Wide(1, 1'899'999)).exponent, 900'004);
+}
+
 }  // namespace

@@ -48,8 +48,8 @@ class ShareSearch {
   static int equal_exponent(const End& earlier, const End& end) noexcept {
     const int way = end.l.exponent - earlier.l.exponent, fall = earlier.excess - end.excess;
     if (!earlier.is_known || fall == 0) return end.l.exponent;
-    const double share = static_cast<double>(end.excess) / fall;
-    return share < far ? end.l.exponent + static_cast<int>(share * way) : end.l.exponent;
+    const double further = static_cast<double>(end.excess) / fall * way;
+    return further > -far && further < far ? end.l.exponent + static_cast<int>(further) : end.l.exponent;
   }
 
   End low_, high_;
