@@ -6,15 +6,11 @@
 
 namespace vesica::exact {
 
-/// The members mean what those of Leading do. Both numbers of an operation have the same limbs, or one of them is 0.
-struct Digits {
+/// Both numbers of an operation have the same limbs, or one of them is 0.
+struct Digits : LeadingLimbs<Digits> {
   static constexpr int most_limbs = exact::most_limbs;
-  static constexpr std::int64_t nothing = Leading<few_limbs>::nothing;
 
-  std::int32_t sign = 0;
-  std::int32_t low = 0;
   std::int32_t limbs = 0;  ///< an even number of them
-  std::int64_t error = nothing;
   Limb limb[most_limbs];  ///< [0, limbs) hold the value, unless the sign is 0
 
   constexpr Digits() noexcept {}
@@ -44,11 +40,6 @@ struct Digits {
       if (x.limb[i] != 0) return lose(std::int64_t{64} * low);
     }
   }
-  constexpr void lose(std::int64_t exponent) noexcept { error = (error > exponent ? error : exponent) + 1; }
-  /// A sum with an error of nothing is below half of that.
-  constexpr void lose_if_any(std::int64_t exponent) noexcept {
-    if (exponent > nothing / 2) lose(exponent);
-  }
 
   constexpr detail::Span span() const noexcept { return {limb, low, sign == 0 ? 0 : limbs}; }
   /// These digits, or as many of them, as a number of its own.
@@ -59,15 +50,6 @@ struct Digits {
     out.error = nothing;
     return out;
   }
-  constexpr std::int64_t top() const noexcept {
-    return sign == 0 ? nothing : 64 * (std::int64_t{low} + limbs) - std::countl_zero(limb[limbs - 1]);
-  }
-  constexpr int lowest() const noexcept {
-    int i = 0;
-    while (limb[i] == 0) ++i;
-    return i;
-  }
-  constexpr bool sign_is_certain() const noexcept { return error == nothing || top() - 1 > error; }
 };
 
 /// As many of them for all numbers of a formula, where it names a type.
@@ -95,9 +77,7 @@ VESICA_CALLED constexpr Digits product(const Digits& a, const Digits& b) noexcep
     product.set(a.sign * b.sign, {limb + first, a.low + b.low + first, 2 * n - first});
     if (a.lowest() + b.lowest() < first) product.lose(std::int64_t{64} * (a.low + b.low + first + 1) + 6);
   }
-  product.lose_if_any(a.top() + b.error);
-  product.lose_if_any(b.top() + a.error);
-  product.lose_if_any(a.error + b.error);
+  product.lose_factors(a, b);
   return product;
 }
 
@@ -148,15 +128,15 @@ constexpr Digits operator-(const Digits& a) noexcept {
 }
 constexpr Digits abs(const Digits& a) noexcept { return a.sign < 0 ? -a : a; }
 
-/// A small whole number of times.
+/// A small positive whole number of times.
 VESICA_CALLED constexpr Digits times(int factor, const Digits& a) noexcept {
   Digits product;
   product.limbs = a.limbs;
-  const Limb size = static_cast<Limb>(factor < 0 ? -factor : factor);
+  const Limb size = static_cast<Limb>(factor);
   if (a.sign != 0) {
     Limb limb[Digits::most_limbs + 1];
     detail::multiply(&size, 1, a.limb, a.limbs, limb);
-    product.set(factor < 0 ? -a.sign : a.sign, {limb, a.low, a.limbs + 1});
+    product.set(a.sign, {limb, a.low, a.limbs + 1});
   }
   product.lose_if_any(a.error + static_cast<std::int64_t>(std::bit_width(size)));
   return product;

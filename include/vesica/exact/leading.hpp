@@ -9,15 +9,50 @@
 
 namespace vesica::exact {
 
-/// A number to 64 limbs - 63 binary digits or more, with a bound on what is missing.
-template <int limbs>
-struct Leading {
+/// What numbers that keep `limbs` leading limbs have in common, from `low` on; and a bound on what is missing.
+template <class Kept>
+struct LeadingLimbs {
   static constexpr std::int64_t nothing = -(std::int64_t{1} << 40);
 
   std::int32_t sign = 0;
   std::int32_t low = 0;
   std::int64_t error = nothing;  ///< the number is less than 2^error away, or `nothing` is missing
-  Limb limb[limbs] = {};         ///< the last one not zero, unless the sign is 0
+
+  constexpr void lose(std::int64_t exponent) noexcept { error = (error > exponent ? error : exponent) + 1; }
+  /// A sum with an error of nothing is below half of that.
+  constexpr void lose_if_any(std::int64_t exponent) noexcept {
+    if (exponent > nothing / 2) lose(exponent);
+  }
+  /// As a product.
+  constexpr void lose_factors(const Kept& a, const Kept& b) noexcept {
+    lose_if_any(a.top() + b.error);
+    lose_if_any(b.top() + a.error);
+    lose_if_any(a.error + b.error);
+  }
+
+  /// Its magnitude is less than 2^top, and at least half of that unless it is 0.
+  constexpr std::int64_t top() const noexcept {
+    const Kept& x = kept();
+    return sign == 0 ? nothing : 64 * (std::int64_t{low} + x.limbs) - std::countl_zero(x.limb[x.limbs - 1]);
+  }
+  /// Its lowest limb that is not 0, unless it is 0.
+  constexpr int lowest() const noexcept {
+    int i = 0;
+    while (kept().limb[i] == 0) ++i;
+    return i;
+  }
+  constexpr bool sign_is_certain() const noexcept { return error == nothing || top() - 1 > error; }
+
+ private:
+  constexpr const Kept& kept() const noexcept { return static_cast<const Kept&>(*this); }
+};
+
+/// A number to 64 limbs - 63 binary digits or more.
+template <int count>
+struct Leading : LeadingLimbs<Leading<count>> {
+  static constexpr int limbs = count;
+
+  Limb limb[limbs] = {};  ///< the last one not zero, unless the sign is 0
 
   constexpr Leading() noexcept = default;
   template <int Degree>
@@ -28,14 +63,13 @@ struct Leading {
   constexpr void set(int its_sign, detail::Span x) noexcept {
     while (x.size > 0 && x.limb[x.size - 1] == 0) --x.size;
     if (x.size == 0) return;
-    sign = its_sign;
-    low = x.low + x.size - limbs;
-    for (int i = 0; i < limbs; ++i) limb[i] = x.at(low + i);
+    this->sign = its_sign;
+    this->low = x.low + x.size - limbs;
+    for (int i = 0; i < limbs; ++i) limb[i] = x.at(this->low + i);
     for (int i = 0; i < x.size - limbs; ++i) {
-      if (x.limb[i] != 0) return lose(std::int64_t{64} * low);
+      if (x.limb[i] != 0) return this->lose(std::int64_t{64} * this->low);
     }
   }
-  constexpr void lose(std::int64_t exponent) noexcept { error = (error > exponent ? error : exponent) + 1; }
 
   /// Long products are formed from here on, one limb more than is kept at least.
   static constexpr int first_formed = limbs < 24 ? 0 : limbs - 2;
@@ -43,28 +77,13 @@ struct Leading {
   constexpr void lose_unformed(const Leading& a, const Leading& b) noexcept {
     if constexpr (first_formed > 0) {
       static_assert(first_formed < 64);
-      if (a.lowest() + b.lowest() < first_formed) lose(std::int64_t{64} * (a.low + b.low + first_formed + 1) + 6);
-    }
-  }
-  /// As a product.
-  constexpr void lose_factors(const Leading& a, const Leading& b) noexcept {
-    for (const std::int64_t part : {a.top() + b.error, b.top() + a.error, a.error + b.error}) {
-      if (part > nothing / 2) lose(part);
+      if (a.lowest() + b.lowest() < first_formed) {
+        this->lose(std::int64_t{64} * (a.low + b.low + first_formed + 1) + 6);
+      }
     }
   }
 
-  constexpr detail::Span span() const noexcept { return {limb, low, limbs}; }
-  /// Its magnitude is less than 2^top, and at least half of that unless it is 0.
-  constexpr std::int64_t top() const noexcept {
-    return sign == 0 ? nothing : 64 * (std::int64_t{low} + limbs) - std::countl_zero(limb[limbs - 1]);
-  }
-  /// Its lowest limb that is not 0, unless it is 0.
-  constexpr int lowest() const noexcept {
-    int i = 0;
-    while (limb[i] == 0) ++i;
-    return i;
-  }
-  constexpr bool sign_is_certain() const noexcept { return error == nothing || top() - 1 > error; }
+  constexpr detail::Span span() const noexcept { return {limb, this->low, limbs}; }
 };
 
 namespace detail {
@@ -99,17 +118,17 @@ constexpr Leading<limbs> square(const Leading<limbs>& a) noexcept {
   return detail::product(a, a);
 }
 
-/// A small whole number of times.
+/// A small positive whole number of times.
 template <int limbs>
 constexpr Leading<limbs> times(int factor, const Leading<limbs>& a) noexcept {
   Leading<limbs> product;
-  const Limb size = static_cast<Limb>(factor < 0 ? -factor : factor);
+  const Limb size = static_cast<Limb>(factor);
   if (a.sign != 0) {
     Limb limb[limbs + 1];
     detail::multiply(&size, 1, a.limb, limbs, limb);
-    product.set(factor < 0 ? -a.sign : a.sign, {limb, a.low, limbs + 1});
+    product.set(a.sign, {limb, a.low, limbs + 1});
   }
-  if (a.error != product.nothing) product.lose(a.error + static_cast<std::int64_t>(std::bit_width(size)));
+  product.lose_if_any(a.error + static_cast<std::int64_t>(std::bit_width(size)));
   return product;
 }
 
@@ -147,10 +166,8 @@ constexpr Leading<limbs> operator+(const Leading<limbs>& a, const Leading<limbs>
     sum.set(order < 0 ? b.sign : a.sign, {limb, low, n});
     if (a.low < low || b.low < low) sum.lose(std::int64_t{64} * low);
   }
-  const std::int64_t errors[] = {a.error, b.error};
-  for (const std::int64_t error : errors) {
-    if (error != Leading<limbs>::nothing) sum.lose(error);
-  }
+  sum.lose_if_any(a.error);
+  sum.lose_if_any(b.error);
   return sum;
 }
 
