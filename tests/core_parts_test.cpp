@@ -136,28 +136,6 @@ TEST(CoreParts, ClosestPointsOfOutlinesApart) {
   }
 }
 
-/// Numbers times a power of two: 0 is kept, so is what is equal and what is not subnormal.
-TEST(CoreParts, KeptDigits) {
-  struct Number {
-    double stored, scaled;
-    bool kept;
-  };
-  constexpr Number usual{3, 0x1.8p-1000, true};
-  constexpr Number numbers[] = {{0, 0, true}, {3, 3, true}, usual, {3, 0x1p-1070, false}, {3, 0, false}};
-  for (int k = 0; k < 6; ++k) {
-    for (const Number& x : numbers) {
-      Number all[6] = {usual, usual, usual, usual, usual, usual};
-      all[k] = x;
-      const auto ellipse = [&](double Number::*which) {
-        return vesica::Ellipse<double>{all[0].*which, all[1].*which, all[2].*which,
-                                       all[3].*which, all[4].*which, all[5].*which};
-      };
-      EXPECT_EQ(within::kept_digits(ellipse(&Number::stored), ellipse(&Number::scaled)), x.kept)
-          << k << ' ' << x.scaled;
-    }
-  }
-}
-
 /// The root of a quartic that an ellipse and a circle's centre make, down to nothing at all.
 TEST(CoreParts, QuarticOfACircle) {
   EXPECT_EQ(vesica::methods::detail::quartic_root(0.0, 0.0, 0.0), 0);

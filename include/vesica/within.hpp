@@ -110,42 +110,21 @@ Shape<double> times(double k, const Shape<double>& s) noexcept {
   return {k * cx, k * cy, of_axis * ux, of_axis * uy, of_sizes * first, of_sizes * second};
 }
 
-/// Whether a shape's numbers times a power of two, or some of them, lost no digit: none underflowed.
-template <class Shape>
-bool kept_digits(const Shape& stored, const Shape& scaled) noexcept {
-  return with_numbers(stored, [&](auto... x) {
-    return with_numbers(scaled, [&](auto... y) {
-      return ((x == 0 || y == x || std::fabs(y) >= std::numeric_limits<double>::min()) && ...);
-    });
-  });
-}
-
 /// Valid disjoint shapes, of kinds in order, one of them an ellipse with an area, and a distance above 0. The distance
 /// of nearest() is right to 4u of the scale, and to half the least number; 4.5u leave room for the roundings here.
 template <class A, class B>
 VESICA_COLD Within by_distance(A a, B b, double distance) noexcept {
-  // Lengths are below 2^2050. In a unit of 2^600, or of its square or cube, none is beyond the range of double, and
-  // what underflows there is nothing beside them.
-  std::int32_t overlapping = 0;
+  // Lengths are below 2^2050. In a unit of 2^600, or of its square or cube, none is beyond the range of double. What
+  // underflows there is nothing beside them: where the shapes overlap then, their distance is a rounding error.
   for (int unit = 0; unit < 4; ++unit) {
     ClosestPoints<double> found;
     const double error = 9 * 0x1p-54 * scale(a, b) + std::numeric_limits<double>::denorm_min();
-    // Shapes that overlap are 0 apart; if that gives the same answer, whether they do is not asked. Points of shapes
-    // of this scale are finite.
-    if (overlapping == nearest::not_asked && error < 0x1p900 && nearest::nearest_in_order(a, b, 0, found) == 0) {
-      const Within answer = compared(found.distance, distance, error), at_none = compared(0, distance, error);
-      return answer == at_none || vesica::detail::decide_undecided(a, b) == 0 ? answer : at_none;
-    }
-    if (all_finite(error) && nearest::nearest_in_order(a, b, overlapping, found) == 0) {
+    if (all_finite(error) && nearest::nearest_in_order(a, b, 0, found) == 0) {
       return compared(found.distance, distance, error);
     }
     constexpr double k = 0x1p-600;
-    const A of_a = times(k, a);
-    const B of_b = times(k, b);
-    // Shapes whose digits are all there still are disjoint.
-    if (!kept_digits(a, of_a) || !kept_digits(b, of_b)) overlapping = nearest::not_asked;
-    a = of_a;
-    b = of_b;
+    a = times(k, a);
+    b = times(k, b);
     distance *= k;
   }
   return Within::nearly;

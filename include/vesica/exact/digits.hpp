@@ -11,7 +11,7 @@ struct Digits : LeadingLimbs<Digits> {
   static constexpr int most_limbs = exact::most_limbs;
 
   std::int32_t limbs = 0;  ///< an even number of them
-  Limb limb[most_limbs];  ///< [0, limbs) hold the value, unless the sign is 0
+  Limb limb[most_limbs];   ///< [0, limbs) hold the value, unless the sign is 0
 
   constexpr Digits() noexcept {}
   template <int Degree>
