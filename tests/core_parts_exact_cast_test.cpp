@@ -280,4 +280,36 @@ TEST(ExactCastParts, TimeOfAThinEllipseMetFlatOn) {
   }
 }
 
+/// Digits of which so few are kept that a sqrt(x) + b sqrt(y) might be 0, and digits that tell.
+TEST(ExactCastParts, SumOfRootsFromDigits) {
+  using Few = Leading<exact::few_limbs>;
+  const auto sign = [](double ax, double tiny, double bx) {
+    const Few a(from_double(ax) + from_double(tiny)), b(from_double(bx)), one(from_double(1.0));
+    return sum_of_roots(a, one, b, one);
+  };
+  EXPECT_EQ(sign(2, 0, -1), 1);
+  EXPECT_EQ(sign(-2, 0, 1), -1);
+  EXPECT_EQ(sign(1, 0, 1), 1);
+  EXPECT_EQ(sign(1, 0x1p-100, -1), 1);
+  EXPECT_EQ(sign(1, 0x1p-1000, -1), 0) << "the squares' difference is beyond their digits";
+  const Few small = Few(from_double(0x1p900) + from_double(0x1p-900)) - Few(from_double(0x1p900));
+  EXPECT_EQ(sum_of_roots(small, Few(from_double(1.0)), Few(from_double(-0x1p-900)), Few(from_double(1.0))), 0);
+}
+
+TEST(ExactCastParts, ContactBeyondExactNumbers) {
+  const ExactPair pair = pair_of(Point<double>{0, 0}, Circle<double>{0x1p-1000, 0, 1}, -0x1p40, 0);
+  EXPECT_EQ(exact_contact_at(pair, largest), static_cast<std::int32_t>(error_range));
+  EXPECT_EQ(exact_contact_at(pair, 0x1p-40), 1);
+  EXPECT_EQ(exact_contact_at(pair, 1), 0);
+}
+
+/// A box whose time is not known, as it is in the ellipse from the start on: then the time is searched.
+TEST(ExactCastParts, SearchedFloorOfABox) {
+  const ExactPair pair = pair_of(Ellipse<double>{0, 0, 1, 0, 2, 1}, Rect<double>{1, 0, 1, 0, 1, 1}, -1, 0x1p-10);
+  ASSERT_FALSE(known_time(pair, false).tells());
+  double t = -1;
+  EXPECT_EQ(exact_floor(pair, infinity, false, -1, {}, t), 1);
+  EXPECT_EQ(t, 0);
+}
+
 }  // namespace

@@ -218,7 +218,7 @@ TEST(QuickWays, NegligibleParts) {
   EXPECT_GT(asked, 5000 * properties::repeat());
 }
 
-/// by_distance() without its short way: whether scaled shapes overlap is always asked.
+/// by_distance() that asks whether scaled shapes overlap.
 template <class A, class B>
 vesica::Within always_asked(A a, B b, double distance) {
   namespace within = vesica::detail::within;
@@ -229,12 +229,8 @@ vesica::Within always_asked(A a, B b, double distance) {
     if (std::isfinite(error) && vesica::detail::nearest::nearest_in_order(a, b, overlapping, found) == 0) {
       return within::compared(found.distance, distance, error);
     }
-    const A of_a = within::times(0x1p-600, a);
-    const B of_b = within::times(0x1p-600, b);
-    if (!within::kept_digits(a, of_a) || !within::kept_digits(b, of_b)) {
-      overlapping = vesica::detail::nearest::not_asked;
-    }
-    a = of_a, b = of_b, distance *= 0x1p-600;
+    overlapping = vesica::detail::nearest::not_asked;
+    a = within::times(0x1p-600, a), b = within::times(0x1p-600, b), distance *= 0x1p-600;
   }
   return vesica::Within::nearly;
 }

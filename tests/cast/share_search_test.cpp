@@ -78,6 +78,9 @@ TEST(ShareSearch, OfStepsThatHardlyFall) {
   const Wide far = search.next(Wide(1, -900'000), Wide(1, 100'000));
   EXPECT_EQ(far.exponent, -899'999);
   EXPECT_EQ(search.next(Wide(1, 900'000), Wide(1, 1'899'999)).exponent, 900'004);
+  ShareSearch down;
+  EXPECT_EQ(down.next(Wide(1, 900'000), Wide(-1, 1'900'000)).exponent, 899'999);
+  EXPECT_EQ(down.next(Wide(1, -900'000), Wide(-1, 99'999)).exponent, -900'004);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <vector>
+#include <vesica/exact/digits.hpp>
 #include <vesica/exact/ellipse_ellipse.hpp>
 #include <vesica/exact/leading.hpp>
 #include <vesica/exact/rounded.hpp>
@@ -45,9 +46,11 @@ mpq_class value(const Number<Degree>& x) {
   return mpq_class(x.sign * integer(x.limb, x.size)) * power_of_two(std::int64_t{64} * x.low);
 }
 
-template <int limbs>
-mpq_class value(const exact::Leading<limbs>& x) {
-  return mpq_class(x.sign * integer(x.limb, limbs)) * power_of_two(std::int64_t{64} * x.low);
+template <class Kept>
+mpq_class value(const exact::LeadingLimbs<Kept>& x) {
+  const Kept& kept = static_cast<const Kept&>(x);
+  if (x.sign == 0) return 0;
+  return mpq_class(x.sign * integer(kept.limb, kept.limbs)) * power_of_two(std::int64_t{64} * x.low);
 }
 
 /// Runs of zeros and of ones, and between them limbs of any kind.
@@ -91,8 +94,8 @@ Number<8> any_number(Random& random) {
   return degree_4() * degree_4() - square(degree_4());
 }
 
-template <int limbs>
-void expect_within_bound(const exact::Leading<limbs>& x, const mpq_class& truth) {
+template <class Kept>
+void expect_within_bound(const Kept& x, const mpq_class& truth) {
   if (x.error == x.nothing) {
     EXPECT_EQ(value(x), truth);
   } else {
@@ -103,9 +106,9 @@ void expect_within_bound(const exact::Leading<limbs>& x, const mpq_class& truth)
   }
 }
 
-template <int limbs>
+template <class Kept>
 int expect_arithmetic(const Number<8>& p, const Number<8>& q) {
-  const exact::Leading<limbs> a(p), b(q), sum = a + b, product = a * b;
+  const Kept a(p), b(q), sum = a + b, product = a * b;
   const mpq_class x = value(p), y = value(q);
   expect_within_bound(a, x);
   expect_within_bound(sum, x + y);
@@ -115,7 +118,7 @@ int expect_arithmetic(const Number<8>& p, const Number<8>& q) {
   expect_within_bound(abs(a), abs(x));
   expect_within_bound(times(12, a), 12 * x);
   // What is left of these is what was not exact.
-  const exact::Leading<limbs> none = square(sum) - square(a) - square(b) - times(2, product);
+  const Kept none = square(sum) - square(a) - square(b) - times(2, product);
   expect_within_bound(none, 0);
   expect_within_bound(none * b, 0);
   return none.sign_is_certain() ? 1 : 0;
@@ -148,16 +151,21 @@ TEST(Leading, ProductsOfAnyLowestLimb) {
   }
 }
 
+/// Of numbers whose limbs are counted by the compiler, and at run time.
 TEST(Leading, WithinItsBound) {
+  using exact::DigitsOf, exact::Leading, exact::few_limbs, exact::some_limbs, exact::more_limbs, exact::most_limbs;
   Random random(properties::seed());
   int certain = 0;
   for (int i = 0; i < 2000 * properties::repeat(); ++i) {
     const Number<8> p = any_number(random);
     // Often nearly the same, or the same.
     const Number<8> q = random.chance(0.5) ? any_number(random) : random.chance(0.5) ? p : p + any_number(random);
-    certain += expect_arithmetic<exact::few_limbs>(p, q) + expect_arithmetic<exact::more_limbs>(q, p);
-    expect_arithmetic<exact::some_limbs>(p, Number<8>());
-    expect_arithmetic<exact::most_limbs>(p, q);
+    certain += expect_arithmetic<Leading<few_limbs>>(p, q) + expect_arithmetic<Leading<more_limbs>>(q, p);
+    certain += expect_arithmetic<DigitsOf<few_limbs>>(p, q) + expect_arithmetic<DigitsOf<more_limbs>>(q, p);
+    expect_arithmetic<Leading<some_limbs>>(p, Number<8>());
+    expect_arithmetic<Leading<most_limbs>>(p, q);
+    expect_arithmetic<DigitsOf<some_limbs>>(Number<8>(), q);
+    expect_arithmetic<DigitsOf<most_limbs>>(p, q);
   }
   EXPECT_EQ(certain, 0);
 }

@@ -80,11 +80,9 @@ class SeenEllipses {
       if (at.is_near && at.is_below_all_doubles()) return {Rough(crossings::Real(1.0), 0, least_exponent), true};
       if (found.tells() || i == most_steps || (limbs_ == limit && at.more_digits)) return found;
       // A step of 100 bits gains some 200. Of a direction that is not near only its side is asked.
-      if (at.more_digits && (at.is_near || at.step.sign() == 0)) {
-        limbs_ = limbs_ == 0 ? exact::few_limbs : limbs_ < limit - 4 ? limbs_ + 4 : limit;
-      }
+      if (at.more_digits && (at.is_near || at.step.sign() == 0)) limbs_ += exact::few_limbs;
       const Wide l = wide(share), step = wide(at.step);
-      if (at.is_near || step.sign() == 0 || step.exponent < l.exponent - 2) {
+      if (at.is_near || step.sign() == 0) {
         // This is the direction now.
         share = (share + digits(at.step, most_limbs)).with_limbs(most_limbs);
       } else {
@@ -99,6 +97,7 @@ class SeenEllipses {
   static constexpr int most_steps = 20;         ///< of Newton's method, each of some 100 bits
   static constexpr int most_trials = 60;        ///< before them, of l
   static constexpr int most_limbs = exact::more_limbs;
+  static_assert(most_limbs % exact::few_limbs == 0);
 
   /// Numbers of some type from exact ones.
   template <class Real, int Degree>
@@ -112,7 +111,7 @@ class SeenEllipses {
     }
   }
 
-  /// By s. Of two directions against v, e is before f iff e x f < 0.
+  /// By s. Of two directions against v, e is before f iff e x f < 0. Those of the second ellipse come last.
   void insert(const SectorEdge& e) noexcept {
     int at = edges_++;
     for (; at > 0 && is_before(e, edge_[at - 1]); --at) edge_[at] = edge_[at - 1];
@@ -120,7 +119,7 @@ class SeenEllipses {
   }
   bool is_before(const SectorEdge& e, const SectorEdge& f) const noexcept {
     const int dot = e.ellipse == f.ellipse ? 1 : dot_.sign;
-    const int cross = e.ellipse == f.ellipse ? 0 : e.ellipse == 0 ? cross_.sign : -cross_.sign;
+    const int cross = e.ellipse == f.ellipse ? 0 : -cross_.sign;
     return e.sign * f.sign * (e.turned == f.turned ? cross : e.turned ? -dot : dot) < 0;
   }
 

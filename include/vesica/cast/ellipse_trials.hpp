@@ -115,8 +115,7 @@ class TrialSearch {
       t = arithmetic::at_rank<double>(after ? rank - way : rank + way);
       const Trial &at = after ? at_yes_ : at_no_, earlier = at;
       if (is_after(t) != after) return true;
-      const bool have_values = earlier.has_value && at.has_value;
-      if (have_values && ratio(at.value, earlier.value) > 1 - 0x1p-12) break;  // it is 0 far from here
+      if (earlier.has_value && ratio(at.value, earlier.value) > 1 - 0x1p-12) break;  // it is 0 far from here
     }
     return false;
   }

@@ -70,8 +70,7 @@ inline WideTime known_time_of_ellipses(const ExactPair& pair, bool is_beside_sta
   found = SeenEllipses(pair).time();
   if (found.tells()) return found;
   const WideTime straight = is_beside_start ? WideTime{} : soon();
-  if (straight.tells()) return straight;
-  return found.certain || found.time.sign() > 0 ? found : WideTime{straight.time};
+  return straight.tells() ? straight : found;
 }
 inline WideTime known_time(const ExactPair& pair, bool is_beside_start) noexcept {
   if (pair.line_grazes()) return wide_grazing_time(pair);

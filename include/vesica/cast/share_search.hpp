@@ -28,7 +28,7 @@ class ShareSearch {
       return low_.l < there && there < high_.l ? there : Wide(0.5, 0) * (low_.l + high_.l);
     }
     const int told = ++looked_ % 3 == 0 ? l.exponent : equal_exponent(earlier, end);
-    if (low < told && told < high && (told - l.exponent) * sign > 0) return {1, told};
+    if (low < told && told < high) return {1, told};
     if (is_between) return {1, (low + high) / 2};
     if (way_ > far / 64) return {};
     const Wide there{1, l.exponent + sign * way_};
