@@ -72,17 +72,18 @@ class SeenEllipses {
   WideTime time() noexcept {
     find_sector();
     Digits share = digits(find_share(), most_limbs);
+    Terms<Rough> few = terms<Rough>();
     ShareSearch search;
     const int limit = pair_.is_long() ? most_limbs : exact::few_limbs;  // of short numbers trials are as quick
     for (int i = 0;; ++i) {
-      const Evaluated at = limbs_ == 0 ? evaluate(rough(share)) : evaluate(share.with_limbs(limbs_));
+      const Evaluated at = limbs_ == 0 ? evaluate(rough(share), few) : evaluate(share.with_limbs(limbs_));
       const WideTime found{at.time, at.is_near};
       if (at.is_near && at.is_below_all_doubles()) return {Rough(crossings::Real(1.0), 0, least_exponent), true};
       if (found.tells() || i == most_steps || (limbs_ == limit && at.more_digits)) return found;
       // A step of 100 bits gains some 200. Of a direction that is not near only its side is asked.
       if (at.more_digits && (at.is_near || at.step.sign() == 0)) limbs_ += exact::few_limbs;
       const Wide l = wide(share), step = wide(at.step);
-      if (at.is_near || step.sign() == 0) {
+      if (at.is_near || step.sign() == 0 || step.exponent < l.exponent - 2) {
         // This is the direction now.
         share = (share + digits(at.step, most_limbs)).with_limbs(most_limbs);
       } else {
@@ -363,51 +364,13 @@ class SeenEllipses {
     }
   }
 
-  /// The greatest T(n), from one n; how far off the best l is.
-  struct Evaluated {
-    Rough time, step;
-    bool is_near;      ///< the step is so short that what it gains has a bound
-    bool more_digits;  ///< are needed
-
-    bool is_below_all_doubles() const noexcept {
-      return arithmetic::scale(std::fabs(rounded(time.value)) + time.error, time.exponent - least_exponent) < 1;
-    }
+  /// Of the ends of an axis of either ellipse: v x D', e.D' and f.D'.
+  template <class Real>
+  struct Ends {
+    Real straight, along_e, along_f;
   };
-  /// A step of Newton's method in s is slope / bend, bend = k (n.v)^3 / v.v with k = sum of area^2 / h^3. It gains
-  /// about slope^2 / (2 bend v.v).
-  ///
-  /// Proved: the greatest T lies within 2d (bound.hpp), where h changes by a share x = d / (4 room) at most. So bend is
-  /// between bend / (1 + x)^3 and bend / (1 - x)^3 there, and what is gained between (1 - x)^3 and (1 + x)^3 times the
-  /// above. As x <= 1/4, that is within 4 x of it.
   template <class Real>
-  VESICA_COLD Evaluated evaluate(const Real& l) const noexcept {
-    const SeenDirection<Real> e = seen<Real>(from_), f = seen<Real>(to_), n = between(e, f, l);
-    const SeenDirection<Wide> seen_n = between(wide_from_, wide_to_, wide(rough(l)));
-    const bool a_by_x = is_by_x(seen_n, 0), b_by_x = is_by_x(seen_n, 1);
-    const Sizes<Real> s = sizes<Real>();
-    const Reach<Real> a = reach(s, n, 0, a_by_x), b = reach(s, n, 1, b_by_x);
-    const Real of_a = a.h * a.sum, of_b = b.h * b.sum;
-    const Real beside = from_exact<Real>(straight(a_by_x, b_by_x)) * of_a * of_b - a.beside * of_b - b.beside * of_a;
-    const Rough slope = rough(beside) / rough(of_a * of_b), against = rough(n.against);
-    const Rough height_a = rough(a.h), height_b = rough(b.h);
-    const Rough k = square(rough(s.area[0]) / height_a) / height_a + square(rough(s.area[1]) / height_b) / height_b;
-    Wide falls[2];
-    const Slope at = fall(seen_n.against, wide(height_a), wide(height_b), falls);
-    const Wide steepest(std::fabs(rounded(slope.value)) + slope.error, slope.exponent), change = steepest / at.fall;
-    const Real gap = ahead(l, a_by_x, b_by_x) * a.sum * b.sum - a.rest * b.sum - b.rest * a.sum;
-    const Rough time = rough(gap) / rough(a.sum * b.sum * n.against);
-    const Rough unit = k * against;
-    const Wide rest = Wide(0.51, 0) * steepest * change / vv_ * (change / at.room);
-    const Rough gain =
-        square(slope) / crossings::times(2, unit * square(against)) + Rough({}, rest.value, rest.exponent);
-    const bool is_known = slope.sign_is_known();
-    const Rough step = is_known ? slope / (unit * rough(width(e, f))) : Rough();
-    return {time + gain, step, change < at.room,
-            !is_known || Wide(gain.error, gain.exponent) < Wide(time.error, time.exponent)};
-  }
-  /// n.D'.
-  template <class Real>
-  Real ahead(const Real& l, bool a_by_x, bool b_by_x) const noexcept {
+  Ends<Real> ends(bool a_by_x, bool b_by_x) const noexcept {
     Number<2> x = pair_.dx_, y = pair_.dy_;
     for (int i = 0; i < 2; ++i) {
       const exact::Box& e = body_[i]->box;
@@ -425,9 +388,77 @@ class SeenEllipses {
       of_e.sign *= e.sign;
       return from_exact<Real>(of_e);
     };
-    return along(from_) + l * along(to_);
+    return {from_exact<Real>(straight(a_by_x, b_by_x)), along(from_), along(to_)};
   }
 
+  /// What n = e + l f is seen by, whatever l is.
+  template <class Real>
+  struct Terms {
+    SeenDirection<Real> e, f;
+    Sizes<Real> sizes;
+    Ends<Real> ends[4];
+    bool is_known[4] = {};
+
+    const Ends<Real>& of_ends(const SeenEllipses& seen, bool a_by_x, bool b_by_x) noexcept {
+      const int which = (a_by_x ? 1 : 0) + (b_by_x ? 2 : 0);
+      if (!is_known[which]) ends[which] = seen.ends<Real>(a_by_x, b_by_x);
+      is_known[which] = true;
+      return ends[which];
+    }
+  };
+  template <class Real>
+  Terms<Real> terms() const noexcept {
+    return {seen<Real>(from_), seen<Real>(to_), sizes<Real>(), {}, {}};
+  }
+
+  /// The greatest T(n), from one n; how far off the best l is.
+  struct Evaluated {
+    Rough time, step;
+    bool is_near;      ///< the step is so short that what it gains has a bound
+    bool more_digits;  ///< are needed
+
+    bool is_below_all_doubles() const noexcept {
+      return arithmetic::scale(std::fabs(rounded(time.value)) + time.error, time.exponent - least_exponent) < 1;
+    }
+  };
+  Evaluated evaluate(const Digits& l) const noexcept {
+    Terms<Digits> all = terms<Digits>();
+    return evaluate(l, all);
+  }
+  /// A step of Newton's method in s is slope / bend, bend = k (n.v)^3 / v.v with k = sum of area^2 / h^3. It gains
+  /// about slope^2 / (2 bend v.v).
+  ///
+  /// Proved: the greatest T lies within 2d (bound.hpp), where h changes by a share x = d / (4 room) at most. So bend is
+  /// between bend / (1 + x)^3 and bend / (1 - x)^3 there, and what is gained between (1 - x)^3 and (1 + x)^3 times the
+  /// above. As x <= 1/4, that is within 4 x of it.
+  template <class Real>
+  VESICA_COLD Evaluated evaluate(const Real& l, Terms<Real>& terms) const noexcept {
+    const SeenDirection<Real> n = between(terms.e, terms.f, l);
+    const SeenDirection<Wide> seen_n = between(wide_from_, wide_to_, wide(rough(l)));
+    const bool a_by_x = is_by_x(seen_n, 0), b_by_x = is_by_x(seen_n, 1);
+    const Sizes<Real>& s = terms.sizes;
+    const Ends<Real>& ends = terms.of_ends(*this, a_by_x, b_by_x);
+    const Reach<Real> a = reach(s, n, 0, a_by_x), b = reach(s, n, 1, b_by_x);
+    const Real of_a = a.h * a.sum, of_b = b.h * b.sum;
+    const Real beside = ends.straight * of_a * of_b - a.beside * of_b - b.beside * of_a;
+    const Rough slope = rough(beside) / rough(of_a * of_b), against = rough(n.against);
+    const Rough height_a = rough(a.h), height_b = rough(b.h);
+    const Rough k = square(rough(s.area[0]) / height_a) / height_a + square(rough(s.area[1]) / height_b) / height_b;
+    Wide falls[2];
+    const Slope at = fall(seen_n.against, wide(height_a), wide(height_b), falls);
+    const Wide steepest(std::fabs(rounded(slope.value)) + slope.error, slope.exponent), change = steepest / at.fall;
+    const Real ahead = ends.along_e + l * ends.along_f;
+    const Real gap = ahead * a.sum * b.sum - a.rest * b.sum - b.rest * a.sum;
+    const Rough time = rough(gap) / rough(a.sum * b.sum * n.against);
+    const Rough unit = k * against;
+    const Wide rest = Wide(0.51, 0) * steepest * change / vv_ * (change / at.room);
+    const Rough gain =
+        square(slope) / crossings::times(2, unit * square(against)) + Rough({}, rest.value, rest.exponent);
+    const bool is_known = slope.sign_is_known();
+    const Rough step = is_known ? slope / (unit * rough(width(terms.e, terms.f))) : Rough();
+    return {time + gain, step, change < at.room,
+            !is_known || Wide(gain.error, gain.exponent) < Wide(time.error, time.exponent)};
+  }
   const ExactPair& pair_;
   const ExactBody* body_[2];
   const Number<6>* squared_[2];

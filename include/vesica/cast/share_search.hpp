@@ -27,7 +27,10 @@ class ShareSearch {
       const Wide there = l + step;
       return low_.l < there && there < high_.l ? there : Wide(0.5, 0) * (low_.l + high_.l);
     }
-    const int told = ++looked_ % 3 == 0 ? l.exponent : equal_exponent(earlier, end);
+    // From a step far longer than l to one as long: it is near.
+    const bool is_near = earlier.is_known && earlier.excess > 2 && std::abs(end.excess) <= 1;
+    const bool is_third = ++looked_ % 3 == 0;
+    const int told = is_near ? l.exponent + sign : is_third ? l.exponent : equal_exponent(earlier, end);
     if (low < told && told < high) return {1, told};
     if (is_between) return {1, (low + high) / 2};
     if (way_ > far / 64) return {};
