@@ -109,20 +109,22 @@ struct Halving {
   };
 };
 
-/// Halving of one ellipse at a time. Vertices of a box that is far smaller than its distance are at one place, and are
-/// searched once.
-struct RepeatedHalving {
-  Direction<double>& of;
-  FoundDirection<double>& found;
-
-  FoundDirection<double> operator()(const OneEllipse<double>& e, const Direction<double>& d,
-                                    double size) const noexcept {
-    if (d.x != of.x || d.y != of.y) {
-      of = d;
-      found = Halving{}(e, d, size);
+/// Halving of one ellipse, from each vertex of a box. Those at one place, as the box is far smaller one way than its
+/// distance is, are searched once.
+class VertexHalving {
+ public:
+  FoundDirection<double> operator()(const OneEllipse<double>& e, const Direction<double>& d, double size) noexcept {
+    for (int k = 0; k < searched_; ++k) {
+      if (d.x == of_[k].x && d.y == of_[k].y) return found_[k];
     }
-    return found;
+    of_[searched_] = d;
+    return found_[searched_++] = Halving{}(e, d, size);
   }
+
+ private:
+  Direction<double> of_[4];
+  FoundDirection<double> found_[4];
+  int searched_ = 0;
 };
 
 /// The signs of a feature's vertex, by its number: vertices, faces across x, faces across y.
@@ -152,11 +154,12 @@ inline BoxEllipse<double> box_ellipse_by_features(const Box<double>& box, const 
                                                   const Vector<double>& d, double size) noexcept {
   BoxEllipse<double> best{{0x1p1000, 0}, {0, 0}, 0, 0, 0, 0, false};
   int of_best = 12;
-  Direction<double> last{0, 0};
-  FoundDirection<double> last_found{{0, 0}, false, 0};
+  VertexHalving halving;
+  const auto search = [&halving](const OneEllipse<double>& of, const Direction<double>& from, double about) {
+    return halving(of, from, about);
+  };
   const auto attempt = [&](int k) {
     int steps;
-    const RepeatedHalving search{last, last_found};
     const BoxEllipse<double> found = feature_ellipse(box, e, d, size, feature(k), search, steps);
     if (k >= 4 && !(found.settled && rounded(found.distance) > -0x1p-80 * size)) return;
     const double farther = rounded(renormalised(found.distance - best.distance));
