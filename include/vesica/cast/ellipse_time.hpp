@@ -421,10 +421,6 @@ class SeenEllipses {
       return arithmetic::scale(std::fabs(rounded(time.value)) + time.error, time.exponent - least_exponent) < 1;
     }
   };
-  Evaluated evaluate(const Digits& l) const noexcept {
-    Terms<Digits> all = terms<Digits>();
-    return evaluate(l, all);
-  }
   /// A step of Newton's method in s is slope / bend, bend = k (n.v)^3 / v.v with k = sum of area^2 / h^3. It gains
   /// about slope^2 / (2 bend v.v).
   ///
@@ -459,6 +455,11 @@ class SeenEllipses {
     return {time + gain, step, change < at.room,
             !is_known || Wide(gain.error, gain.exponent) < Wide(time.error, time.exponent)};
   }
+  Evaluated evaluate(const Digits& l) const noexcept {
+    Terms<Digits> as_many = terms<Digits>();
+    return evaluate(l, as_many);
+  }
+
   const ExactPair& pair_;
   const ExactBody* body_[2];
   const Number<6>* squared_[2];
