@@ -44,7 +44,7 @@ bool lies_in_columns(const Shapes<T>& shapes) noexcept {
 template <class T>
 bool lies_in_records(const Shapes<T>& shapes, int fields) noexcept {
   for (int k = 1; k < fields; ++k) {
-    if (shapes.field[k] != shapes.field[0] + k) return false;
+    if (shapes.field[k].address() != shapes.field[0].address() + static_cast<std::size_t>(k) * sizeof(T)) return false;
   }
   return true;
 }

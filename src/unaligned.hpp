@@ -28,9 +28,7 @@ class Unaligned {
     std::memcpy(&vector, at_, sizeof vector);
   }
   /// As a plain pointer; null where it is not aligned.
-  const T* aligned() const noexcept {
-    return reinterpret_cast<std::uintptr_t>(at_) % alignof(T) == 0 ? reinterpret_cast<const T*>(at_) : nullptr;
-  }
+  const T* aligned() const noexcept { return address() % alignof(T) == 0 ? reinterpret_cast<const T*>(at_) : nullptr; }
   /// The address of number i.
   VESICA_INLINE const std::byte* bytes(std::ptrdiff_t i = 0) const noexcept {
     return at_ + i * static_cast<std::ptrdiff_t>(sizeof(T));
@@ -40,7 +38,8 @@ class Unaligned {
   VESICA_INLINE Unaligned advanced(std::int64_t bytes) const noexcept {
     return Unaligned(at_ + static_cast<std::ptrdiff_t>(bytes));
   }
-  bool operator==(const Unaligned&) const = default;
+  /// As a number. Of null, or beyond an array, an address may not be formed.
+  VESICA_INLINE std::uintptr_t address() const noexcept { return reinterpret_cast<std::uintptr_t>(at_); }
 
  private:
   VESICA_INLINE explicit Unaligned(const std::byte* at) noexcept : at_(at) {}

@@ -55,8 +55,9 @@ void load_field(const unsigned char* field, std::ptrdiff_t stride, std::int64_t 
 /// Whether a set's shapes are records, their numbers side by side.
 template <class T>
 bool lies_in_records(const Set& set) noexcept {
+  const auto address = [&set](int k) { return reinterpret_cast<std::uintptr_t>(set.field[k]); };
   for (int k = 1; k < fields_of[set.kind]; ++k) {
-    if (set.field[k] != set.field[0] + static_cast<std::size_t>(k) * sizeof(T)) return false;
+    if (address(k) != address(0) + static_cast<std::size_t>(k) * sizeof(T)) return false;
   }
   return true;
 }
