@@ -42,9 +42,11 @@ bool lies_in_columns(const Shapes<T>& shapes) noexcept {
 
 /// Whether each shape's numbers lie side by side.
 template <class T>
-bool lies_in_records(const Shapes<T>& shapes, int fields) noexcept {
+VESICA_CALLED bool lies_in_records(const Shapes<T>& shapes, int fields) noexcept {
+  std::uintptr_t next = shapes.field[0].address();
   for (int k = 1; k < fields; ++k) {
-    if (shapes.field[k].address() != shapes.field[0].address() + static_cast<std::size_t>(k) * sizeof(T)) return false;
+    next += sizeof(T);
+    if (shapes.field[k].address() != next) return false;
   }
   return true;
 }

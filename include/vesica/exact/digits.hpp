@@ -18,10 +18,11 @@ struct Digits : LeadingLimbs<Digits> {
   constexpr Digits(const Number<Degree>& x, int its_limbs) noexcept : limbs(its_limbs) {
     if (x.sign != 0) set(x.sign, x.span());
   }
-  constexpr Digits(const Digits& other) noexcept : LeadingLimbs(other) { copy_limbs(other); }
+  constexpr Digits(const Digits& other) noexcept : Digits() { *this = other; }
   constexpr Digits& operator=(const Digits& other) noexcept {
     LeadingLimbs::operator=(other);
-    copy_limbs(other);
+    limbs = other.limbs;
+    if (sign != 0) detail::move_limbs(other.limb, limbs, limb);
     return *this;
   }
 
@@ -46,12 +47,6 @@ struct Digits : LeadingLimbs<Digits> {
     out.set(sign, span());
     out.error = nothing;
     return out;
-  }
-
- private:
-  constexpr void copy_limbs(const Digits& other) noexcept {
-    limbs = other.limbs;
-    if (sign != 0) detail::move_limbs(other.limb, limbs, limb);
   }
 };
 
