@@ -112,7 +112,7 @@ class SeenEllipses {
     }
   }
 
-  /// By s. Of two directions against v, e is before f iff e x f < 0. Those of the second ellipse come last.
+  /// By s. Of two directions against v, e is before f iff e x f < 0. Those of the first ellipse are there first.
   void insert(const SectorEdge& e) noexcept {
     int at = edges_++;
     for (; at > 0 && is_before(e, edge_[at - 1]); --at) edge_[at] = edge_[at - 1];
