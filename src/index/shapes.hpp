@@ -55,9 +55,10 @@ void load_field(const unsigned char* field, std::ptrdiff_t stride, std::int64_t 
 /// Whether a set's shapes are records, their numbers side by side.
 template <class T>
 bool lies_in_records(const Set& set) noexcept {
-  const auto address = [&set](int k) { return reinterpret_cast<std::uintptr_t>(set.field[k]); };
+  auto next = reinterpret_cast<std::uintptr_t>(set.field[0]);
   for (int k = 1; k < fields_of[set.kind]; ++k) {
-    if (address(k) != address(0) + static_cast<std::size_t>(k) * sizeof(T)) return false;
+    next += sizeof(T);
+    if (reinterpret_cast<std::uintptr_t>(set.field[k]) != next) return false;
   }
   return true;
 }

@@ -77,7 +77,8 @@ row() {
   # Tests of guard pages end in a segmentation fault on purpose.
   export 'GTEST_FILTER=-Stack.*' UBSAN_OPTIONS=print_stacktrace=0
   export ASAN_OPTIONS=handle_segv=0:detect_stack_use_after_return=1 TSAN_OPTIONS=handle_segv=0
-  VESICA_REPEAT=${VESICA_REPEAT:-$repeat} ctest --test-dir "$folder" "${selection[@]}" -j "$CTEST_PARALLEL_LEVEL" -V >"$folder/tests.log" 2>&1 || status=$?
+  VESICA_REPEAT=${VESICA_REPEAT:-$repeat} ctest --test-dir "$folder" "${selection[@]}" -j "$CTEST_PARALLEL_LEVEL" -V \
+    >"$folder/tests.log" 2>&1 || status=$?
   reports=$(grep -hoE '[^ ]*: runtime error: .*|SUMMARY: (Address|Thread|Leak)Sanitizer: .*' "$folder/tests.log" |
     sed -E 's/0x[0-9a-f]{6,}/ADDRESS/; s/^[0-9]*: //' | sort | uniq -c | sort -rn)
   [ -z "$reports" ] || { echo "$reports" >&2; status=1; }
