@@ -117,7 +117,7 @@ void ask(const Body& a, const Body& b, const core::Motion& motion, Known& known)
   if (pair.line_grazes() || !pair.of_ellipses()) return;
   add(core::wide_time_of_thin(pair, core::ByExtent(pair)), known.thin);
   add(core::LeadingContact(core::PairDigits<vesica::exact::few_limbs>(pair)).soon(pair), known.soon);
-  add(core::SeenEllipses(pair).time(), known.by_direction);
+  add(core::EllipseTime(pair).time(), known.by_direction);
   if (usual.time.sign() > 0) ask_trials(pair, usual.time, known);
 }
 

@@ -236,7 +236,8 @@ struct ByExtent;
 template <int limbs>
 struct PairDigits;
 class LeadingContact;
-class SeenEllipses;
+class EllipseSector;
+class EllipseTime;
 
 /// A pair and its motion, v != 0, in exact numbers.
 class ExactPair {
@@ -324,7 +325,8 @@ class ExactPair {
   friend struct PairDigits;
   friend struct ByExtent;
   friend class LeadingContact;
-  friend class SeenEllipses;
+  friend class EllipseSector;
+  friend class EllipseTime;
 
  private:
   Rough find_witness() const noexcept {

@@ -67,7 +67,7 @@ inline WideTime known_time_of_ellipses(const ExactPair& pair, bool is_beside_sta
   WideTime found;
   if (is_beside_start) found = soon();
   if (found.tells()) return found;
-  found = SeenEllipses(pair).time();
+  found = EllipseTime(pair).time();
   if (found.tells()) return found;
   const WideTime straight = is_beside_start ? WideTime{} : soon();
   return straight.tells() ? straight : found;
