@@ -123,7 +123,9 @@ Pair altered(Scalar scalar, Pair p, Random& random) {
   if (random.chance(0.05)) p.b = properties::collapsed(p.kind_b, p.b, random);
   if (random.chance(0.1)) {
     const double way = std::pow(l.far, random.unit());
-    p = shifted(p, way * random.between(-1, 1), way * random.between(-1, 1));
+    const double x = way * random.between(-1, 1);
+    const double y = way * random.between(-1, 1);
+    p = shifted(p, x, y);
   }
   if (random.chance(0.1)) {
     const int exponent = random.integer(l.tiny_exponent, l.huge_exponent);
@@ -156,13 +158,15 @@ double candidate(Pair p, const Place& place, Scalar scalar, bool odd, Random& ra
   const Role role = properties::role(place.in_b ? p.kind_b : p.kind_a, place.field);
   if (odd) return role == Role::size ? std::fabs(odd_number(scalar, random)) : odd_number(scalar, random);
   if (role == Role::size || role == Role::axis) {
-    const double x = std::ldexp(old == 0 ? 1 : old, random.integer(-6, 6)) * random.between(1, 2);
+    const double power = std::ldexp(1, random.integer(-6, 6));
+    const double x = power * (old == 0 ? 1 : old) * random.between(1, 2);
     return properties::nearest(scalar, role == Role::axis ? x * random.sign() : x);
   }
   const bool other = random.chance(0.5);
   const int kind = other ? p.kind_b : p.kind_a;
   double step = (other ? p.b : p.a)[static_cast<std::size_t>(random.below(properties::field_count(kind)))];
-  step = std::ldexp(step - (random.chance(0.5) ? old : 0), random.integer(-4, 3));
+  if (random.chance(0.5)) step -= old;
+  step = std::ldexp(step, random.integer(-4, 3));
   return properties::nearest(scalar, old + random.sign() * step);
 }
 
