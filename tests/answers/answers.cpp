@@ -31,13 +31,6 @@ void append(Bytes& bytes, const T& value) {
   bytes.insert(bytes.end(), from, from + sizeof value);
 }
 
-Bytes bytes_of(const hammer::Answer& answer) {
-  Bytes bytes;
-  append(bytes, answer.code);
-  append(bytes, answer.numbers);
-  return bytes;
-}
-
 /// Within the very distance that nearest tells, and its neighbours.
 Bytes ask_within(const Case& c, Scalar scalar) {
   const hammer::Answer nearest = hammer::ask(Query::nearest, scalar, c.pair);
@@ -76,6 +69,13 @@ void ask_methods(const properties::Pair& pair, const environment::Input& input, 
 }
 
 }  // namespace
+
+Bytes bytes_of(const hammer::Answer& answer) {
+  Bytes bytes;
+  append(bytes, answer.code);
+  append(bytes, answer.numbers);
+  return bytes;
+}
 
 std::vector<Case> read_cases(const std::string& path, int kind_a, int kind_b) {
   std::ifstream in(path);
