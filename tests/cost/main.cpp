@@ -6,10 +6,8 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
-#include <fstream>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -26,23 +24,10 @@ void print(const hammer::Case& input, double microseconds, double yardstick) {
   std::fflush(stdout);
 }
 
-std::vector<hammer::Case> read(const char* file) {
-  std::ifstream in(file);
-  std::vector<hammer::Case> inputs;
-  std::string line;
-  while (std::getline(in, line)) {
-    if (line.empty() || line[0] == '#') continue;
-    const auto input = hammer::parse(line);
-    if (!input) throw std::runtime_error("not an input: " + line);
-    inputs.push_back(*input);
-  }
-  return inputs;
-}
-
 /// VESICA_FROM names a file of inputs to climb from.
 void search(Query query, int kind_a, int kind_b, double seconds) {
   const char* const from = std::getenv("VESICA_FROM");
-  const auto known = from != nullptr ? read(from) : std::vector<hammer::Case>();
+  const auto known = from != nullptr ? hammer::read_cases(from) : std::vector<hammer::Case>();
   const auto dearest = cost::climb(query, kind_a, kind_b, seconds, properties::seed(), known);
   print(dearest.input, dearest.microseconds, cost::yardstick_microseconds());
 }
@@ -76,7 +61,7 @@ int search_all(int count, char** words) {
 
 /// Returns 1 where an input takes more than `most` yardsticks, or where there is none.
 int replay(const char* file, double most) {
-  const auto inputs = read(file);
+  const auto inputs = hammer::read_cases(file);
   int dear = 0;
   for (const hammer::Case& input : inputs) {
     const double yardstick = cost::yardstick_microseconds(), time = cost::microseconds(input, 500);

@@ -257,19 +257,15 @@ int replay(const Options& options) {
 }
 
 int replay_all(const Options& options) {
-  std::ifstream in(options.replay_all);
-  if (!in) throw std::runtime_error("cannot read " + options.replay_all);
-  int cases = 0, wrong = 0;
-  for (std::string line; std::getline(in, line);) {
-    if (line.empty() || line[0] == '#') continue;
-    ++cases;
-    const Case c = case_of(line);
+  const std::vector<Case> cases = read_cases(options.replay_all);
+  int wrong = 0;
+  for (const Case& c : cases) {
     if (!print_faults(c, options)) continue;
     ++wrong;
     std::printf("  --replay '%s'\n", notation(c).c_str());
   }
-  std::printf("%d cases, %d wrong\n", cases, wrong);
-  return wrong == 0 && cases > 0 ? 0 : 1;
+  std::printf("%zu cases, %d wrong\n", cases.size(), wrong);
+  return wrong == 0 && !cases.empty() ? 0 : 1;
 }
 
 /// What batches are asked of shows when they are.

@@ -3,7 +3,9 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <sstream>
+#include <stdexcept>
 
 namespace hammer {
 namespace {
@@ -106,6 +108,19 @@ std::optional<Case> parse(const std::string& text) {
   if (of_motion(c.query) && !read_motion(in, c.motion)) return std::nullopt;
   if (c.query == Query::within && !read_distance(in, c.distance)) return std::nullopt;
   return in >> word ? std::nullopt : std::optional(c);
+}
+
+std::vector<Case> read_cases(const std::string& file) {
+  std::ifstream in(file);
+  if (!in) throw std::runtime_error("cannot read " + file);
+  std::vector<Case> cases;
+  for (std::string line; std::getline(in, line);) {
+    if (line.empty() || line[0] == '#') continue;
+    const auto c = parse(line);
+    if (!c) throw std::runtime_error("not a case: " + line);
+    cases.push_back(*c);
+  }
+  return cases;
 }
 
 }  // namespace hammer

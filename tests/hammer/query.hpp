@@ -7,6 +7,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cast/face.hpp"
 #include "properties/pair.hpp"
@@ -81,5 +82,8 @@ std::string notation(const Case& c);
 
 /// The case of a notation; "_f64" may be left out, numbers may be decimal. Nothing where it cannot be read.
 std::optional<Case> parse(const std::string& text);
+
+/// The cases of a file, a notation a line, but for comments after #. Throws std::runtime_error where it cannot be read.
+std::vector<Case> read_cases(const std::string& file);
 
 }  // namespace hammer

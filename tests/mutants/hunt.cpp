@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// mutant_hunt SECONDS SEED FILE MUTANT...: for mutants that no test finds, searches for cases that they answer otherwise.
+// mutant_hunt one|all SECONDS SEED FILE MUTANT...: for mutants that no test finds, searches for cases that they answer
+// otherwise. Built of a tree of ./run mutate alone.
 //
-// It begins with the cases of a file (a line a case, hammer/query.hpp) and changes those to which a mutant makes a
-// difference inside: the fewer of them, the more often. What it finds is printed, a line a mutant: its number, and the
-// case. To be built of a tree of ./run mutate alone.
+// It begins with the cases of a file (hammer/query.hpp) and changes those to which a mutant makes a difference inside:
+// the fewer there are of a mutant, the more often. One query is asked of each case; or of its pair, all functions of one
+// pair and the named methods. What is found is printed, a line a mutant: its number, and the case, which "all" writes as
+// that of a cast.
+#include <sys/time.h>
+
 #include <algorithm>
 #include <chrono>
 #include <csetjmp>
@@ -11,17 +15,13 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
-#include <stdexcept>
 #include <string>
-#include <sys/time.h>
 #include <vector>
 #include <vesica_mutant.hpp>
 
 #include "answers/answers.hpp"
 #include "answers/table.hpp"
 #include "cast/motions.hpp"
-#include "hammer/call.hpp"
 #include "hammer/change.hpp"
 #include "hammer/groups.hpp"
 
@@ -31,22 +31,9 @@ using hammer::Case;
 using hammer::Query;
 using properties::Random;
 
-const std::string all = "all_";  ///< in place of a query's name: every function of one pair is asked
-
-std::string text(Case c) {
-  if (c.query != Query::batch) return notation(c);
-  c.query = Query::cast;
-  return all + notation(c).substr(std::strlen("cast_"));
-}
-
-sigjmp_buf before_call;
-
-void leave(int signal) { siglongjmp(before_call, signal); }
-
-/// What one query answers to a case; for Query::batch, what every function of one pair does.
-std::uint64_t answer(const Case& c) {
+std::uint64_t answer(const Case& c, bool asks_all) {
   answers::Hash hash;
-  if (c.query == Query::batch) {
+  if (asks_all) {
     const answers::Take take = [&](const std::string&, const answers::Bytes& bytes) { hash.add(bytes); };
     answers::ask(answers::Functions::own, {c.pair, c.motion}, take);
     answers::ask(answers::Functions::by_the_c_library, {c.pair, c.motion}, take);
@@ -56,18 +43,23 @@ std::uint64_t answer(const Case& c) {
   return hash.value();
 }
 
-/// Whether a mutant answers a case as the original does, and in a second, and without a crash.
-bool answers_alike(const Case& c, int mutant, std::uint64_t original) {
-  bool alike = false;
+sigjmp_buf before_call;
+
+void leave(int signal) { siglongjmp(before_call, signal); }
+
+/// Whether a mutant gives this answer to a case, in a second and without a crash.
+bool gives(std::uint64_t original, int mutant, const Case& c, bool asks_all) {
   if (sigsetjmp(before_call, 1) == 0) {
     const itimerval second{{0, 0}, {1, 0}}, none{};
     setitimer(ITIMER_VIRTUAL, &second, nullptr);
     vesica_mutant::active = mutant;
-    alike = answer(c) == original;
+    const bool alike = answer(c, asks_all) == original;
+    vesica_mutant::active = 0;
     setitimer(ITIMER_VIRTUAL, &none, nullptr);
+    return alike;
   }
   vesica_mutant::active = 0;
-  return alike;
+  return false;
 }
 
 struct Hunted {
@@ -78,121 +70,104 @@ struct Hunted {
 
 class Hunt {
  public:
-  Hunt(const std::vector<int>& mutants, std::uint64_t seed) : random_(seed), seed_(seed) {
+  Hunt(bool asks_all, std::uint64_t seed, const std::vector<int>& mutants)
+      : asks_all_(asks_all), seed_(seed), random_(seed) {
     for (const int mutant : mutants) left_.push_back({mutant, 0, {}});
-    marks_.resize(static_cast<std::size_t>(*std::max_element(mutants.begin(), mutants.end())) + 100000);
     vesica_mutant::reached = marks_.data();
   }
 
-  bool done() const { return left_.empty(); }
+  bool is_done() const { return left_.empty(); }
 
   void ask(const Case& c) {
     ++asked_;
     vesica_mutant::active = -1;
-    answer(c);
+    answer(c, asks_all_);
     vesica_mutant::active = 0;
-    bool is_known = false;
-    std::uint64_t original = 0;
-    for (std::size_t i = 0; i < left_.size();) {
-      Hunted& hunted = left_[i++];
+    std::optional<std::uint64_t> original;
+    std::erase_if(left_, [&](Hunted& hunted) {
       unsigned char& mark = marks_[static_cast<std::size_t>(hunted.mutant)];
-      if (mark == 0) continue;
+      if (mark == 0) return false;
       mark = 0;
-      if (!is_known) original = answer(c);
-      is_known = true;
-      if (!answers_alike(c, hunted.mutant, original)) {
-        std::printf("%d %s\n", hunted.mutant, text(c).c_str());
+      if (!original) original = answer(c, asks_all_);
+      if (!gives(*original, hunted.mutant, c, asks_all_)) {
+        std::printf("%d %s\n", hunted.mutant, notation(c).c_str());
         std::fflush(stdout);
-        left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(--i));
-        continue;
+        return true;
       }
       keep(hunted, c);
-    }
+      return false;
+    });
   }
 
   void step() {
-    if (random_.chance(0.2)) return ask_drawn();
-    std::vector<Hunted*> reached;
-    for (Hunted& hunted : left_) {
+    std::vector<const Hunted*> reached;
+    for (const Hunted& hunted : left_) {
       if (!hunted.cases.empty()) reached.push_back(&hunted);
     }
-    if (reached.empty()) return ask_drawn();
-    const auto any = [&](std::size_t count) {
-      return static_cast<std::size_t>(random_.below(static_cast<int>(count)));
-    };
-    const Hunted& one = *reached[any(reached.size())];
-    const Hunted& other = *reached[any(reached.size())];
+    if (reached.empty() || random_.chance(0.2)) return ask_drawn();
+    const Hunted& one = *reached[any_of(reached.size())];
+    const Hunted& other = *reached[any_of(reached.size())];
     const Hunted& rarer = one.reached < other.reached ? one : other;
-    ask(hammer::changed(rarer.cases[any(rarer.cases.size())], random_));
+    ask(hammer::changed(rarer.cases[any_of(rarer.cases.size())], random_));
   }
 
   void report() const {
-    std::fprintf(stderr, "%llu cases asked; left:", static_cast<unsigned long long>(asked_));
+    std::fprintf(stderr, "%llu cases asked; left, and how often reached:", static_cast<unsigned long long>(asked_));
     for (const Hunted& hunted : left_) {
-      std::fprintf(stderr, " %d(%llu)", hunted.mutant, static_cast<unsigned long long>(hunted.reached));
+      std::fprintf(stderr, " %d (%llu)", hunted.mutant, static_cast<unsigned long long>(hunted.reached));
     }
     std::fprintf(stderr, "\n");
   }
 
  private:
-  static constexpr std::size_t most_cases = 40;
+  static constexpr std::size_t most_cases = 40, most_mutants = 100000;
+
+  std::size_t any_of(std::size_t count) { return static_cast<std::size_t>(random_.below(static_cast<int>(count))); }
 
   void keep(Hunted& hunted, const Case& c) {
     ++hunted.reached;
     if (hunted.cases.size() < most_cases) {
       hunted.cases.push_back(c);
     } else if (random_.chance(0.1)) {
-      hunted.cases[static_cast<std::size_t>(random_.below(most_cases))] = c;
+      hunted.cases[any_of(most_cases)] = c;
     }
   }
 
   void ask_drawn() {
     const hammer::Group group = hammer::draw_group(seed_, groups_++);
     for (const auto& pair : group.pairs) {
-      Case c{Query::overlap, group.scalar, pair};
-      do {
-        c.query = hammer::all_queries[static_cast<std::size_t>(random_.below(hammer::all_queries.size()))];
-      } while (c.query == Query::invalid ||
-               (c.query == Query::intersection && !hammer::has_intersection(pair.kind_a, pair.kind_b)));
-      if (of_motion(c.query) || c.query == Query::batch) c.motion = cast_test::draw_motion(pair, group.scalar, random_);
+      Case c{Query::cast, group.scalar, pair};
+      if (!asks_all_) {
+        do {
+          c.query = hammer::all_queries[any_of(hammer::all_queries.size())];
+        } while (c.query == Query::invalid || c.query == Query::batch ||
+                 (c.query == Query::intersection && !hammer::has_intersection(pair.kind_a, pair.kind_b)));
+      }
+      if (of_motion(c.query)) c.motion = cast_test::draw_motion(pair, group.scalar, random_);
       if (c.query == Query::within) c.distance = hammer::draw_distance(group.scalar, pair, random_);
       ask(c);
     }
   }
 
-  Random random_;
+  bool asks_all_;
   std::uint64_t seed_, groups_ = 0, asked_ = 0;
+  Random random_;
   std::vector<Hunted> left_;
-  std::vector<unsigned char> marks_;
+  std::vector<unsigned char> marks_ = std::vector<unsigned char>(most_mutants);
 };
-
-std::vector<Case> read(const char* file) {
-  std::ifstream in(file);
-  std::vector<Case> cases;
-  for (std::string line; std::getline(in, line);) {
-    if (line.empty() || line[0] == '#') continue;
-    const bool of_all = line.rfind(all, 0) == 0;
-    const auto c = hammer::parse(of_all ? "cast_" + line.substr(all.size()) : line);
-    if (!c) throw std::runtime_error("not a case: " + line);
-    cases.push_back(*c);
-    if (of_all) cases.back().query = Query::batch;
-  }
-  return cases;
-}
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 5) return 2;
+  if (argc < 6) return 2;
   std::vector<int> mutants;
-  for (int i = 4; i < argc; ++i) mutants.push_back(std::atoi(argv[i]));
-  Hunt hunt(mutants, std::strtoull(argv[2], nullptr, 0));
-  const std::vector<Case> known = read(argv[3]);
+  for (int i = 5; i < argc; ++i) mutants.push_back(std::atoi(argv[i]));
+  const std::vector<Case> known = hammer::read_cases(argv[4]);
   for (const int signal : {SIGSEGV, SIGFPE, SIGBUS, SIGILL, SIGABRT, SIGVTALRM}) std::signal(signal, leave);
+  Hunt hunt(std::strcmp(argv[1], "all") == 0, std::strtoull(argv[3], nullptr, 0), mutants);
   for (const Case& c : known) hunt.ask(c);
-  hunt.report();
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(std::atoi(argv[1]));
-  while (!hunt.done() && std::chrono::steady_clock::now() < end) hunt.step();
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(std::atoi(argv[2]));
+  while (!hunt.is_done() && std::chrono::steady_clock::now() < end) hunt.step();
   hunt.report();
   return 0;
 }
