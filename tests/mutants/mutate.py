@@ -113,9 +113,11 @@ def write_tree(root, names, tree, chosen):
 
 
 def refused(log, tree, chosen):
-    """Numbers of the mutants in lines of which the compiler complains."""
-    lines, by_line = log.split("\n"), collections.defaultdict(set)
+    """Numbers of the mutants in lines of which the compiler complains; or else of their file: what is evaluated for an
+    argument of a builtin function is named by the call alone."""
+    lines, by_line, by_file = log.split("\n"), collections.defaultdict(set), collections.defaultdict(set)
     for c in chosen:
+        by_file[c["file"]].add(c["number"])
         for i in range(c["original"].count("\n") + 1):
             by_line[c["file"], c["line"] + i].add(c["number"])
     numbers, context = set(), set()
@@ -124,9 +126,10 @@ def refused(log, tree, chosen):
         if not place:
             continue
         name = str(pathlib.Path(tree / "build/test" / place[1]).resolve())
-        at = by_line[name[len(str(tree)) + 1:], int(place[2]) - rewrite.ADDED_LINES] if name.startswith(str(tree)) else set()
+        file = name[len(str(tree)) + 1:] if name.startswith(str(tree)) else ""
+        at = by_line[file, int(place[2]) - rewrite.ADDED_LINES]
         if place[3].startswith(("error", "fatal error")):
-            numbers |= at or context
+            numbers |= at or context or by_file[file]
             context = set()
         else:
             context = context | at if not place[3].startswith("note") else context
