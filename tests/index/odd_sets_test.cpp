@@ -376,35 +376,34 @@ TEST(OddSets, NearestOfTheLeast) {
 }
 
 /// Half of the points lie at one place, the rest far along an axis, so that a block is as narrow as a column of its grid,
-/// and columns are some 2^1024 times as wide as all is across the axis. A shape stands a tenth of a column away.
+/// and columns are some 2^400 to 2^1060 times as wide as all is across the axis. A shape stands a tenth of a column away.
 TEST(OddSets, NearestBesideABlockOfOneColumn) {
   constexpr int exponent = 601, near = 768, far = 732;
-  const double column = std::ldexp(1.0, exponent);
-  for (const int axis : {0, 1}) {
+  for (const int turn : {0, 1, 2, 3}) {
+    const double column = std::ldexp(turn < 2 ? 1 : -1, exponent);
+    const int along = turn % 2, across = 1 - along;
     Records<double> points{VESICA_POINT, std::vector<double>(2 * (near + far))};
     for (int i = 0; i < near + far; ++i) {
-      const double along = i < near ? 1.01 : 100 + (i - near) * 33.0;
-      points.numbers[static_cast<std::size_t>(2 * i + axis)] = along * column;
+      points.numbers[static_cast<std::size_t>(2 * i + along)] = (i < near ? 1.01 : 100 + (i - near) * 33.0) * column;
     }
     const Indexed<double> all(points);
-    for (int smaller = 400; smaller < 1060; smaller += 30) {
-      const double half = std::ldexp(column, -smaller);
+    for (int smaller = 400; smaller <= 1060; smaller += 30) {
+      const double half = std::fabs(std::ldexp(column, -smaller));
       double box[4];
-      for (const int side : {0, 2}) {
-        box[side + axis] = 0.9 * column;
-        box[side + 1 - axis] = side == 0 ? -half : half;
-      }
+      box[along] = box[along + 2] = 0.9 * column;
+      box[across] = -half;
+      box[across + 2] = half;
       const auto one = one_shape<double>(VESICA_AABB, box);
       vesica_closest_points_f64 expected;
       ASSERT_EQ(vesica_nearest_f64(VESICA_AABB, box, VESICA_POINT, points.numbers.data(), &expected), 0);
-      ASSERT_LT(expected.distance, 0.12 * column);
+      ASSERT_LT(expected.distance, 0.12 * std::fabs(column));
       std::int64_t out[2];
       double distance[2];
       ASSERT_EQ(vesica_index_nearest_f64(all.index.get(), all.sets.data(), 1, &one, 2,
                                          std::numeric_limits<double>::infinity(), out, distance),
                 2);
-      EXPECT_TRUE(out[0] == 0 && out[1] == 1) << axis << ' ' << smaller << ": " << out[0] << ' ' << out[1];
-      EXPECT_TRUE(distance[0] == expected.distance && distance[1] == expected.distance) << axis << ' ' << smaller;
+      EXPECT_TRUE(out[0] == 0 && out[1] == 1) << turn << ' ' << smaller << ": " << out[0] << ' ' << out[1];
+      EXPECT_TRUE(distance[0] == expected.distance && distance[1] == expected.distance) << turn << ' ' << smaller;
     }
   }
 }
