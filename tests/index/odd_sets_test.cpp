@@ -375,8 +375,8 @@ TEST(OddSets, NearestOfTheLeast) {
   }
 }
 
-/// Half of the points lie at one place, the rest far along an axis, so that a block is as narrow as a column of its grid,
-/// and columns are some 2^400 to 2^1060 times as wide as all is across the axis. A shape stands a tenth of a column away.
+/// Half of the points lie at one place, the rest far along an axis: a block is as narrow as a column of its grid, and
+/// columns are some 2^400 to 2^1060 times as wide as all is across the axis. A shape stands a tenth of a column away.
 TEST(OddSets, NearestBesideABlockOfOneColumn) {
   constexpr int exponent = 601, near = 768, far = 732;
   for (const int turn : {0, 1, 2, 3}) {
