@@ -180,6 +180,31 @@ TEST(CastOfAllThereIs, InfiniteBounds) {
   }
 }
 
+/// Speeds near either end of the numbers, whose inverses are none or have few digits: item i is met at i + 1 ticks.
+TEST(CastOfAllThereIs, LeastAndGreatestSpeeds) {
+  constexpr std::int64_t n = 120, met = 50;
+  const double origin[2] = {0, 0};
+  vesica_shapes_f64 one;
+  vesica_shapes_from_records_f64(VESICA_POINT, 1, origin, 0, &one);
+  for (const int exponent : {-1074, -1060, -1026, -1023, -1001, -1000, -999, 0, 999, 1000, 1001, 1012}) {
+    const double speed = std::ldexp(1.0, exponent);
+    // So long that the least speeds go farther than the narrowest columns are wide, and the greatest within range.
+    const double tick = exponent < 0 ? 0x1p80 : 1;
+    for (const auto& [vx, vy] : {std::pair{speed, 0.0}, {-speed, 0.0}, {0.0, speed}, {speed, -speed}}) {
+      Records<double> points{VESICA_POINT, {}};
+      for (int i = 1; i <= n; ++i) points.numbers.insert(points.numbers.end(), {i * tick * vx, i * tick * vy});
+      const Indexed<double> many(points);
+      const double end = met * tick;
+      EXPECT_EQ(vesica_index_cast_f64(many.index.get(), many.sets.data(), 1, &one, vx, vy, end, nullptr, 0, nullptr),
+                met)
+          << exponent;
+      vesica_impact_f64 impact;
+      EXPECT_EQ(vesica_index_cast_first_f64(many.index.get(), many.sets.data(), 1, &one, vx, vy, end, &impact), 0);
+      EXPECT_EQ(impact.t, tick) << exponent;
+    }
+  }
+}
+
 TEST(CastArguments, Refused) {
   const Indexed<double> many(rects<double>("uniform", 50, 1));
   const double point[2] = {0, 1}, invalid[2] = {NAN, 1};

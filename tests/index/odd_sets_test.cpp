@@ -168,6 +168,50 @@ TYPED_TEST(OddSets, AfterTheEnd) {
   EXPECT_TRUE(state[0] == -1 && out[0] == 7);
 }
 
+/// However many calls it took, an ended state is the same.
+TYPED_TEST(OddSets, StatesAtTheEnd) {
+  using F = Face<TypeParam>;
+  using T = TypeParam;
+  const Indexed<T> all(rects<T>("uniform", 3000, 1));
+  const auto one = one_shape<T>(VESICA_RECT, all.laid[0].numbers.data());
+  const void* const index = all.index.get();
+  const auto* const sets = all.sets.data();
+  const Memory scratch(vesica_join_scratch());
+  const auto end_of = [&](std::int64_t capacity, const auto& call) {
+    std::vector<std::int64_t> out_a(static_cast<std::size_t>(capacity)), out_b(out_a), state(4);
+    std::int64_t calls = 0;
+    for (; state[0] != -1 && calls < 10000; ++calls) {
+      EXPECT_GE(call(out_a.data(), out_b.data(), capacity, state.data()), 0);
+    }
+    EXPECT_EQ(calls > 1, capacity < 100);
+    return state;
+  };
+  const std::vector<std::int64_t> ended = {-1, 0, 0, 0};
+  for (const std::int64_t capacity : {1, 5000}) {
+    EXPECT_EQ(end_of(capacity,
+                     [&](std::int64_t* out, std::int64_t*, std::int64_t room, std::int64_t* state) {
+                       return F::index_select(index, nullptr, 0, &one, out, room, state);
+                     }),
+              ended);
+    EXPECT_EQ(end_of(capacity,
+                     [&](std::int64_t* out, std::int64_t*, std::int64_t room, std::int64_t* state) {
+                       return F::index_cast(index, sets, 1, &one, 1, 0, 9, out, room, state);
+                     }),
+              ended);
+    EXPECT_EQ(end_of(capacity,
+                     [&](std::int64_t* out_a, std::int64_t* out_b, std::int64_t room, std::int64_t* state) {
+                       return F::join(VESICA_JOIN_OVERLAP, index, sets, 1, index, sets, 1, 0, 50, scratch.get(),
+                                      scratch.size, out_a, out_b, room, state);
+                     }),
+              ended);
+    EXPECT_EQ(end_of(capacity,
+                     [&](std::int64_t* out_a, std::int64_t* out_b, std::int64_t room, std::int64_t* state) {
+                       return F::join_within(index, sets, 1, index, sets, 1, T(0), 0, 50, out_a, out_b, room, state);
+                     }),
+              ended);
+  }
+}
+
 /// A state's numbers that no call has written: refused where they name no place; else the join goes on at that place,
 /// and skips no more than its pair of blocks has.
 TEST(OddSets, StatesMadeUp) {
@@ -328,6 +372,39 @@ TEST(OddSets, NearestOfTheLeast) {
     EXPECT_EQ(vesica_nearest_f64(VESICA_AABB, box, VESICA_POINT, point, &expected), 0);
     EXPECT_EQ(distance[i], expected.distance);
     EXPECT_LE(distance[i], 0x1p-1058);
+  }
+}
+
+/// Half of the points lie at one place, the rest far along an axis: a block is as narrow as a column of its grid, and
+/// columns are some 2^400 to 2^1060 times as wide as all is across the axis. A shape stands a tenth of a column away.
+TEST(OddSets, NearestBesideABlockOfOneColumn) {
+  constexpr int exponent = 601, near = 768, far = 732;
+  for (const int turn : {0, 1, 2, 3}) {
+    const double column = std::ldexp(turn < 2 ? 1 : -1, exponent);
+    const int along = turn % 2, across = 1 - along;
+    Records<double> points{VESICA_POINT, std::vector<double>(2 * (near + far))};
+    for (int i = 0; i < near + far; ++i) {
+      points.numbers[static_cast<std::size_t>(2 * i + along)] = (i < near ? 1.01 : 100 + (i - near) * 33.0) * column;
+    }
+    const Indexed<double> all(points);
+    for (int smaller = 400; smaller <= 1060; smaller += 30) {
+      const double half = std::fabs(std::ldexp(column, -smaller));
+      double box[4];
+      box[along] = box[along + 2] = 0.9 * column;
+      box[across] = -half;
+      box[across + 2] = half;
+      const auto one = one_shape<double>(VESICA_AABB, box);
+      vesica_closest_points_f64 expected;
+      ASSERT_EQ(vesica_nearest_f64(VESICA_AABB, box, VESICA_POINT, points.numbers.data(), &expected), 0);
+      ASSERT_LT(expected.distance, 0.12 * std::fabs(column));
+      std::int64_t out[2];
+      double distance[2];
+      ASSERT_EQ(vesica_index_nearest_f64(all.index.get(), all.sets.data(), 1, &one, 2,
+                                         std::numeric_limits<double>::infinity(), out, distance),
+                2);
+      EXPECT_TRUE(out[0] == 0 && out[1] == 1) << turn << ' ' << smaller << ": " << out[0] << ' ' << out[1];
+      EXPECT_TRUE(distance[0] == expected.distance && distance[1] == expected.distance) << turn << ' ' << smaller;
+    }
   }
 }
 

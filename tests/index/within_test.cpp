@@ -127,5 +127,50 @@ TEST(JoinWithin, Arguments) {
   EXPECT_EQ(ask(index, 1, 1, 0, 2), 0);
 }
 
+/// A pair a call: each call goes on behind the last, also where several pairs are of one item and one block, and where
+/// one item's are of several blocks.
+TEST(JoinWithin, OneByOne) {
+  const Indexed<double> few(rects<double>("uniform", 40, 1)), many(rects<double>("uniform", 3000, 2));
+  for (const auto& [a, b] : {std::pair{&few, &many}, {&many, &few}, {&few, &few}}) {
+    const std::vector<Pair> expected = every_pair(*a, *b, 1);
+    ASSERT_GT(expected.size(), 20U);
+    std::vector<Pair> found;
+    std::int64_t out_a = 7, out_b = 7, state[4] = {0, 0, 0, 0};
+    while (state[0] != -1 && found.size() <= expected.size()) {
+      const std::int64_t n = call(*a, *b, 1, 0, 1, &out_a, &out_b, 1, state);
+      ASSERT_TRUE(n == 1 || (n == 0 && state[0] == -1)) << n;
+      if (n == 1) found.emplace_back(out_a, out_b);
+    }
+    EXPECT_TRUE(sorted(found) == expected);
+  }
+}
+
+/// A state with any of its numbers out of range is refused, and nothing is written.
+TEST(JoinWithin, StatesMadeUp) {
+  const Indexed<double> a(rects<double>("uniform", 3000, 1)), b(rects<double>("uniform", 2000, 2));
+  std::int64_t out_a[3], out_b[3], state[4] = {0, 0, 0, 0};
+  const auto ask = [&](std::int64_t part) { return call(a, b, 1, part, 2, out_a, out_b, 3, state); };
+  ASSERT_EQ(ask(0), 3);
+  const std::int64_t sound[4] = {state[0], state[1], state[2], state[3]};
+  std::fill_n(out_a, 3, 7);
+  std::fill_n(out_b, 3, 7);
+  constexpr std::int64_t least = std::numeric_limits<std::int64_t>::min(), most = -(least + 1),
+                         far = std::int64_t{1} << 40;
+  for (const int number : {0, 1, 2, 3}) {
+    for (const std::int64_t x : {least, -far, std::int64_t{-2}, std::int64_t{-1}, far, most}) {
+      // An end is a state of any call; pairs to skip may be more than there are.
+      if ((number == 0 && x == -1) || (number == 2 && x > 0)) continue;
+      std::copy_n(sound, 4, state);
+      state[number] = x;
+      EXPECT_EQ(ask(0), VESICA_E_ARGUMENT) << number << ' ' << x;
+      for (int i = 0; i < 4; ++i) EXPECT_EQ(state[i], i == number ? x : sound[i]);
+      for (int i = 0; i < 3; ++i) EXPECT_TRUE(out_a[i] == 7 && out_b[i] == 7);
+    }
+  }
+  std::copy_n(sound, 4, state);
+  EXPECT_EQ(ask(1), VESICA_E_ARGUMENT) << "the state of another part";
+  EXPECT_EQ(ask(0), 3);
+}
+
 }  // namespace
 }  // namespace index_tests
