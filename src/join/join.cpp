@@ -93,13 +93,10 @@ class Runner {
   std::int64_t first() const noexcept { return first_; }
   std::int64_t last() const noexcept { return last_; }
 
-  /// Goes to block_b and what follows in block_a.
-  void seek(std::int64_t block_a, std::int64_t block_b) noexcept {
+  /// Begins at block_b and what follows in block_a.
+  void begin_at(std::int64_t block_a, std::int64_t block_b) noexcept {
     block_a_ = block_a;
     next_b_ = block_b;
-    listed_ = listed_end_ = 0;
-    whole_list_ = false;
-    open_ = false;
   }
 
   /// The next candidates, about `wanted` and at most 64 more: returns how many, 0 at the end.
@@ -263,7 +260,7 @@ std::int64_t join_scratch_bytes() noexcept { return round_up(sizeof(Scratch)); }
 std::int64_t count_pairs(const Join& join) noexcept {
   Runner runner(join);
   runner.find_range();
-  runner.seek(runner.first(), 0);
+  runner.begin_at(runner.first(), 0);
   std::int64_t pairs = 0;
   while (const std::int32_t n = runner.first() < runner.last() ? runner.gather(wanted_at_most) : 0) {
     runner.decide(n);
@@ -281,8 +278,8 @@ bool state_is_sound(const Join& join, const std::int64_t* state) noexcept {
   if (state[0] == 0 && state[1] == 0 && state[2] == 0 && state[3] == 0) return true;
   if (state[0] == -1) return true;
   const std::int64_t blocks_a = View(join.a.index).blocks(), blocks_b = View(join.b.index).blocks();
-  if (state[0] < 0 || state[0] >= blocks_a || state[1] < 0 || state[1] >= blocks_b || state[2] < 0) return false;
-  return (state[3] & 0x7fff) == mark_of(join) && state[3] >> 15 > state[0] && state[3] >> 15 <= blocks_a;
+  if (state[0] < 0 || state[1] < 0 || state[1] >= blocks_b || state[2] < 0) return false;
+  return (state[3] & 0x7fff) == mark_of(join) && state[0] < state[3] >> 15 && state[3] >> 15 <= blocks_a;
 }
 
 namespace {
@@ -312,7 +309,7 @@ std::int64_t write_pairs(const Join& join, std::int64_t* out_a, std::int64_t* ou
   } else {
     runner.set_range(state[0], state[3] >> 15);
   }
-  runner.seek(runner.first(), state[3] == 0 ? 0 : state[1]);
+  runner.begin_at(runner.first(), state[3] == 0 ? 0 : state[1]);
   std::int64_t written = 0, block_a = -1, block_b = -1;
   while (runner.first() < runner.last()) {
     // Where little room is left, few candidates: the next call begins at that pair of blocks again.
