@@ -54,8 +54,8 @@ struct Pairs {
   }
 };
 
-/// A round shape at the origin and a point, or a round shape, that comes to it nearly along a coordinate. Beside the line
-/// of the centres it passes by 2^-4 to 2^-43.
+/// A round shape at the origin, and a point or a round shape that comes to it along a coordinate. It passes beside the
+/// centre by 2^-4 to 2^-43.
 struct NearlyAlong {
   std::array<Numbers<double>, count> a, b;
   std::array<double, count> vx, vy;
@@ -141,8 +141,8 @@ void expect_tally(const InstructionSet& set, int a, int b, const Tally& e) {
       << t.meets << ", " << t.settled << '}';
 }
 
-/// Where a point meets a round shape nearly along a coordinate, within 2^-24, the kernel leaves it open, as quick single
-/// calls do (detail::cast::ends_at()). Of two round shapes it leaves next to none.
+/// Where a point meets a round shape within 2^-24 of a coordinate, the kernel leaves it open, as quick single calls do
+/// (detail::cast::ends_at()). Of two round shapes it leaves next to none.
 constexpr struct {
   int kind_a, kind_b;
   Tally tally;
