@@ -54,15 +54,44 @@ struct Pairs {
   }
 };
 
+/// A round shape at the origin, and a point or a round shape that comes to it along a coordinate. It passes beside the
+/// centre by 2^-4 to 2^-43.
+struct NearlyAlong {
+  std::array<Numbers<double>, count> a, b;
+  std::array<double, count> vx, vy;
+
+  NearlyAlong(int kind_a, int kind_b) : a{}, b{}, vx{}, vy{} {
+    Random random(1);
+    for (std::size_t i = 0; i < count; ++i) {
+      a[i] = round(kind_a, random);
+      b[i] = round(kind_b, random);
+      const int beside = 4 + static_cast<int>(i % 40), along_x = static_cast<int>(i / 40 % 2);
+      const double sign = random.sign(), far = random.integer(4, 8), side = random.sign();
+      const double off = side * std::ldexp(1, -beside);
+      b[i][0] = along_x != 0 ? sign * far : off;
+      b[i][1] = along_x != 0 ? off : sign * far;
+      vx[i] = along_x != 0 ? -sign * far : 0;
+      vy[i] = along_x != 0 ? 0 : -sign * far;
+    }
+  }
+
+  static Numbers<double> round(int kind, Random& random) {
+    const double width = random.integer(4, 8) / 8.0, height = random.integer(4, 8) / 8.0;
+    if (kind == VESICA_POINT) return {0, 0};
+    return kind == VESICA_CIRCLE ? Numbers<double>{0, 0, width} : Numbers<double>{0, 0, 0, 1, width, height};
+  }
+};
+
 /// Of all pairs those that certainly miss and those that certainly are in contact at some time; of these what the
 /// kernel of contacts settles, or -1 where there is none. Most of the rest are in contact at the start.
 struct Tally {
   int missed = 0, meets = 0, settled = -1;
 };
 
+template <class Drawn>
 Tally tally(const vesica::KernelTable& table, int kind_a, int kind_b) {
   static vesica::batch::NumberColumns first, second;
-  const Pairs pairs(kind_a, kind_b);
+  const Drawn pairs(kind_a, kind_b);
   const auto view = [](int kind, const std::array<Numbers<double>, count>& shapes) {
     vesica::batch::Shapes<double> all{kind, count, sizeof shapes[0], {}};
     for (int k = 0; k < 6; ++k) all.field[k] = shapes[0].data() + k;
@@ -104,20 +133,35 @@ constexpr Tally expected[6][6] = {
     {{589, 435, 422}, {498, 526, 505}, {395, 629, 585}, {477, 547, 521}, {346, 678, 616}, {371, 653, 599}},
 };
 
+template <class Drawn>
+void expect_tally(const InstructionSet& set, int a, int b, const Tally& e) {
+  const Tally t = tally<Drawn>(*set.table, a, b);
+  EXPECT_TRUE(t.missed == e.missed && t.meets == e.meets && t.settled == e.settled)
+      << set.name << ' ' << properties::kind_name(a) << ' ' << properties::kind_name(b) << " {" << t.missed << ", "
+      << t.meets << ", " << t.settled << '}';
+}
+
+/// Where a point meets a round shape within 2^-24 of a coordinate, the kernel leaves it open, as quick single calls do
+/// (detail::cast::ends_at()). Of two round shapes it leaves next to none.
+constexpr struct {
+  int kind_a, kind_b;
+  Tally tally;
+} expected_nearly_along[] = {
+    {VESICA_CIRCLE, VESICA_POINT, {0, 1024, 537}},     {VESICA_POINT, VESICA_CIRCLE, {0, 1024, 539}},
+    {VESICA_ELLIPSE, VESICA_POINT, {0, 1024, 535}},    {VESICA_POINT, VESICA_ELLIPSE, {0, 1024, 523}},
+    {VESICA_CIRCLE, VESICA_CIRCLE, {0, 1024, 1021}},   {VESICA_CIRCLE, VESICA_ELLIPSE, {0, 1024, 1022}},
+    {VESICA_ELLIPSE, VESICA_ELLIPSE, {0, 1024, 1022}},
+};
+
 TEST(CastKernels, AnswerAsManyAsTheyDid) {
   int sets = 0;
   for (const InstructionSet& set : instruction_sets()) {
     if (!set.usable || set.table->queries->cast == nullptr) continue;
     ++sets;
     for (int a = 0; a < properties::kinds; ++a) {
-      for (int b = 0; b < properties::kinds; ++b) {
-        const Tally t = tally(*set.table, a, b);
-        const Tally& e = expected[a][b];
-        EXPECT_TRUE(t.missed == e.missed && t.meets == e.meets && t.settled == e.settled)
-            << set.name << ' ' << properties::kind_name(a) << ' ' << properties::kind_name(b) << " {" << t.missed
-            << ", " << t.meets << ", " << t.settled << '}';
-      }
+      for (int b = 0; b < properties::kinds; ++b) expect_tally<Pairs>(set, a, b, expected[a][b]);
     }
+    for (const auto& e : expected_nearly_along) expect_tally<NearlyAlong>(set, e.kind_a, e.kind_b, e.tally);
   }
 #if defined(__x86_64__)
   EXPECT_TRUE(sets > 0 || !__builtin_cpu_supports("avx2"));

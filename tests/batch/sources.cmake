@@ -12,6 +12,7 @@ set(batch_test_sources
   batch/casts_test.cpp
   batch/checked_test.cpp
   batch/data.cpp
+  batch/given_up_test.cpp
   batch/guard_pages.cpp
   batch/guard_pages_test.cpp
   batch/instruction_sets.cpp

@@ -179,6 +179,58 @@ TYPED_TEST(CastsOfArrays, OfRoundShapesAtCorners) {
   }
 }
 
+/// A round shape, and another or a point that meets it at a time from 1/2 to 2 with a normal that is 2^-10 to 2^-59 off
+/// a coordinate, or not at all. Of some the velocity is along one too.
+template <class T>
+Moving nearly_along(int kind_a, int kind_b, properties::Random& random) {
+  const auto drawn = [&](int kind) {
+    const bool upright = random.chance(0.25);
+    const double turn = random.between(-1, 1), t = upright ? 0 : turn;
+    const double width = random.between(0.25, 1), height = random.between(0.25, 1);
+    if (kind == VESICA_POINT) return Numbers{};
+    return kind == VESICA_CIRCLE ? Numbers{0, 0, width} : Numbers{0, 0, 1 - t * t, 2 * t, width, height};
+  };
+  const Numbers a = drawn(kind_a);
+  Numbers b = drawn(kind_b);
+  const double sign = random.sign(), side = random.sign();
+  const double least = std::ldexp(side, -random.integer(10, 59)), off = random.chance(0.125) ? 0 : least;
+  const Offset n = random.chance(0.5) ? Offset{sign, off} : Offset{off, sign};
+  Offset at{0, 0};
+  if (kind_a != VESICA_POINT) at = support(kind_a, a, n);
+  if (kind_b != VESICA_POINT) {
+    const Offset of_b = support(kind_b, b, n);
+    at = {at.x + of_b.x, at.y + of_b.y};
+  }
+  const bool straight = random.chance(0.25);
+  const double beside = random.between(-2, 2), across = straight ? 0 : beside, time = random.between(0.5, 2);
+  Offset v{-n.x - across * n.y, -n.y + across * n.x};
+  const bool along = random.chance(0.25);
+  if (along) (std::abs(v.x) < std::abs(v.y) ? v.x : v.y) = 0;
+  b[0] = at.x - v.x * time;
+  b[1] = at.y - v.y * time;
+  Moving m{{kind_a, kind_b, a, b}, {v.x, v.y, 2}};
+  for (Numbers* shape : {&m.pair.a, &m.pair.b}) {
+    for (double& x : *shape) x = properties::nearest(scalar_of<T>, x);
+  }
+  m.motion.vx = properties::nearest(scalar_of<T>, v.x);
+  m.motion.vy = properties::nearest(scalar_of<T>, v.y);
+  return m;
+}
+
+TYPED_TEST(CastsOfArrays, OfRoundShapesNearlyAlongACoordinate) {
+  using T = TypeParam;
+  properties::Random random(properties::seed() + 47);
+  for (const int kind_a : {VESICA_POINT, VESICA_CIRCLE, VESICA_ELLIPSE}) {
+    for (const int kind_b : {VESICA_POINT, VESICA_CIRCLE, VESICA_ELLIPSE}) {
+      if (kind_a == VESICA_POINT && kind_b == VESICA_POINT) continue;
+      std::vector<Moving> pairs;
+      for (int i = 0; i < arrays(1000); ++i) pairs.push_back(nearly_along<T>(kind_a, kind_b, random));
+      Arrays<T> s(kind_a, kind_b, pairs);
+      check_many<T>(s, no_end<T>);
+    }
+  }
+}
+
 /// The end at the very time of a contact, and beside it.
 TYPED_TEST(CastsOfArrays, AboutTheEnd) {
   using T = TypeParam;

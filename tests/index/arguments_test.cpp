@@ -82,6 +82,29 @@ TYPED_TEST(ArgumentsTest, Build) {
       << "step 0 was of more shapes";
 }
 
+/// An index holds 64 sets that are not empty, however few shapes they have; of empty ones there may be any number.
+TYPED_TEST(ArgumentsTest, SetsOfOneShape) {
+  const Laid<TypeParam> laid{rects<TypeParam>("uniform", 1, 1)};
+  const Sets<TypeParam> one(laid);
+  auto none = one.sets[0];
+  none.count = 0;
+  std::vector<typename Face<TypeParam>::Shapes> sets(64, one.sets[0]);
+  const Memory index(vesica_index_size(65)), scratch(vesica_index_scratch(65));
+  const auto build = [&] {
+    return Face<TypeParam>::index_build(sets.data(), static_cast<std::int32_t>(sets.size()), index.get(), index.size,
+                                        scratch.get(), scratch.size);
+  };
+  EXPECT_GT(build(), 0);
+  EXPECT_EQ(vesica_index_count(index.get()), 64);
+  sets.insert(sets.begin(), none);
+  sets.push_back(none);
+  EXPECT_GT(build(), 0);
+  EXPECT_EQ(vesica_index_count(index.get()), 64);
+  sets.push_back(one.sets[0]);
+  EXPECT_EQ(build(), VESICA_E_ARGUMENT);
+  EXPECT_EQ(vesica_index_count(index.get()), 64) << "nothing was written";
+}
+
 TYPED_TEST(ArgumentsTest, Join) {
   const Indexed<TypeParam> a(rects<TypeParam>("uniform", 1000, 1)), b(rects<TypeParam>("uniform", 900, 2));
   const Memory scratch(vesica_join_scratch());

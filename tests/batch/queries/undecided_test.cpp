@@ -7,7 +7,9 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string_view>
 
@@ -123,6 +125,51 @@ TEST(QueryKernels, LeaveAsManyAsTheyDid) {
           << set.name << ' ' << e.name << ' ' << properties::kind_name(e.kind_a) << ' '
           << properties::kind_name(e.kind_b);
     }
+  }
+}
+
+/// The circle about a rectangle holds it and is at most 2^-47 of itself too great, or pairs that are apart would be
+/// looked at. Of these axes and half sizes, times any powers of two, the lengths are whole numbers.
+TEST(Reaches, AreThoseOfTheCornersAndLittleMore) {
+  constexpr std::array<std::array<double, 3>, 4> whole{{{3, 4, 5}, {5, 12, 13}, {8, 15, 17}, {0, 1, 1}}};
+  for (const auto& [ux, uy, axis] : whole) {
+    for (const auto& [hx, hy, size] : whole) {
+      for (const int of_axis : {-190, -3, 0, 190}) {
+        for (const int of_size : {-190, 0, 5, 190}) {
+          const double k = std::ldexp(1, of_axis), l = std::ldexp(1, of_size), truth = k * axis * l * size;
+          const double reach = vesica::batch::reach_of(1, 2, k * ux, k * uy, l * hx, l * hy);
+          EXPECT_GE(reach, truth);
+          EXPECT_LE(reach, truth * (1 + 0x1p-47));
+        }
+      }
+    }
+  }
+}
+
+TEST(Reaches, AreNotKnownOfInvalidOrOddNumbers) {
+  constexpr std::array<double, 6> usual{1, 2, 3, 4, 5, 12};
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const auto reach = [](const std::array<double, 6>& s) {
+    return vesica::batch::reach_of(s[0], s[1], s[2], s[3], s[4], s[5]);
+  };
+  EXPECT_FALSE(std::isnan(reach(usual)));
+  for (std::size_t k = 0; k < 6; ++k) {
+    std::array<double, 6> odd = usual;
+    for (const double x : {std::numeric_limits<double>::quiet_NaN(), infinity, -infinity}) {
+      odd[k] = x;
+      EXPECT_TRUE(std::isnan(reach(odd))) << k << ' ' << x;
+    }
+    if (k < 2) continue;
+    for (const double x : {0x1p-210, 0x1p210}) {
+      const std::size_t first = k < 4 ? 2 : 4;
+      odd = usual;
+      odd[first] = odd[first + 1] = 0;
+      odd[k] = x;
+      EXPECT_TRUE(std::isnan(reach(odd))) << k << ' ' << x;
+    }
+    odd = usual;
+    odd[k] = -odd[k];
+    EXPECT_EQ(std::isnan(reach(odd)), k > 3) << k;
   }
 }
 
