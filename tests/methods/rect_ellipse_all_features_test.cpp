@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
 #include <vesica/methods/rect_ellipse_all_features.hpp>
 
 #include "methods/exact_method.hpp"
 #include "methods/rect_ellipse_cases.hpp"
+#include "properties/random.hpp"
 
 namespace {
 
