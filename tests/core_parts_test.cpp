@@ -10,6 +10,7 @@
 #include <vesica/area/extreme_ratio.hpp>
 #include <vesica/arithmetic/scaled.hpp>
 #include <vesica/boundary_distance.hpp>
+#include <vesica/bounds.hpp>
 #include <vesica/crossings/points.hpp>
 #include <vesica/depth.hpp>
 #include <vesica/methods/circle_ellipse_closed_form.hpp>
@@ -164,6 +165,37 @@ TEST(CoreParts, DiscInAHalfPlane) {
     EXPECT_NEAR(part(-d), cap, 0x1p-51);
     EXPECT_NEAR(part(d), area::pi_high - cap, 0x1p-51);
   }
+}
+
+/// The first 192 bits after the point, cut off. pi = 3.243f6a88 85a308d3 13198a2e 03707344 a4093822 299f31d0 082efa98...
+TEST(CoreParts, PiOfExactAreas) {
+  const auto pi = area::exact_pi();
+  EXPECT_EQ(pi.sign, 1);
+  EXPECT_EQ(pi.low, -3);
+  ASSERT_EQ(pi.size, 4);
+  const std::uint64_t digits[4] = {0xa4093822299f31d0, 0x13198a2e03707344, 0x243f6a8885a308d3, 3};
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(pi.limb[i], digits[i]) << i;
+}
+
+/// Bounds of ordinary shapes need no exact numbers: what they are estimated by leaves no doubt but of a few.
+TEST(CoreParts, EstimatesThatSettleBounds) {
+  properties::Random random(properties::seed());
+  int settled = 0, asked = 0;
+  const auto ask = [&](const auto& shape, const bounds::Reach& reach) {
+    double high = 0;
+    settled += arithmetic::round_up(arithmetic::add(reach.c, bounds::extent_estimate(shape, reach)), high) ? 1 : 0;
+    ++asked;
+  };
+  for (int i = 0; i < 2000 * properties::repeat(); ++i) {
+    const double c = random.between(-4, 4);
+    const double p0 = random.between(-1, 1);
+    const double q0 = random.between(0, 2);
+    const double p1 = random.between(-1, 1);
+    const double q1 = random.between(0, 2);
+    ask(vesica::Rect<double>{}, {c, p0, q0, p1, q1});
+    ask(vesica::Ellipse<double>{}, {c, p0, q0, p1, q1});
+  }
+  EXPECT_GT(settled, asked * 99 / 100);
 }
 
 /// A direction that only rounding has made an axis, along which boxes do not overlap, leaves the depth as it was.

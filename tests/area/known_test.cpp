@@ -135,6 +135,26 @@ TEST(KnownAreas, AtAnyScale) {
   }
 }
 
+// Two boxes across each other, the axis of one far longer or shorter than 1: no number between overflows, and none loses
+// digits to underflow.
+TEST(KnownAreas, OfBoxesWithAxesOfAnyLength) {
+  constexpr double height = 0x1.6a09e6p-3, width = 0x1.279a74p-3;
+  for (int axis = -300; axis <= 300; axis += 3) {
+    for (const int sizes : {-195, 0, 195}) {
+      SCOPED_TRACE(testing::Message() << "axis 2^" << axis << ", sizes 2^" << sizes);
+      const int unit = axis + sizes;
+      for (const double longer : {0.5, 4.0}) {  // either of the boxes may be the lesser one
+        const Kinded upright{VESICA_RECT,
+                             {0, 0, 0, std::ldexp(1, axis), std::ldexp(longer, sizes), std::ldexp(width, sizes)}};
+        const Kinded level{VESICA_RECT, {0, 0, 1, 0, std::ldexp(1, unit), std::ldexp(height, unit)}};
+        const double expected = std::ldexp(4 * height * width, 2 * unit);
+        EXPECT_DOUBLE_EQ(area(upright, level), expected);
+        EXPECT_DOUBLE_EQ(area(level, upright), expected);
+      }
+    }
+  }
+}
+
 // A centre moved, an axis turned or a half length changed by one subnormal number: the outlines cross, and yet what is
 // not shared is less than the outline's length times 2^-1000.
 TEST(KnownAreas, OfShapesThatAllButCoincide) {

@@ -112,6 +112,31 @@ TEST(DiscRect, WhatWasCutOffCounts) {
   EXPECT_EQ(told(whole, {{80, 0}, {0, 0}}), 0);
 }
 
+/// All four products of halves, with what they carry: by numbers whose products are known, and as squares are.
+TEST(DiscRect, ProductsOf128Bits) {
+  using filter::Residue128, filter::Residue256, filter::product, filter::square;
+  const auto expect = [](const Residue256& found, const Residue256& wanted) {
+    EXPECT_TRUE(found <= wanted && wanted <= found)
+        << std::hex << found.high.high << ' ' << found.high.low << ' ' << found.low.high << ' ' << found.low.low;
+  };
+  constexpr std::uint64_t all = ~std::uint64_t{0};
+  const Residue128 zero{0, 0}, one{1, 0}, limb{0, 1}, greatest{all, all}, half{all, all >> 1};
+  expect(product(zero, greatest), {zero, zero});
+  expect(product(limb, limb), {zero, one});
+  expect(product(greatest, greatest), {one, {all - 1, all}});  // (2^128 - 1)^2 = 2^256 - 2^129 + 1
+  expect(square(half), {one, {all, all >> 2}});                // (2^127 - 1)^2 = 2^254 - 2^128 + 1
+  Random random(properties::seed());
+  for (int i = 0; i < 1000 * properties::repeat(); ++i) {
+    const std::uint64_t low = random.bits();
+    const std::uint64_t high = random.bits();
+    const Residue128 x{low, high}, y{low, high >> 1};
+    expect(product(x, one), {x, zero});
+    expect(product(limb, x), {{0, low}, {high, 0}});
+    expect(product(greatest, x) + Residue256{x, zero}, {zero, x});
+    expect(product(y, y), square(y));
+  }
+}
+
 TEST(DiscRect, DecideNumbersOfAllDigits) {
   Random random(properties::seed());
   Counts counts;

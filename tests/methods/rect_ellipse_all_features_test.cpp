@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
 #include <vesica/methods/rect_ellipse_all_features.hpp>
 
 #include "methods/exact_method.hpp"
 #include "methods/rect_ellipse_cases.hpp"
+#include "properties/random.hpp"
 
 namespace {
 
@@ -13,6 +15,25 @@ constexpr auto f32 = vesica_method_rect_ellipse_all_features_f32;
 
 TEST(RectEllipseAllFeatures, KnownAnswers) {
   for (const Scalar scalar : {Scalar::f64, Scalar::f32}) expect_known_answers(scalar, method<f64, f32>(scalar));
+}
+
+/// Small ellipses whose centre is on a side of a rectangle, in numbers of few digits but for the ellipse's axis, so that
+/// its image is rounded: the centre alone tells that they overlap.
+TEST(RectEllipseAllFeatures, CentreOnASide) {
+  properties::Random random(properties::seed());
+  for (int i = 0; i < 500; ++i) {
+    const double ux = random.integer(-9, 9);
+    const double uy = random.integer(1, 9);
+    const double hx = random.integer(1, 9);
+    const double hy = random.integer(1, 9);
+    const bool across = random.chance(0.5);
+    const double s = across ? hx : random.integer(0, 8) * hx / 16;
+    const double t = across ? random.integer(0, 8) * hy / 16 : hy;
+    const double turn = random.between(-3, 3);
+    const vesica::Rect<double> rect{0, 0, ux, uy, hx, hy};
+    const vesica::Ellipse<double> small{s * ux - t * uy, s * uy + t * ux, std::cos(turn), std::sin(turn), 1e-30, 2e-30};
+    ASSERT_EQ(vesica::methods::all_features(rect, small), 1) << i;
+  }
 }
 
 TEST(RectEllipseAllFeatures, InvalidInput) {
