@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <vesica.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -153,6 +154,48 @@ TEST(KnownAreas, OfBoxesWithAxesOfAnyLength) {
       }
     }
   }
+}
+
+// Parallel boxes whose corners are whole numbers in units of their own along either axis: however thin they are, only
+// two lengths and their product are rounded.
+TEST(KnownAreas, OfParallelBoxesAtAnyAspect) {
+  properties::Random random(properties::seed() + 3);
+  int asked = 0;
+  for (const int i : {-1074, -1000, -500, -60, 0, 60, 500, 1000}) {
+    for (const int j : {-1074, -1000, -500, -60, 0, 60, 500, 1000}) {
+      if (std::abs(i - j) < 60 || i + j < -1074 || i + j > 1000) continue;
+      for (int k = 0; k < 40; ++k) {
+        const auto interval = [&] {
+          const double low = random.integer(-9, 8);
+          const double high = random.integer(static_cast<int>(low) + 1, 9);
+          return std::pair{low, high};
+        };
+        const auto [x0, x1] = interval();
+        const auto [y0, y1] = interval();
+        const auto [z0, z1] = interval();
+        const auto [w0, w1] = interval();
+        const double width = std::max(0.0, std::min(x1, z1) - std::max(x0, z0));
+        const double height = std::max(0.0, std::min(y1, w1) - std::max(y0, w0));
+        const double expected = std::ldexp(width * height, i + j);
+        const auto box = [i, j](double left, double low, double right, double high) {
+          return Kinded{VESICA_AABB,
+                        {std::ldexp(left, i), std::ldexp(low, j), std::ldexp(right, i), std::ldexp(high, j)}};
+        };
+        const Kinded a = box(x0, y0, x1, y1), b = box(z0, w0, z1, w1);
+        EXPECT_DOUBLE_EQ(area(a, b), expected);
+        EXPECT_EQ(area(b, a), area(a, b));
+        ++asked;
+        if (i < -1070 || j < -1070) continue;
+        // The same box as one that is turned by a right angle: its first axis is (0, u).
+        const double u = std::ldexp(1, random.integer(0, 3)), cx = std::ldexp((z0 + z1) / 2, i),
+                     cy = std::ldexp((w0 + w1) / 2, j);
+        const Kinded turned{VESICA_RECT,
+                            {cx, cy, 0, u, std::ldexp((w1 - w0) / 2, j) / u, std::ldexp((z1 - z0) / 2, i) / u}};
+        EXPECT_DOUBLE_EQ(area(a, turned), expected);
+      }
+    }
+  }
+  EXPECT_GT(asked, 500);
 }
 
 // A centre moved, an axis turned or a half length changed by one subnormal number: the outlines cross, and yet what is

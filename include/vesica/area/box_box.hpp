@@ -48,7 +48,8 @@ struct Direction {
 /// 1 / x, but finite for 0: a line that is parallel to a clamp is far inside or far beyond, on the side it is on.
 template <class V>
 VESICA_INLINE V reciprocal(V x) noexcept {
-  return clamp(V(1.0) / x, V(-0x1p1000), V(0x1p1000));
+  constexpr double most = 0x1.fffffffffffffp1023;
+  return clamp(V(1.0) / x, V(-most), V(most));
 }
 
 /// The integral of clamped y dx along (x0 + t mx, y0 + t my), low <= t <= high, x clamped too. t runs through where x
@@ -213,14 +214,32 @@ inline UnitBox unit_box(const exact::Box& s) noexcept {
           length + axis};
 }
 
+/// The length that two intervals have in common, which overlap: from half of theirs and the distance of their centres.
+inline arithmetic::Scaled common_length(const exact::Number<3>& half_a, const exact::Number<3>& half_b,
+                                        const exact::Number<3>& distance) noexcept {
+  const exact::Number<3>& lesser = exact::compare(half_a, half_b) < 0 ? half_a : half_b;
+  const exact::Number<3> within = lesser + lesser, aside = half_a + half_b - exact::abs(distance);
+  return exact::rounded(exact::compare(aside, within) < 0 ? aside : within);
+}
+
 /// The area of two boxes that cross, from exact distances between a's centre and b's edges, a being the lesser. What is
-/// left to round is relative to a alone, however much greater or however far b is, at any magnitude.
+/// left to round is relative to a alone, however much greater or however far b is, at any magnitude; of parallel boxes to
+/// the area itself, at any aspect ratio.
 inline Measure crossing_area_exact(const exact::Box& a, const exact::Box& b) noexcept {
-  const UnitBox frame = unit_box(a), other = unit_box(b);
   const exact::Length dx = b.cx - a.cx, dy = b.cy - a.cy;
   const auto ww = exact::dot(b.ux, b.uy, b.ux, b.uy);
   const auto reach_0 = b.hx * ww, reach_1 = b.hy * ww;
   const auto along = exact::dot(b.ux, b.uy, dx, dy), across = exact::cross(b.ux, b.uy, dx, dy);
+  const auto dot = exact::abs(exact::dot(a.ux, a.uy, b.ux, b.uy)),
+             cross = exact::abs(exact::cross(a.ux, a.uy, b.ux, b.uy));
+  if (dot.sign == 0 || cross.sign == 0) {
+    const bool same = cross.sign == 0;
+    const arithmetic::Scaled length = common_length(same ? a.hx * dot : a.hy * cross, reach_0, along),
+                             width = common_length(same ? a.hy * dot : a.hx * cross, reach_1, across),
+                             squared = exact::rounded(ww);
+    return {length.value * width.value / squared.value, length.exponent + width.exponent - squared.exponent};
+  }
+  const UnitBox frame = unit_box(a), other = unit_box(b);
   const int unit = other.axis + frame.exponent;
   const auto place = [&](const exact::Number<3>& x) { return bounded(exact::rounded(x), unit, out_of_sight); };
 
