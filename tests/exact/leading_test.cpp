@@ -353,6 +353,40 @@ TEST(Leading, ShortNumbersAreExact) {
   EXPECT_TRUE(zero.sign_is_certain());
 }
 
+/// Of as many limbs as are kept, or fewer, nothing is lost; of one more what is below is, unless it is 0.
+TEST(Leading, NothingIsLostOfWhatFits) {
+  constexpr int limbs = exact::few_limbs;
+  for (int size = 1; size <= limbs + 2; ++size) {
+    Number<4> x;
+    x.sign = -1;
+    x.size = size;
+    for (int i = 0; i < size; ++i) x.limb[i] = Limb{3};
+    const exact::Digits digits(x, limbs);
+    const exact::Leading<limbs> leading(x);
+    expect_within_bound(digits, value(x));
+    expect_within_bound(leading, value(x));
+    EXPECT_EQ(digits.error == digits.nothing, size <= limbs) << size;
+    EXPECT_EQ(leading.error == leading.nothing, size <= limbs) << size;
+    EXPECT_EQ(digits.error, leading.error) << size;
+  }
+}
+
+/// Limbs that are neither all zeros nor all ones, and none beyond the number's own.
+TEST(Leading, DenseLimbs) {
+  const auto dense = [](std::initializer_list<Limb> limbs) {
+    Number<4> x;
+    for (Limb& limb : x.limb) limb = 5;
+    x.sign = 1;
+    for (const Limb limb : limbs) x.limb[x.size++] = limb;
+    return exact::detail::dense_limbs(x);
+  };
+  constexpr Limb ones = ~Limb{0};
+  EXPECT_EQ(dense({1}), 1);
+  EXPECT_EQ(dense({ones}), 0);
+  EXPECT_EQ(dense({1, 0, 0, 2}), 2);
+  EXPECT_EQ(dense({7, ones, ones - 1, 0, 1, ones}), 3);
+}
+
 /// Ellipses with numbers of wildly unlike exponents, of which many are alike: then much cancels.
 struct Ellipses {
   exact::Ellipse a, b;
