@@ -264,6 +264,19 @@ TEST(CastParts, QuickBoxAtADouble) {
   EXPECT_EQ(cast_or_error(box, point, v, 0.0, before(t), found), cast_miss);
 }
 
+/// A box from so far that lengths are no longer below 2^40 of the disc is met by the general way.
+TEST(CastParts, QuickMeetingsFromFarOff) {
+  for (const int exponent : {2, 20, 35, 36, 37, 38, 39, 40, 50}) {
+    const double far = std::ldexp(1, exponent);
+    const Scene scene = scene_of(Circle<double>{0, 0, 1}, Aabb<double>{far, -1, far + 2, 1}, {-1, 0, infinity});
+    Meeting met;
+    ASSERT_EQ(quick_meeting<UsualProducts>(scene, met), exponent <= 38) << exponent;
+    if (exponent <= 38) {
+      EXPECT_EQ(met.found.time.value.high, far - 1);
+    }
+  }
+}
+
 /// A rectangle of which one half length is out of the quick range.
 TEST(CastParts, QuickRectOfOddSizes) {
   const Point<double> point{4, 0.25};
