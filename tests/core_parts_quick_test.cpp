@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <vesica/crossings.hpp>
 #include <vesica/within.hpp>
 

@@ -493,6 +493,23 @@ TEST(LongCubic, SurelyInside) {
   EXPECT_FALSE(inside(greater, lesser));
 }
 
+// Of similar ellipses about nearly one centre the lesser is told to be inside, whatever the ratio of their sizes.
+TEST(LongCubic, SurelyInsideASimilarOne) {
+  Random random(properties::seed());
+  const auto inside = [](const Ellipse<double>& a, const Ellipse<double>& b) {
+    const exact::ContactCubic p = exact::contact_cubic(exact::form(a), exact::form(b));
+    return exact::detail::surely_inside(p, p.d1 + p.d2 - p.mu);
+  };
+  for (int i = 0; i < 500 * properties::repeat(); ++i) {
+    const double a = std::exp2(random.between(-4, 4)), b = std::exp2(random.between(-4, 4));
+    const double share = std::exp2(-random.between(1, 40)), ratio = random.chance(0.5) ? share : 1 - share;
+    // Exactly similar, as the axis alone is shorter.
+    const Ellipse<double> lesser{0x1p-200, 0, ratio, 0, a, b}, greater{0, 0x1p-200, 1, 0, a, b};
+    EXPECT_TRUE(inside(lesser, greater)) << ratio << ' ' << a << ' ' << b;
+    EXPECT_FALSE(inside(greater, lesser)) << ratio << ' ' << a << ' ' << b;
+  }
+}
+
 /// What is far below a tie breaks it, and what is far below a double is what that leaves.
 TEST(LeadingDigits, OneThatIsFarBelow) {
   const auto one = exact::from_double(1), tie = exact::from_double(0x1p128) + exact::from_double(0x1p75);
