@@ -3,8 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <vector>
 #include <vesica/vesica.hpp>
+
+#include "properties/random.hpp"
 
 namespace {
 
@@ -44,6 +49,62 @@ TEST(CastParts, KnownFloor) {
     EXPECT_EQ(floor(t, 0), -1) << "it may be on either side";
   }
   for (const double t : {0x1p-1010, 0x1p1022}) EXPECT_EQ(floor(t, 0x1p-60), -1) << t;
+}
+
+/// Fused products have the bits of split ones where each number of a scene is 0 or within bounds, lower parts too.
+TEST(CastParts, FusedProductsOfEachNumber) {
+  const Scene usual = scene_of(Rect<double>{0, 0, 1, 2, 3, 4}, Ellipse<double>{8, 5, 1, 1, 2, 1}, {-1, 0.5, infinity});
+  EXPECT_TRUE(has_fused_products(usual));
+  const auto is_fused = [](const Scene& s, double& part, double x) {
+    const double kept = part;
+    part = x;
+    const bool fused = has_fused_products(s);
+    part = kept;
+    return fused;
+  };
+  Scene s = usual;
+  std::vector<Twofold<double>*> numbers{&s.d.x, &s.d.y};
+  for (Side* side : {&s.a, &s.b}) numbers.insert(numbers.end(), {&side->u.x, &side->u.y, &side->hx, &side->hy});
+  std::vector<double*> upper{&s.vx, &s.vy};
+  for (Twofold<double>* number : numbers) upper.push_back(&number->high);
+  for (std::size_t i = 0; i < upper.size(); ++i) {
+    for (const double x : {0.0, 0x1p-40, -0x1p-40, 0x1p40}) EXPECT_TRUE(is_fused(s, *upper[i], x)) << i << ' ' << x;
+    for (const double x : {0x1p-41, -0x1p-41, 0x1p-1074, -0x1p41}) EXPECT_FALSE(is_fused(s, *upper[i], x)) << i;
+  }
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    for (const double x : {0.0, 0x1p-60, -0x1p-54}) EXPECT_TRUE(is_fused(s, numbers[i]->low, x)) << i << ' ' << x;
+    for (const double x : {0x1p-61, -0x1p-61, 0x1p-1074}) EXPECT_FALSE(is_fused(s, numbers[i]->low, x)) << i;
+  }
+}
+
+/// Whatever has no speed tells no time: not even one to begin a search with.
+TEST(CastParts, DirectionsAcrossTheWay) {
+  Scene scene = scene_of(Circle<double>{0, 0, 1}, Circle<double>{4, 0, 1}, {-1, 0, infinity});
+  const auto look = [&scene](double nx) { return time_bounds<Products>(scene, {{nx, 0}, {1, 0}}); };
+  for (const bool whole : {true, false}) {
+    scene.whole = whole;
+    for (const double nx : {0.0, 0x1p-90, -1.0}) {
+      const TimeBounds none = look(nx);
+      EXPECT_FALSE(none.tells()) << nx;
+      EXPECT_TRUE(none.value.high == 0 && none.value.low == 0) << nx;
+      EXPECT_EQ(none.certain, whole && nx == 0) << "across the way for certain";
+    }
+  }
+  EXPECT_TRUE(look(0x1p-70).tells());
+}
+
+/// The same of scalars, by bits, and of lanes.
+TEST(CastParts, PlainNumbers) {
+  const Vector d{{3, 0}, {4, 0}};
+  for (const double x : {0.0, 0x1p-1074, before(0x1p-60), 0x1p-60, 1.0, 0x1p60, next(0x1p60), 0x1p1000, infinity}) {
+    for (const double sign : {1.0, -1.0}) {
+      const bool plain = x == 0 || (x >= 0x1p-60 && x <= 0x1p60);
+      EXPECT_EQ(is_plain(sign * x), plain) << x;
+      const bool has_speed = x <= 0x1p60 && plain;
+      EXPECT_EQ(is_plain(d, Motion{sign * x, 0, infinity}), has_speed) << x;
+      EXPECT_EQ(is_plain(d, Motion{0, sign * x, infinity}), has_speed) << x;
+    }
+  }
 }
 
 /// Of two boxes and a direction that is no edge's normal: a lower bound, which does not tell the time.
@@ -133,6 +194,63 @@ TEST(CastParts, QuickEllipsesAboutTheEnd) {
   EXPECT_EQ(cast_or_error(a, b, -1.0, 0.125, found.t, again), cast_miss);
 }
 
+/// Head on: what of a normal is 0 has no sign, by the quick ways and the general one.
+TEST(CastParts, NormalsHaveNoNegativeZero) {
+  const auto expect = [](const auto& a, const auto& b, double vx, double vy) {
+    Impact<double> quick, found;
+    const auto check = [&](const Impact<double>& i) {
+      EXPECT_FALSE(std::signbit(i.nx) && i.nx == 0) << vx << ' ' << vy;
+      EXPECT_FALSE(std::signbit(i.ny) && i.ny == 0) << vx << ' ' << vy;
+      EXPECT_EQ(i.nx, vx == 0 ? 0 : -vx);
+      EXPECT_EQ(i.ny, vy == 0 ? 0 : -vy);
+    };
+    if (quick_hit<UsualProducts>(a, b, {vx, vy, infinity}, quick) == Quick::hit) check(quick);
+    ASSERT_EQ(cast_any(a, b, {vx, vy, infinity}, found), cast_hit);
+    check(found);
+    ASSERT_EQ(cast_or_error(a, b, vx, vy, infinity, found), cast_hit);
+    check(found);
+  };
+  for (const double v : {1.0, -1.0}) {
+    for (const double zero : {0.0, -0.0}) {
+      for (const double at : {0.0, -0.0}) {
+        const Ellipse<double> e{0, 0, 1, zero, 2, 1}, f{0, 0, zero, 1, 1.5, 1};
+        const Circle<double> c{0, 0, 2};
+        const double far = -8 * v;
+        expect(e, Ellipse<double>{far, at, 1, 0, 2, 1}, v, zero);
+        expect(f, Ellipse<double>{at, far, 0, 1, 2, 1}, zero, v);
+        expect(e, Point<double>{far, at}, v, zero);
+        expect(f, Point<double>{at, far}, zero, v);
+        expect(c, Point<double>{far, at}, v, zero);
+        expect(c, Circle<double>{at, far, 1}, zero, v);
+      }
+    }
+  }
+}
+
+/// Points about the flat side of a thin ellipse, where what is left of the form is far less than its terms: contact at
+/// the start is the overlap, whether they come or go.
+TEST(CastParts, StartsAtTheFlatSideOfAThinEllipse) {
+  properties::Random random(properties::seed());
+  int starts = 0, others = 0;
+  for (int i = 0; i < 4000 * properties::repeat(); ++i) {
+    const double side = random.sign(), a = 1 + random.unit(), thin = random.between(1, 20), b = a * std::exp2(-thin);
+    const double length = 1 + random.unit(), slope = random.chance(0.3) ? 0 : std::exp2(-random.between(1, 30));
+    const double along = b * random.between(-1, 1), off = random.integer(-4, 4) * 0x1p-53;
+    const double across = side * b * std::sqrt(1 - along / a * (along / a)) * (1 + off);
+    const Ellipse<double> e{0, 0, length, length * slope, a, b};
+    const Point<double> p{along * e.ux - across * e.uy, along * e.uy + across * e.ux};
+    const std::int32_t overlapping = overlap_or_error(e, p);
+    for (const double v : {1.0, -1.0}) {
+      Impact<double> out;
+      const std::int32_t code = cast_or_error(e, p, 0.125, v, infinity, out);
+      ASSERT_EQ(code == cast_start, overlapping == 1) << e.uy << ' ' << p.x << ' ' << p.y << ' ' << a << ' ' << b;
+    }
+    (overlapping == 1 ? starts : others) += 1;
+  }
+  EXPECT_GT(starts, 500 * properties::repeat());
+  EXPECT_GT(others, 500 * properties::repeat());
+}
+
 /// The contact is at a double, and the quotient of rounded numbers beside it.
 TEST(CastParts, QuickBoxAtADouble) {
   constexpr double v = 0x1.199999999999ap+0, t = 0x1.e666686b5e666p+0;
@@ -145,6 +263,19 @@ TEST(CastParts, QuickBoxAtADouble) {
   EXPECT_EQ(found.t, t);
   EXPECT_EQ(cast_or_error(box, point, v, 0.0, t, found), cast_hit);
   EXPECT_EQ(cast_or_error(box, point, v, 0.0, before(t), found), cast_miss);
+}
+
+/// A box from so far that lengths are no longer below 2^40 of the disc is met by the general way.
+TEST(CastParts, QuickMeetingsFromFarOff) {
+  for (const int exponent : {2, 20, 35, 36, 37, 38, 39, 40, 50}) {
+    const double far = std::ldexp(1, exponent);
+    const Scene scene = scene_of(Circle<double>{0, 0, 1}, Aabb<double>{far, -1, far + 2, 1}, {-1, 0, infinity});
+    Meeting met;
+    ASSERT_EQ(quick_meeting<UsualProducts>(scene, met), exponent <= 38) << exponent;
+    if (exponent <= 38) {
+      EXPECT_EQ(met.found.time.value.high, far - 1);
+    }
+  }
 }
 
 /// A rectangle of which one half length is out of the quick range.

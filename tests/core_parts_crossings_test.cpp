@@ -55,6 +55,17 @@ TEST(CrossingsParts, AsManyPlacesAsThereIsRoomFor) {
   for (int i = 0; i < 8; ++i) EXPECT_EQ(points.x[i], 7 - i);
 }
 
+/// Of places as far off the other outline's start as can be told, on either side of it.
+TEST(CrossingsParts, PlacesNearTheOtherStart) {
+  const auto near = [](std::initializer_list<double> along) {
+    Found found;
+    for (const double at : along) found.add({0, 0, Real(0.0), Real(at)});
+    return found.is_near_start_of_b();
+  };
+  EXPECT_FALSE(near({}) || near({2}) || near({0x1p-29, 1, 3}) || near({4 - 0x1p-29, 2, 3, 1}));
+  EXPECT_TRUE(near({0}) && near({2, 0x1p-31}) && near({4 - 0x1p-31}) && near({1, 2, 3, 0}));
+}
+
 TEST(CrossingsParts, AsManyVerticesAsThereIsRoomFor) {
   detail::intersection::Vertices region;
   for (int i = 0; i < 9; ++i) region.add({1.0 * i, 0});

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <vesica/vesica.hpp>
 
@@ -65,6 +66,29 @@ TEST(ExactCastParts, Window) {
   EXPECT_TRUE(place(0x1p500, 0x1p-500, ratio));
   EXPECT_FALSE(place(0x1p500, 0x1p-545, ratio));
   EXPECT_FALSE(place(0x1p1000, 0x1p-100, ratio));
+}
+
+/// Wherever its lowest bit is, what has room is moved to where there is: no bit comes above the highest or below the
+/// lowest.
+TEST(ExactCastParts, MovedIntoTheWindow) {
+  for (const std::int64_t span : {std::int64_t{1}, std::int64_t{1000}, Window::widest}) {
+    for (std::int64_t low = -1400; low < 1400 - span; ++low) {
+      const auto bit = [](std::int64_t at) { return Number<2>(from_double(1.0, static_cast<int>(at))); };
+      const Number<2> first = bit(low), last = bit(low + span - 1);
+      Window window;
+      window.hold(first);
+      window.hold(last);
+      ASSERT_EQ(window.top() - window.low(), span);
+      ASSERT_TRUE(window.place()) << low;
+      Window moved;
+      moved.hold(window.moved(first));
+      moved.hold(window.moved(last));
+      ASSERT_EQ(moved.top() - moved.low(), span);
+      ASSERT_GE(moved.low(), Window::lowest) << low;
+      ASSERT_LE(moved.top(), Window::highest) << low;
+      ASSERT_EQ(moved.low() - low, std::int64_t{64} * window.limbs());
+    }
+  }
 }
 
 TEST(ExactCastParts, HoldsPlaces) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <vesica/crossings.hpp>
 #include <vesica/within.hpp>
 
@@ -107,6 +108,68 @@ TEST(QuickWays, FewLimbsOfQuartics) {
     ASSERT_TRUE(equal(any_part(q, from, to, limbs), any_part(q, from, to, Fixed::limbs))) << limbs;
   }
   for (int n = 2; n <= Fixed::limbs; ++n) EXPECT_GT(of_limbs[static_cast<std::size_t>(n)], 500 * properties::repeat());
+}
+
+/// s / 2^64 of the way from one number to another, rounded down, by exact numbers; of few limbs and all.
+template <int n>
+void expect_moved(const Fixed& a, const Fixed& b, exact::Limb s) {
+  const auto signed_number = [](const Fixed& x) {
+    exact::Number<7> all;
+    all.sign = x.negative() ? -1 : 1;
+    all.size = Fixed::limbs;
+    const Fixed size = x.negative() ? -x : x;
+    for (int j = 0; j < Fixed::limbs; ++j) all.limb[j] = size.limb[j];
+    all.strip();
+    return all;
+  };
+  exact::Number<1> share;
+  share.sign = share.size = 1;
+  share.limb[0] = s;
+  const exact::Number<8> from = exact::from_double(0x1p64) * signed_number(a),
+                         place = from + share * (signed_number(b) - signed_number(a));
+  Fixed found = a;
+  move_towards<n>(found, b, s);
+  found.extend_sign<n>();
+  const exact::Number<8> rest = place - exact::from_double(0x1p64) * signed_number(found);
+  EXPECT_TRUE(rest.sign >= 0 && exact::compare(rest, exact::from_double(0x1p64)) < 0) << n << ' ' << s;
+}
+TEST(QuickWays, PlacesBetweenFixedNumbers) {
+  Random random(properties::seed());
+  const auto of_one = [](int x) {
+    Fixed one{};
+    one.limb[0] = static_cast<exact::Limb>(std::abs(x));
+    return x < 0 ? -one : one;
+  };
+  // All digits that are rounded off are ones, or zeros.
+  for (int a = -3; a <= 3; ++a) {
+    for (int b = -3; b <= 3; ++b) {
+      for (const exact::Limb s : {exact::Limb{1}, exact::Limb{1} << 63, ~exact::Limb{0}}) {
+        expect_moved<2>(of_one(a), of_one(b), s);
+        expect_moved<Fixed::limbs>(of_one(a), of_one(b), s);
+      }
+    }
+  }
+  for (int i = 0; i < 1000 * properties::repeat(); ++i) {
+    const Fixed a = draw_fixed(random, 190), b = draw_fixed(random, random.integer(0, 190));
+    const Fixed c = draw_fixed(random, 380), d = draw_fixed(random, random.integer(0, 380));
+    const exact::Limb s = random.bits() | 1;
+    expect_moved<3>(a, b, s);
+    expect_moved<Fixed::limbs>(c, d, s);
+  }
+}
+
+/// A stage makes as many coefficients as it is asked for, and leaves the last as it was.
+TEST(QuickWays, StagesOfAConstruction) {
+  Random random(properties::seed());
+  for (int count = 1; count <= 4; ++count) {
+    Quartic q, stage;
+    for (Fixed& c : q.coefficient) c = draw_fixed(random, 380);
+    stage = q;
+    const exact::Limb s = random.bits() | 1;
+    interpolate<Fixed::limbs>(stage.coefficient, count, s);
+    for (int i = 0; i < count; ++i) move_towards<Fixed::limbs>(q.coefficient[i], q.coefficient[i + 1], s);
+    EXPECT_TRUE(equal(stage, q)) << count;
+  }
 }
 
 /// The part from 0 on or up to 1, by one construction, is that of the polar form; and the number of its changes of sign

@@ -8,6 +8,7 @@
 #include <vesica/area/circular_segment.hpp>
 #include <vesica/area/ellipse_ellipse.hpp>
 #include <vesica/area/extreme_ratio.hpp>
+#include <vesica/arithmetic/rounding.hpp>
 #include <vesica/arithmetic/scaled.hpp>
 #include <vesica/boundary_distance.hpp>
 #include <vesica/bounds.hpp>
@@ -39,6 +40,42 @@ TEST(CoreParts, SquareRoot) {
   }
   EXPECT_TRUE(std::isnan(square_root(-1.0)) && std::isnan(square_root(std::numeric_limits<double>::quiet_NaN())));
   EXPECT_TRUE(std::signbit(square_root(-0.0)));
+}
+
+/// Places in ascending order, one apart from a number to the next, both zeros at the same one.
+template <class T>
+void expect_ranks() {
+  constexpr T infinity = std::numeric_limits<T>::infinity(), least = std::numeric_limits<T>::denorm_min();
+  const auto at = [](T x) { return arithmetic::rank(x); };
+  EXPECT_EQ(at(T(-0.0)), at(T(0)));
+  EXPECT_FALSE(std::signbit(arithmetic::at_rank<T>(at(T(-0.0)))));
+  for (const T x : {-infinity, T(-1), -least, T(-0.0), T(0), least, T(1), std::numeric_limits<T>::max()}) {
+    EXPECT_EQ(at(std::nextafter(x, infinity)), at(x) + 1) << x;
+    EXPECT_EQ(arithmetic::at_rank<T>(at(x)), x);
+  }
+}
+TEST(CoreParts, RanksOfNumbers) {
+  expect_ranks<double>();
+  expect_ranks<float>();
+}
+
+/// The least float at or above a double, also beyond the floats, where a constant must not overflow.
+TEST(CoreParts, RoundedUpToFloats) {
+  constexpr float largest = std::numeric_limits<float>::max(), least = std::numeric_limits<float>::denorm_min();
+  const auto up = [](double x) {
+    float out = 7;
+    return arithmetic::round_up_to(x, out) ? out : 7;
+  };
+  for (const double x : {-0x1p1000, -0x1p128, -0x1.fffffffp127}) {
+    EXPECT_EQ(up(x), -largest) << x;
+  }
+  EXPECT_EQ(up(static_cast<double>(-largest)), -largest);
+  EXPECT_EQ(up(-1 - 0x1p-50), -1);
+  EXPECT_EQ(up(-0x1p-200), 0);
+  EXPECT_EQ(up(0x1p-200), least);
+  EXPECT_EQ(up(1 + 0x1p-50), 1 + 0x1p-23F);
+  EXPECT_EQ(up(static_cast<double>(largest)), largest);
+  EXPECT_EQ(up(0x1p128), 7);
 }
 
 TEST(CoreParts, AngleOfArea) {

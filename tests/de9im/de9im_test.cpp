@@ -11,6 +11,7 @@
 #include <limits>
 #include <string>
 #include <vector>
+#include <vesica/de9im.hpp>
 
 #include "oracle/oracle.hpp"
 #include "properties/generators.hpp"
@@ -210,6 +211,20 @@ TEST(De9imKnown, Literals) {
   EXPECT_EQ(m(VESICA_SEGMENT, {-9, 5, 9, 5}, VESICA_CIRCLE, {0, 0, 5}), "F01FF0212");
   EXPECT_EQ(m(VESICA_SEGMENT, {0, 5, 9, 5}, VESICA_CIRCLE, {0, 0, 5}), "FF1F00212");
   EXPECT_EQ(m(VESICA_ELLIPSE, {0, 0, 1, 0, 3, 0}, VESICA_SEGMENT, {-3, 0, 3, 0}), "1FFF0FFF2");
+}
+
+/// Axes at neither a right angle nor none, by more than roundings and of sizes whose products are in range. What is
+/// not certain is asked exactly, which takes longer.
+TEST(De9imKnown, ObliqueAxes) {
+  const auto oblique = [](double scale, double wx, double wy) {
+    const bool is = vesica::detail::de9im::certainly_oblique(scale, 0, wx, wy);
+    EXPECT_EQ(vesica::detail::de9im::certainly_oblique(wx, wy, 0, -scale), is);
+    return is;
+  };
+  EXPECT_TRUE(oblique(1, 1, 1) && oblique(3, 1, -0x1p-40) && oblique(3, 0x1p-40, 1));
+  EXPECT_TRUE(oblique(0x1p400, 0x1p400, 0x1p390) && oblique(0x1p-400, 0x1p-400, 0x1p-410));
+  EXPECT_FALSE(oblique(1, 1, 0) || oblique(1, 0, 1) || oblique(1, 1, 0x1p-60) || oblique(1, -0x1p-60, 1));
+  EXPECT_FALSE(oblique(0x1p600, 0x1p600, 0x1p600) || oblique(0x1p-600, 0x1p-600, 0x1p-600));
 }
 
 TEST(De9imKnown, Errors) {

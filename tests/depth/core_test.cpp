@@ -130,6 +130,35 @@ TEST(OutlineCores, NestedOutlines) {
   }
 }
 
+/// Lanes work on the two in the order of the general search, which does not depend on that of the arguments: of equal
+/// ones the lower or left one comes first.
+TEST(OutlineCores, OrderOfTwoEllipses) {
+  using vesica::detail::support_minimum::form, vesica::detail::support_minimum::place;
+  const double numbers[] = {-0.5, 0, 0.5};
+  int equal = 0;
+  for (const double x : numbers) {
+    for (const double y : numbers) {
+      for (const double axis : numbers) {
+        for (const double size : numbers) {
+          const E a{1, 1, 1, 0, 1, 0.5}, b{1 + x, 1 + y, 1, axis, 1 + size, 0.5};
+          const auto exchanged = [](const E& p, const E& q) {
+            const auto d = vesica::detail::support_minimum::offset(p.cx, p.cy, q.cx, q.cy);
+            const bool in_lanes = vesica::detail::depth::out_of_order<double>(p, q, d);
+            EXPECT_EQ(in_lanes,
+                      vesica::detail::support_minimum::out_of_order(form(p), form(q), place(form(p), form(q))))
+                << q.cx - p.cx << ' ' << q.cy - p.cy;
+            return in_lanes;
+          };
+          const bool same = x == 0 && y == 0 && axis == 0 && size == 0;
+          EXPECT_EQ(exchanged(a, b) != exchanged(b, a), !same);
+          equal += axis == 0 && size == 0 && exchanged(a, b) == (x < 0 || (x == 0 && y < 0));
+        }
+      }
+    }
+  }
+  EXPECT_EQ(equal, 9);
+}
+
 // Thin ones are settled less often, but what is settled is right.
 TEST(OutlineCores, ThinShapes) {
   for (const double aspect : {1e3, 1e6}) {

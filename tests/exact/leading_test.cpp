@@ -353,6 +353,40 @@ TEST(Leading, ShortNumbersAreExact) {
   EXPECT_TRUE(zero.sign_is_certain());
 }
 
+/// Of as many limbs as are kept, or fewer, nothing is lost; of one more what is below is, unless it is 0.
+TEST(Leading, NothingIsLostOfWhatFits) {
+  constexpr int limbs = exact::few_limbs;
+  for (int size = 1; size <= limbs + 2; ++size) {
+    Number<4> x;
+    x.sign = -1;
+    x.size = size;
+    for (int i = 0; i < size; ++i) x.limb[i] = Limb{3};
+    const exact::Digits digits(x, limbs);
+    const exact::Leading<limbs> leading(x);
+    expect_within_bound(digits, value(x));
+    expect_within_bound(leading, value(x));
+    EXPECT_EQ(digits.error == digits.nothing, size <= limbs) << size;
+    EXPECT_EQ(leading.error == leading.nothing, size <= limbs) << size;
+    EXPECT_EQ(digits.error, leading.error) << size;
+  }
+}
+
+/// Limbs that are neither all zeros nor all ones, and none beyond the number's own.
+TEST(Leading, DenseLimbs) {
+  const auto dense = [](std::initializer_list<Limb> limbs) {
+    Number<4> x;
+    for (Limb& limb : x.limb) limb = 5;
+    x.sign = 1;
+    for (const Limb limb : limbs) x.limb[x.size++] = limb;
+    return exact::detail::dense_limbs(x);
+  };
+  constexpr Limb ones = ~Limb{0};
+  EXPECT_EQ(dense({1}), 1);
+  EXPECT_EQ(dense({ones}), 0);
+  EXPECT_EQ(dense({1, 0, 0, 2}), 2);
+  EXPECT_EQ(dense({7, ones, ones - 1, 0, 1, ones}), 3);
+}
+
 /// Ellipses with numbers of wildly unlike exponents, of which many are alike: then much cancels.
 struct Ellipses {
   exact::Ellipse a, b;
@@ -457,6 +491,23 @@ TEST(LongCubic, SurelyInside) {
   };
   EXPECT_TRUE(inside(lesser, greater));
   EXPECT_FALSE(inside(greater, lesser));
+}
+
+// Of similar ellipses about nearly one centre the lesser is told to be inside, whatever the ratio of their sizes.
+TEST(LongCubic, SurelyInsideASimilarOne) {
+  Random random(properties::seed());
+  const auto inside = [](const Ellipse<double>& a, const Ellipse<double>& b) {
+    const exact::ContactCubic p = exact::contact_cubic(exact::form(a), exact::form(b));
+    return exact::detail::surely_inside(p, p.d1 + p.d2 - p.mu);
+  };
+  for (int i = 0; i < 500 * properties::repeat(); ++i) {
+    const double a = std::exp2(random.between(-4, 4)), b = std::exp2(random.between(-4, 4));
+    const double share = std::exp2(-random.between(1, 40)), ratio = random.chance(0.5) ? share : 1 - share;
+    // Exactly similar, as the axis alone is shorter.
+    const Ellipse<double> lesser{0x1p-200, 0, ratio, 0, a, b}, greater{0, 0x1p-200, 1, 0, a, b};
+    EXPECT_TRUE(inside(lesser, greater)) << ratio << ' ' << a << ' ' << b;
+    EXPECT_FALSE(inside(greater, lesser)) << ratio << ' ' << a << ' ' << b;
+  }
 }
 
 /// What is far below a tie breaks it, and what is far below a double is what that leaves.

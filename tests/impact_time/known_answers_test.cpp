@@ -51,6 +51,20 @@ TEST(Known, ABarTurnsOntoADisc) {
   expect_hit({bar_and_disc, {0, 0, 100}, still, 1e-7}, pi / 200, 0, 0.5, 1e-6);
 }
 
+/// Shapes that do not move relative to each other never meet, however near they are; a disc may turn about itself.
+TEST(Known, NearAndAtRest) {
+  for (const double size : {1.0, 0x1p-3, 3.0, 0x1p40, 0x1p-40}) {
+    for (const double angle : {0.0, 1.0, -50.0}) {
+      const Pair discs{VESICA_CIRCLE, VESICA_CIRCLE, {0, 0, size}, {3 * size, 0, 1.75 * size}};
+      const Pair in_box{VESICA_CIRCLE, VESICA_RECT, {0, 0, size}, {2.25 * size, 0, 1, 0, size, size}};
+      const Turn a{size, 0, angle}, b{size, 0, 0};
+      expect_miss({discs, a, {size, 0, -angle}, size});
+      expect_miss({in_box, a, b, size});
+      expect_miss({properties::swapped(in_box), b, a, size});
+    }
+  }
+}
+
 /// However long it is, as a segment and as a box.
 TEST(Known, ABarOfAnyLengthTurnsOntoADisc) {
   for (const double h : {0.25, 0.5, 1.0, 2.0, 4.0}) {
