@@ -37,7 +37,7 @@ def arguments():
     parser.add_argument("--tests", nargs="+", default=(HERE / "tests.txt").read_text().split(), metavar="NAME")
     parser.add_argument("--workers", type=int, default=2)
     parser.add_argument("--budget", type=float, default=float("inf"), metavar="SECONDS")
-    parser.add_argument("--again", action="store_true", help="judge what no test found once more, such as by new --tests")
+    parser.add_argument("--again", action="store_true", help="judge what no test found and harmless.txt does not name once more")
     parser.add_argument("--report", action="store_true", help="only print what was judged so far")
     return parser.parse_args()
 
@@ -255,7 +255,7 @@ def main():
     print(f"{len(chosen)} of {len(found)} candidates, seed {options.seed}: build/mutate/{key}", flush=True)
     state = folder / key
     state.mkdir(exist_ok=True)
-    results = state / "results.txt"
+    results, known = state / "results.txt", harmless(HERE / "harmless.txt")
     if options.report:
         chosen = json.loads((state / "mutants.json").read_text())
     else:
@@ -263,8 +263,9 @@ def main():
         (state / "mutants.json").write_text(json.dumps(chosen, indent=1))
         parts = judge.parts_of(folder / "tree/build/test", options.tests)
         reached = judge.reach(parts, chosen[-1]["number"], state / "reach.json", options.workers)
-        judge.judge(chosen, parts, reached, results, options.workers, options.budget, options.again)
-    raise SystemExit(1 if report(root, chosen, results, harmless(HERE / "harmless.txt")) else 0)
+        asked = [c for c in chosen if not options.again or (c["file"], marked(root, c)) not in known]
+        judge.judge(asked, parts, reached, results, options.workers, options.budget, options.again)
+    raise SystemExit(1 if report(root, chosen, results, known) else 0)
 
 
 if __name__ == "__main__":

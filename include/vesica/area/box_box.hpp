@@ -48,8 +48,7 @@ struct Direction {
 /// 1 / x, but finite for 0: a line that is parallel to a clamp is far inside or far beyond, on the side it is on.
 template <class V>
 VESICA_INLINE V reciprocal(V x) noexcept {
-  constexpr double most = 0x1.fffffffffffffp1023;
-  return clamp(V(1.0) / x, V(-most), V(most));
+  return clamp(V(1.0) / x, V(-0x1p1000), V(0x1p1000));
 }
 
 /// The integral of clamped y dx along (x0 + t mx, y0 + t my), low <= t <= high, x clamped too. t runs through where x
@@ -223,8 +222,8 @@ inline arithmetic::Scaled common_length(const exact::Number<3>& half_a, const ex
 }
 
 /// The area of two boxes that cross, from exact distances between a's centre and b's edges, a being the lesser. What is
-/// left to round is relative to a alone, however much greater or however far b is, at any magnitude; of parallel boxes to
-/// the area itself, at any aspect ratio.
+/// left to round is relative to a alone, however much greater or however far b is, at any magnitude. Of parallel boxes
+/// it is relative to the area, at any aspect ratio.
 inline Measure crossing_area_exact(const exact::Box& a, const exact::Box& b) noexcept {
   const exact::Length dx = b.cx - a.cx, dy = b.cy - a.cy;
   const auto ww = exact::dot(b.ux, b.uy, b.ux, b.uy);
