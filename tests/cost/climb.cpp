@@ -64,7 +64,8 @@ class Climb {
       constexpr auto count = static_cast<int>(properties::all_workloads.size());
       auto workload = properties::all_workloads[static_cast<std::size_t>(random_.below(count))];
       if (workload == properties::Workload::near_contact) workload = properties::Workload::mixed_scale;
-      Case c{query_, Scalar::f64, hammer::changed(properties::draw(workload, kind_a_, kind_b_, Scalar::f64, random_), random_)};
+      Case c{query_, Scalar::f64,
+             hammer::changed(properties::draw(workload, kind_a_, kind_b_, Scalar::f64, random_), random_)};
       if (of_motion(query_)) c.motion = cast_test::draw_motion(c.pair, Scalar::f64, random_);
       if (query_ == Query::within) c.distance = hammer::draw_distance(Scalar::f64, c.pair, random_);
       const double cost = cost_of(c, calls);
