@@ -136,8 +136,8 @@ TEST(KnownAreas, AtAnyScale) {
   }
 }
 
-// Two boxes across each other, the axis of one far longer or shorter than 1: no number between overflows, and none loses
-// digits to underflow.
+// Two boxes across each other, the axis of one far longer or shorter than 1: no number between overflows, and none
+// loses digits to underflow.
 TEST(KnownAreas, OfBoxesWithAxesOfAnyLength) {
   constexpr double height = 0x1.6a09e6p-3, width = 0x1.279a74p-3;
   for (int axis = -300; axis <= 300; axis += 3) {

@@ -7,8 +7,8 @@
 
 namespace hammer {
 
-/// The pair with some of its numbers changed: another exponent, that of another number, a neighbour, their sum; all of a
-/// kind scaled; or moved to where the relation changes. It is valid if it was.
+/// The pair with some of its numbers changed: another exponent, that of another number, a neighbour, their sum; all of
+/// one role scaled; or moved to where the relation changes. It is valid if it was.
 Pair changed(Pair pair, properties::Random& random);
 
 /// The case with another pair, or where a shape moves another motion.
