@@ -204,7 +204,8 @@ TEST(CoreParts, DiscInAHalfPlane) {
   }
 }
 
-/// The first 192 bits after the point, cut off. pi = 3.243f6a88 85a308d3 13198a2e 03707344 a4093822 299f31d0 082efa98...
+/// The first 192 bits after the point, cut off.
+/// pi = 3.243f6a88 85a308d3 13198a2e 03707344 a4093822 299f31d0 082efa98...
 TEST(CoreParts, PiOfExactAreas) {
   const auto pi = area::exact_pi();
   EXPECT_EQ(pi.sign, 1);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Two ellipses seen along a line n that turns: the axes of both, what is across them, and perp(v) cut the directions
-/// into sectors. In the one from e to f, n = e + l f with l > 0: there u.n, u x n and n.v are sums of terms of one sign,
-/// so that nothing cancels in them. And half of an ellipse along an axis is a vector without a root. With p = hx |u.n|
-/// and q = hy |u x n|,
+/// into sectors. In the one from e to f, n = e + l f with l > 0: there u.n, u x n and n.v are sums of terms of one
+/// sign, so that nothing cancels in them. And half of an ellipse along an axis is a vector without a root. With
+/// p = hx |u.n| and q = hy |u x n|,
 ///
 ///     h = sqrt(p^2 + q^2) = p + q^2 / (h + p) = q + p^2 / (h + q)
 ///
