@@ -17,7 +17,9 @@ status() {
 rows=$("$program" --pairs 600 /mixed)
 # 21 pairs of kinds; two points do not overlap half the time.
 [ "$(grep -c '/mixed ' <<<"$rows")" -ge 80 ] || fail "too few rows: $rows"
-awk '/\/mixed / && ($NF != 0 || $3 <= 0) { bad = 1 } END { exit bad }' <<<"$rows" || fail "a wrong answer: $rows"
+# On a busy machine a speed may be printed as 0.00.
+awk '/\/mixed / && ($NF != 0 || $3 !~ /^[0-9]+\.[0-9]+$/) { bad = 1 } END { exit bad }' <<<"$rows" ||
+  fail "a wrong answer: $rows"
 near=$("$program" --pairs 600 rect_ellipse /near)
 [ "$(grep -c '/step/near ' <<<"$near")" = 2 ] || fail "$near"
 [ "$(VESICA_NO_DEVICE=1 status "$program")" = 3 ] || fail "no device is exit status 3"
