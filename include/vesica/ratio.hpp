@@ -143,8 +143,8 @@ std::int32_t over_area(double shared, Ratio which, const Facts& a, const Facts& 
                        double& out) noexcept {
   const area::Measure& whole = divisor(which, a, b);
   if (whole.value == 0) return error_argument;
-  // 0 may be what a small area underflows to.
-  const bool tells = shared == 0 ? is_usual(a.area) && is_usual(b.area) : shared >= 0x1p-900 && is_usual(whole);
+  // 0 may be what a small area underflows to; over an area of 1 or more its share would, too.
+  const bool tells = shared == 0 ? !area::less(whole, {1, 0}) : shared >= 0x1p-900 && is_usual(whole);
   if (tells) [[likely]] {
     out = whole.exponent == 0 ? shared / whole.value : quotient({shared, 0}, whole);
   } else {

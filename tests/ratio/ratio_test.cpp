@@ -272,6 +272,22 @@ TEST_F(Ratios, OverOneAreaBesideAnotherFarAway) {
   EXPECT_EQ(ratio(VESICA_RATIO_OVER_SECOND, tiny), (Answer{0, 0}));
 }
 
+// What is shared is far smaller than both boxes and underflows, or keeps few digits; its share of either does not.
+TEST_F(Ratios, OfAnAreaThatUnderflows) {
+  for (int exponent = -250; exponent <= 150; exponent += 25) {
+    const double unit = std::ldexp(1, exponent);
+    const Pair p = boxes({0, 0, unit, unit}, {-unit, -unit, unit * 0x3p-500, unit * 0x1p-200});
+    for (const int which : {VESICA_RATIO_OVER_FIRST, VESICA_RATIO_OVER_SECOND, VESICA_RATIO_OVER_SMALLER}) {
+      const Answer r = ratio(which, p);
+      EXPECT_EQ(r.code, 0);
+      EXPECT_DOUBLE_EQ(r.value, 0x3p-700) << which << " 2^" << exponent;
+    }
+    EXPECT_DOUBLE_EQ(ratio(VESICA_RATIO_OVER_UNION, p).value, 0x3p-701) << exponent;
+    const Pair apart = boxes({0, 0, unit, unit}, {-unit, -unit, unit * 0x3p-500, 0});
+    EXPECT_EQ(ratio(VESICA_RATIO_OVER_FIRST, apart), (Answer{0, 0})) << exponent;
+  }
+}
+
 // The offset of the centres overflows along one coordinate, and all lengths along the other are usual ones.
 TEST_F(Ratios, FarApartAlongOneCoordinate) {
   for (const double x : {1.0, 0x1p-300}) {
