@@ -71,9 +71,9 @@ area::Measure shared_measure(const A& a, const B& b) noexcept {
   if constexpr (!in_order<A, B>) {
     return shared_measure(b, a);
   } else {
-    area::Shares shares{};
-    area::shares_by_relation(a, b, shares);
-    return shares.shared;
+    area::Measure shared{0, 0};
+    detail::shared_measure(a, b, shared);
+    return shared;
   }
 }
 

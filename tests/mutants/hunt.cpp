@@ -8,13 +8,14 @@
 // writes as that of a cast.
 #include <sys/time.h>
 
-#include <algorithm>
 #include <chrono>
 #include <csetjmp>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <optional>
 #include <string>
 #include <vector>
 #include <vesica_mutant.hpp>
