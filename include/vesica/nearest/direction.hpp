@@ -169,8 +169,8 @@ struct Bracket {
 
 template <class V>
 VESICA_INLINE Direction<V> middle(const Bracket<V>& bracket) noexcept {
-  const Direction<V> low = unit(bracket.low.x, bracket.low.y), high = unit(bracket.high.x, bracket.high.y);
-  return unit(low.x + high.x, low.y + high.y);
+  const Direction<V> low = about_unit(bracket.low.x, bracket.low.y), high = about_unit(bracket.high.x, bracket.high.y);
+  return about_unit(low.x + high.x, low.y + high.y);
 }
 
 /// A direction between the two of the bracket that halves it as an ellipse sees it: in the angle of the support point's
@@ -179,11 +179,11 @@ VESICA_INLINE Direction<V> middle(const Bracket<V>& bracket) noexcept {
 template <class V>
 VESICA_INLINE Direction<V> middle_seen_by(const Axes<V>& e, const Bracket<V>& bracket) noexcept {
   const auto seen = [&](const Direction<V>& n) {
-    return unit(e.a * (e.ux * n.x + e.uy * n.y), e.b * (e.ux * n.y - e.uy * n.x));
+    return about_unit(e.a * (e.ux * n.x + e.uy * n.y), e.b * (e.ux * n.y - e.uy * n.x));
   };
   const Direction<V> low = seen(bracket.low), high = seen(bracket.high);
   const V s = e.b * (low.x + high.x), t = e.a * (low.y + high.y);
-  return unit(s * e.ux - t * e.uy, s * e.uy + t * e.ux);
+  return about_unit(s * e.ux - t * e.uy, s * e.uy + t * e.ux);
 }
 
 /// Whether D leads right, or straight up. Choices that must not depend on the order of the arguments use this.

@@ -53,60 +53,27 @@ inline Closest closest_boxes(const Box<double>& a, const Box<double>& b, const V
 
 /// farthest_direction() by halving alone, to the last place of the direction.
 struct Halving {
-  static constexpr int most_steps = 200;
+  /// Two brackets are halved by turns, that of angles and that which the ellipse sees: more than the digits of both.
+  static constexpr int most_steps = 128;
 
   template <class Shapes>
   FoundDirection<double> operator()(const Shapes& shapes, const Direction<double>& d, double size) const noexcept {
-    const Direction<double> first = first_direction(shapes, d);
-    State now{first, first_bracket(d, first)};
-    Rounds rounds;
+    Direction<double> n = first_direction(shapes, d);
+    Bracket<double> bracket = first_bracket(d, n);
     int step = 0;
-    for (; step < most_steps; ++step) {
-      if (step % turns == 0) step += rounds.left_out(now, step);
-      (turn_at(shapes, d, size, now.n).slope > 0 ? now.bracket.low : now.bracket.high) = now.n;
-      const Direction<double> next = middle(shapes, d, now.bracket, step);
-      if (same(next, now.n)) break;
-      now.n = next;
+    for (; step < most_steps && !is_closed(bracket); ++step) {
+      (turn_at(shapes, d, size, n).slope > 0 ? bracket.low : bracket.high) = n;
+      n = middle(shapes, d, bracket, step);
     }
-    return {now.n, true, step};
+    return {n, true, step};
   }
 
  private:
-  /// middle() goes by turns of 2 or 3 steps.
-  static constexpr int turns = 6;
-
-  static bool same(const Direction<double>& a, const Direction<double>& b) noexcept { return a.x == b.x && a.y == b.y; }
-
-  struct State {
-    Direction<double> n;
-    Bracket<double> bracket;
-
-    bool operator==(const State& other) const noexcept {
-      return same(n, other.n) && same(bracket.low, other.bracket.low) && same(bracket.high, other.bracket.high);
-    }
-  };
-
-  /// At the end the same few directions may come again and again, after 6 steps, 12, 18 or 24. Whole rounds of them are
-  /// left out, once, which changes nothing.
-  class Rounds {
-   public:
-    /// How many steps, now that so many were taken, a multiple of `turns`.
-    int left_out(const State& now, int step) noexcept {
-      const int count = step / turns;
-      for (int k = 1; k <= kept && k <= count && !found_; ++k) {
-        if (!(now == past_[(count - k) % kept])) continue;
-        found_ = true;
-        return (most_steps - step) / (k * turns) * (k * turns);
-      }
-      past_[count % kept] = now;
-      return 0;
-    }
-
-   private:
-    static constexpr int kept = 4;
-    State past_[kept];
-    bool found_ = false;
-  };
+  /// Whether rounding leaves nothing between its ends.
+  static bool is_closed(const Bracket<double>& b) noexcept {
+    const double p = b.low.x * b.high.y, q = b.low.y * b.high.x;
+    return p - q <= 0x1p-52 * (abs(p) + abs(q));
+  }
 };
 
 /// Halving of one ellipse, from each vertex of a box. Those at one place, as the box is far smaller one way than its
@@ -143,7 +110,7 @@ inline bool is_vertex_beaten(const Box<double>& box, const Axes<double>& e, cons
   const Feature<double> f = feature(k);
   const Vector<double> at = vertex(box, f.i, f.j);
   const Vector<double> from = vertex(box, std::copysign(1.0, best.spot.s), std::copysign(1.0, best.spot.t));
-  if (best.nx * (from.x.high - at.x.high) + best.ny * (from.y.high - at.y.high) > 0x1p-30 * size) return true;
+  if (best.nx * (from.x.high - at.x.high) + best.ny * (from.y.high - at.y.high) > 0x1p-45 * size) return true;
   const double way = max(abs(d.x.high - at.x.high), abs(d.y.high - at.y.high));
   return way > 8 * (max(e.a, e.b) * (abs(e.ux) + abs(e.uy))) && way > 4 * best.distance.high;
 }
