@@ -446,14 +446,14 @@ TEST(LongCubic, SignsAreThoseOfAllDigits) {
   EXPECT_GT(certain, 1000 * properties::repeat());
 }
 
-/// Polynomials of small coefficients, of which every digit is a leading one: each tie, and each sign beside it.
+/// Polynomials of ellipses of small whole numbers, of which every digit is a leading one: ties, and signs beside them.
 TEST(LongCubic, OfSmallNumbers) {
   using Few = exact::Leading<exact::few_limbs>;
   const Number<8> one = exact::square(exact::square(exact::square(exact::from_double(1.0))));
   const auto number = [&](int k) -> Number<8> { return exact::integer(k) * one; };
   const Number<4> root_of_one = exact::square(exact::square(exact::from_double(1.0)));
   const auto root = [&](int k) -> Number<4> { return exact::integer(k) * root_of_one; };
-  int ties = 0, of_two_r = 0, of_slope = 0, of_delta = 0;
+  int ties = 0, of_slope = 0, of_delta = 0;
   const auto expect = [&](int root1, int root2, int mu, int al, int be) {
     const int d1 = root1 * root1, d2 = root2 * root2;
     const int c1 = d1 + mu - al, c2 = d2 + mu - be, delta = mu * mu - 4 * d1 * d2, slope = 2 * c2 - 3 * mu;
@@ -461,25 +461,29 @@ TEST(LongCubic, OfSmallNumbers) {
                                 number(al), number(be), root(root1), root(root2)};
     exact::Signs signs;
     const bool inside = exact::detail::first_in_second<Few>(p, exact::leading_small_parts<Few>(p), signs);
-    const int rising = sign_with_root(slope * mu + 2 * d2 * (3 * d1 - c1), slope, delta);
+    const mpq_class rest = mpq_class(slope) * mu + mpq_class(2 * d2) * (3 * d1 - c1);
+    EXPECT_LT(rest, 0);
+    const int rising = sign_with_root(rest, slope, delta);
     const bool bends = sign_with_root(slope, -3, delta) > 0, tie = !bends && rising == 0;
     EXPECT_EQ(signs.certain, !tie) << d1 << ' ' << d2 << ' ' << mu << ' ' << al << ' ' << be;
     EXPECT_EQ(inside, bends || rising > 0) << d1 << ' ' << d2 << ' ' << mu << ' ' << al << ' ' << be;
     ties += tie;
-    of_two_r += 2 * (d2 * al - be * mu) == delta;
     of_slope += slope == 0;
     of_delta += delta == 0;
   };
-  for (const int root1 : {1, 2, 3}) {
-    for (const int root2 : {1, 2, 3, 4}) {
-      for (int mu = 2 * root1 * root2; mu <= 24; ++mu) {
-        for (int al = 1; al <= 12; ++al) {
-          for (int be = 1; be <= 12; ++be) expect(root1, root2, mu, al, be);
+  // S1 = diag(s, t), S2 = diag(k, k), and an offset of squares x and y.
+  for (int k = 1; k <= 24; ++k) {
+    for (const int root1 : {1, 2, 3, 4, 6, 8, 10, 12}) {
+      for (int s = root1; s <= k; ++s) {
+        const int t = root1 * root1 / s;
+        if (s * t != root1 * root1) continue;
+        for (int x = 0; x < k; ++x) {
+          for (int y = x == 0 ? 1 : 0; y < k; ++y) expect(root1, k, k * (s + t), t * x + s * y, k * (x + y));
         }
       }
     }
   }
-  for (const int count : {ties, of_two_r, of_slope, of_delta}) EXPECT_GT(count, 20);
+  for (const int count : {ties, of_slope, of_delta}) EXPECT_GT(count, 20);
 }
 
 // An ellipse in another about nearly one centre, and the other way round.

@@ -176,20 +176,10 @@ class RoughCensus {
   }
   /// As exact::detail::first_in_second, where its signs are known and not 0.
   bool first_in_second() noexcept {
-    const auto& [d1, c1, c2, d2, mu, al, be, root1, root2, exchanged] = p_;
-    const Rough delta = delta_less() * delta_more(), slope = times(2, c2) - times(3, mu);
-    const int slope_sign = sign(slope);
-    if (slope_sign > 0 && sign(square(slope) - times(9, delta)) > 0) return true;
-    Rough rest = slope * mu + times(2, d2 * (times(3, d1) - c1));
-    if (!rest.sign_is_known()) rest = times(2, d2 * al - be * mu) - delta;
-    const int rest_sign = sign(rest);
-    if (slope_sign == rest_sign) return rest_sign > 0;
-    Rough difference = square(slope) * delta - square(rest);
-    if (!difference.sign_is_known()) {
-      const Rough g = determinant(), h = al_less_be() - be;
-      difference = delta * (g + h) + h * (times(2, be * d1) - al * d2) - times(2, al * be * g);
-    }
-    return sign(difference) > 0 ? slope_sign > 0 : rest_sign > 0;
+    const Rough delta = delta_less() * delta_more(), slope = times(2, p_.c2) - times(3, p_.mu);
+    if (sign(slope) <= 0) return false;
+    if (sign(square(slope) - times(9, delta)) > 0) return true;
+    return sign(exact::detail::rise(p_, delta, determinant(), al_less_be() - p_.be)) > 0;
   }
 
   /// d1 + mu - al = a^2 ((c g)^2 + (s h)^2 - across^2) + b^2 ((c h)^2 + (s g)^2 - along^2) + (a b V)^2 for half lengths

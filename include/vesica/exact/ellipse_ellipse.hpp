@@ -71,7 +71,8 @@ constexpr Relation concentric(const ContactCubic& p) noexcept {
 /// By the S-lemma it does iff q(y) = p(-y) = (1 - y) det M - y D . adj(M) D reaches 0 for some y at which M = y S2 - S1
 /// is positive semidefinite, that is from y+ = (mu + sqrt(mu^2 - 4 d1 d2)) / (2 d2) on. There q <= 0, so q must rise at
 /// or beyond y+ to a local maximum; with three real roots that maximum is not negative. q'(y+), q''(y+) and q(y+) times
-/// positive factors are numbers a + b sqrt(delta). Degree 32.
+/// positive factors are numbers a + b sqrt(delta). Of q', rest + slope sqrt(delta), the rest is negative: where
+/// S1 = diag(s, t), S2 = 1 and D = (x, y) it is -2 (s x^2 + t y^2) - (s - t)^2. Degree 32.
 VESICA_CALLED constexpr bool first_in_second(const ContactCubic& p) noexcept {
   if (is_long(p)) {
     Signs signs;
@@ -81,9 +82,10 @@ VESICA_CALLED constexpr bool first_in_second(const ContactCubic& p) noexcept {
   const Number<0> two = integer(2), three = integer(3);
   const Number<16> delta = square(p.mu) - integer(4) * (p.d1 * p.d2);
   const Number<8> slope = two * p.c2 - three * p.mu;
+  if (slope.sign <= 0) return false;
   if (sign_with_root(slope, integer(-3), delta) > 0) return true;  // q''
   const Number<16> rest = slope * p.mu + two * (p.d2 * (three * p.d1 - p.c1));
-  const int rising = sign_with_root(rest, slope, delta);  // q'
+  const int rising = compare_product_with_square(square(slope), delta, rest);  // q'
   if (rising != 0) return rising > 0;
   const Number<8> minus_be = integer(-1) * p.be;
   return sign_with_root(two * (p.d2 * p.al) + minus_be * p.mu, minus_be, delta) == 0;  // q

@@ -122,7 +122,7 @@ constexpr void place_magnitude(const Span& a, int low, int n, Limb* out) noexcep
 }
 
 /// Sums of fewer limbs are formed in one pass, of more where the lesser number is.
-inline constexpr int least_wide = 24;
+inline constexpr int least_wide = 8;
 
 constexpr void add_wide(const Span& a, const Span& b, int low, int n, Limb* out) noexcept {
   place_magnitude(a, low, n, out);

@@ -69,21 +69,21 @@ constexpr int sign_of_discriminant_of_proportional(const ContactCubic& p) noexce
   return sign_of(value, p.al, twice_d1 + p.mu, twice_d1 - p.mu);
 }
 
-/// With r = d2 al - be mu and h = al - 2 be: q' is a positive multiple of 2 r - delta + slope sqrt(delta), and
-/// slope^2 delta - (2 r - delta)^2 = 4 d2 (delta (g + h) + h (2 be d1 - al d2) - 2 al be g).
+/// (slope^2 delta - rest^2) / (4 d2), slope and rest as of first_in_second() in ellipse_ellipse.hpp, from what cancels
+/// less; g = d1 + d2 - mu and h = al - 2 be.
+template <class Real, class Cubic>
+constexpr Real rise(const Cubic& p, const Real& delta, const Real& g, const Real& h) noexcept {
+  const Real d1(p.d1), d2(p.d2), al(p.al), be(p.be);
+  return delta * (g + h) + h * (times(2, be * d1) - al * d2) - times(2, al * be * g);
+}
+
 template <class Real, class Small>
 constexpr bool first_in_second(const ContactCubic& p, const Small& small, Signs& signs) noexcept {
-  const Real d2(p.d2), mu(p.mu), al(p.al), be(p.be), delta = Real(small.delta_less) * Real(small.delta_more);
-  const Real slope = times(2, Real(p.c2)) - times(3, mu);
-  const int slope_sign = signs.of(slope), delta_sign = signs.of(delta);
-  if (slope_sign > 0 && (delta_sign == 0 || signs.of(square(slope) - times(9, delta)) > 0)) return true;
-  const int rest_sign = signs.of(times(2, d2 * al - be * mu) - delta);
-  int rising = rest_sign;
-  if (delta_sign != 0 && slope_sign != rest_sign && slope_sign != 0) {
-    const Real g(small.g), h(small.al_less_2be);
-    const Real difference = delta * (g + h) + h * (times(2, be * Real(p.d1)) - al * d2) - times(2, al * be * g);
-    rising = rest_sign == 0 ? slope_sign : slope_sign * signs.of(difference);
-  }
+  const Real slope = times(2, Real(p.c2)) - times(3, Real(p.mu));
+  if (signs.of(slope) <= 0) return false;
+  const Real delta = Real(small.delta_less) * Real(small.delta_more);
+  if (signs.of(delta) == 0 || signs.of(square(slope) - times(9, delta)) > 0) return true;
+  const int rising = signs.of(rise(p, delta, Real(small.g), Real(small.al_less_2be)));
   if (rising == 0) signs.certain = false;  // a tie
   return rising > 0;
 }
