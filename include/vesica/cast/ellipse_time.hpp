@@ -38,12 +38,11 @@ class EllipseTime {
     Digits share = digits(find_share(), most_limbs);
     Terms<Rough> few = terms<Rough>();
     ShareSearch search;
-    const int limit = pair_.is_long() ? most_limbs : exact::few_limbs;  // of short numbers trials are as quick
     for (int i = 0;; ++i) {
       const Evaluated at = limbs_ == 0 ? evaluate(rough(share), few) : evaluate(share.with_limbs(limbs_));
       const WideTime found{at.time, at.is_near};
       if (at.is_near && at.is_below_all_doubles()) return {Rough(crossings::Real(1.0), 0, least_exponent), true};
-      if (found.tells() || i == most_steps || (limbs_ == limit && at.more_digits)) return found;
+      if (found.tells() || i == most_steps || (at.more_digits && !has_digits_for(at.time))) return found;
       // A step of 100 bits gains some 200. Of a direction that is not near only its side is asked.
       if (at.more_digits && (at.is_near || at.step.sign() == 0)) limbs_ += exact::few_limbs;
       const Wide l = wide(share), step = wide(at.step);
@@ -64,6 +63,11 @@ class EllipseTime {
   static constexpr int most_limbs = exact::more_limbs;
   static_assert(most_limbs % exact::few_limbs == 0);
 
+  /// Whether more digits are worth while. Of short numbers trials are as quick as all that the least time may need.
+  bool has_digits_for(const Rough& time) const noexcept {
+    const int needed = limbs_ + (time.exponent - least_exponent) / 64;
+    return pair_.is_long() || limbs_ == 0 ? limbs_ < most_limbs : needed < most_limbs;
+  }
   void set_sector(const SectorEdge& e, const SectorEdge& f) noexcept {
     sector_.set(e, f);
     for (bool& known : straight_known_) known = false;
