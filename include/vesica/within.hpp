@@ -116,7 +116,7 @@ template <class A, class B>
 VESICA_COLD Within by_distance(A a, B b, double distance) noexcept {
   // Lengths are below 2^2050. In a unit of 2^600, or of its square or cube, none is beyond the range of double. What
   // underflows there is nothing beside them: where the shapes overlap then, their distance is a rounding error.
-  for (int unit = 0; unit < 4; ++unit) {
+  for (int unit = 0; unit < 3; ++unit) {
     ClosestPoints<double> found;
     const double error = 9 * 0x1p-54 * scale(a, b) + std::numeric_limits<double>::denorm_min();
     if (all_finite(error) && nearest::nearest_in_order(a, b, 0, found) == 0) {

@@ -138,7 +138,7 @@ inline Scene scene(const Body& a, const Turn<double>& turn_a, const Body& b, con
   }
   measure(s);
   const auto rests = [](const nearest::UnscaledShape& f, double angle) {
-    return angle == 0 || f.radius > 0 || (f.box.hx.high == 0 && f.box.hy.high == 0);
+    return angle == 0 || (f.box.hx.high == 0 && f.box.hy.high == 0);  // a disc has no box
   };
   s.still = turn_a.vx == turn_b.vx && turn_a.vy == turn_b.vy && rests(fa, turn_a.angle) && rests(fb, turn_b.angle);
   return s;

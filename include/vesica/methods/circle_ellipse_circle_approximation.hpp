@@ -47,11 +47,11 @@ VESICA_INLINE bool reaches_inner_segment(const Arc<T>& arc, const RoundedDisc<T>
   const Vector<T> from = minus(d.centre, arc.from.at), to = minus(d.centre, arc.to.at);
   const T rr = d.yes * d.yes;
   if (lane::either(dot(from, from) <= rr, dot(to, to) <= rr)) return true;
-  // Between the inner circle's radii to the arc's ends; the one to `to` is the ellipse's normal.
-  const bool before_to = dot(to, arc.to.tangent) <= 0;
+  // The centre is before the inner circle's radius to `to`, the ellipse's normal: in its quadrant, or else before the
+  // middle that this arc was cut at.
   const T after_from = wh * cross(minus(arc.from.at, arc.to.at), to) + m * dot(arc.to.tangent, from);
   const T beyond = beyond_circle(to, d.yes, normal(arc.to), m, wh);
-  return lane::both(lane::both(before_to, after_from >= 0), beyond <= -Disc<T>::floor);
+  return lane::both(after_from >= 0, beyond <= -Disc<T>::floor);
 }
 
 /// Whether the disc certainly misses the outer circle of an arc that grows flatter. Of a disc whose centre is outside
