@@ -162,6 +162,43 @@ TEST(NearestContact, APointAllButOnANeedle) {
   }
 }
 
+// A point, or another needle, all but on the tip of a needle, along its axis but for far less: the direction found is
+// that of the needle's side, and every further step only goes some times as far as the one before. Up to 1000u of the
+// scale were off.
+TEST(NearestContact, AllButOnTheTipOfANeedle) {
+  const auto point = [](const Numbers& at, const Numbers& needle) {
+    return Pair{VESICA_POINT, VESICA_ELLIPSE, at, needle};
+  };
+  const auto needles = [](const Numbers& one, const Numbers& other) {
+    return Pair{VESICA_ELLIPSE, VESICA_ELLIPSE, one, other};
+  };
+  const Pair pairs[] = {
+      point({0x1.a7aed57b525d4p+0, 0x1.e876673b55e32p-72},
+            {0, 0, 0x1.781be8b88a92cp-5, 0, 0x1.2061a16152182p+5, 0x1.fc41c68e7229cp-47}),
+      point({0x1.b171f85b63ce7p+0, 0x1.22204a7f2be1fp-97},
+            {0, 0, 0x1.4db77e528350ap-5, 0, 0x1.4c80e099ee9d3p+5, 0x1.82a786170ce8dp-36}),
+      point({0x1.f866d4a9b742cp+0, 0x1.4c084016a6338p-70},
+            {0, 0, 0x1.7e9c46d99789dp-5, 0, 0x1.517d30e716e6fp+5, 0x1.c3713bb331624p-41}),
+      point({0x1.b50878a73d52dp+0, -0x1.9a40f54dc8408p-89},
+            {0, 0, 0x1.992810014fc17p-5, 0, 0x1.11711716a28efp+5, 0x1.16bca82f0baaep-38}),
+      point({0x1.e655e1ffc5177p+0, 0x1.e4a71498216b8p-105}, {0, 0, 0x1.c9ba3e1de6acap-5, 0, 0x1.1p+5, 0x1.8p-47}),
+      needles({0, 0, 0x1.f191279dac404p-5, 0, 0x1.db5bdf68edf71p+4, 0x1.5ef88ef70d662p-45},
+              {0x1.dc442e911ea8dp+0, 0x1.a80a4b7bbfbcp-97, 1, 0, 0x1.c9d77ce36ac13p-5, 0x1.402cc4230ff63p-56}),
+      needles({0, 0, 1, 0, 0x1.f0d21ada29c5ep+0, 0x1.f5ce415a3065cp-42},
+              {0x1.f0d40d5ad53fp+0, 0, 1, 0, 0x1.f280ab791d5fcp-16, 0x1.0d7913b9a3792p-50}),
+      needles({0, 0, 1, 0, 0x1.26748fd31866bp+0, 0x1.f76f236ab6c57p-42},
+              {0x1.267884148f90bp+0, -0x1.e85915d9b4a9ep-135, -0x1.279908e8d66b5p-3, 0, 0x1.b653eb527d5acp-12,
+               0x1.4c3a0edaed295p-59})};
+  for (const Pair& pair : pairs) {
+    nearest_reference::set_precision(pair);
+    const auto a = nearest_reference::shape(pair.kind_a, pair.a), b = nearest_reference::shape(pair.kind_b, pair.b);
+    const Answer r = nearest_test::nearest(properties::Scalar::f64, pair);
+    const auto exact = nearest_reference::distance(a, b, pair.b[0] - pair.a[0], 0);
+    EXPECT_LE(abs(Real(Real(r.distance) - exact.upper)), Real(0x1p-51) * nearest_reference::scale(a, b))
+        << properties::describe(pair);
+  }
+}
+
 // The way from one shape to the other is 0 in the pair's unit; the distance must not be.
 TEST(NearestContact, ACircleOfTheLeastNumbers) {
   for (const double gap : {0x1p-1072, 0x1p-1071, 0x1p-1060}) {

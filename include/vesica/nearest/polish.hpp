@@ -32,6 +32,10 @@ inline FineSupport fine_support(const Axes<double>* e, const VectorFactor<Factor
 /// A turn below this moves the distance by less than the last place of any that is promised.
 inline constexpr double short_turn = 0x1p-50;
 
+/// Turns at most. Beside the tip of a thin ellipse the first ones only double the way to it: its outline bends most
+/// along the sides.
+inline constexpr int most_turns = 12;
+
 /// The distance between two ellipses, or with a null pointer from a point to an ellipse; d from the first centre to the
 /// second, n near the direction from the first to the second.
 inline Twofold<double> polished_distance(const Vector<double>& d, Direction<double> n, const Axes<double>* a,
@@ -44,10 +48,12 @@ inline Twofold<double> polished_distance(const Vector<double>& d, Direction<doub
     const double slope = rounded(cross(vector, factor(gap))) / normal_of.length;
     const double along = rounded(dot(vector, factor(gap))) / normal_of.length;
     const double bend = along + (sa.curvature + sb.curvature), turn = bend > 0 ? slope / bend : 0.0;
-    if (round == 3 || abs(turn) <= short_turn) {
+    if (round == most_turns || abs(turn) <= short_turn) {
       const Twofold<double> phi =
           factor(dot(vector, factor(d)) - (sa.height + sb.height)) * factor(normal_of.inverse_length);
-      return {phi.high, phi.low + 0.5 * (slope * turn)};
+      // The turn gains no more than the way to the points of support.
+      const double gap_less_phi = slope * slope / (std::sqrt(along * along + slope * slope) + along);
+      return {phi.high, phi.low + (turn == 0 ? 0 : min(0.5 * (slope * turn), gap_less_phi))};
     }
     n = turned(n, turn);
   }
