@@ -14,7 +14,6 @@
 /// 2020. For turned shapes both are taken with the box along the coordinate axes about the two.
 #pragma once
 
-#include <limits>
 #include <vesica/arithmetic/angle.hpp>
 #include <vesica/iou.hpp>
 #include <vesica/ratio/facts.hpp>
@@ -44,13 +43,10 @@ constexpr bool is_of_area(Ratio which) noexcept {
 
 /// x / y as a number, which underflows to 0.
 inline double quotient(const area::Measure& x, const area::Measure& y) noexcept {
+  if (x.exponent == 0 && y.exponent == 0 && !(x.value > 0 && x.value < 0x1p-900)) [[likely]]
+    return x.value / y.value;
   const area::Measure s = area::standard(x), t = area::standard(y);
   return arithmetic::scale(s.value / t.value, s.exponent - t.exponent);
-}
-
-/// Whether an area is one of usual magnitude, or 0.
-inline bool is_usual(const area::Measure& m) noexcept {
-  return m.value == 0 || (m.exponent == 0 && is_moderate(m.value)) || std::abs(area::standard(m).exponent) <= 400;
 }
 
 inline const area::Measure& divisor(Ratio which, const Facts& a, const Facts& b) noexcept {
@@ -58,11 +54,10 @@ inline const area::Measure& divisor(Ratio which, const Facts& a, const Facts& b)
   return which == Ratio::over_first ? a.area : b.area;
 }
 
-/// Whether over_area() takes the shared area's measure whatever the double: one of the areas that it depends on is
-/// beyond the usual, or the shared area is too small.
-inline bool only_measure_tells(Ratio which, const Facts& a, const Facts& b) noexcept {
-  const area::Measure& lesser = divisor(Ratio::over_smaller, a, b);
-  return !is_usual(divisor(which, a, b)) || (lesser.value != 0 && area::standard(lesser).exponent <= -900);
+/// Whether a shared area as a double, NaN where it is none, tells what share of another it is: 0 may be what a small
+/// area underflows to; over an area of 1 or more its share would, too.
+inline bool tells_share(double shared, const area::Measure& whole) noexcept {
+  return shared == 0 ? !area::less(whole, {1, 0}) : shared >= 0x1p-900;
 }
 
 /// The shared area of valid shapes, also beyond the range of doubles.
@@ -136,20 +131,12 @@ inline double less_than_union(double r, Ratio which, const Facts& a, const Facts
   }
 }
 
-/// From the shared area, and from its measure where that area or another is beyond the range of doubles, or the area is
-/// NaN. Returns 0 or error_argument.
-template <class SharedMeasure>
-std::int32_t over_area(double shared, Ratio which, const Facts& a, const Facts& b, const SharedMeasure& shared_measure,
-                       double& out) noexcept {
+/// From the shared area. Returns 0 or error_argument.
+inline std::int32_t over_area(const area::Measure& shared, Ratio which, const Facts& a, const Facts& b,
+                              double& out) noexcept {
   const area::Measure& whole = divisor(which, a, b);
   if (whole.value == 0) return error_argument;
-  // 0 may be what a small area underflows to; over an area of 1 or more its share would, too.
-  const bool tells = shared == 0 ? !area::less(whole, {1, 0}) : shared >= 0x1p-900 && is_usual(whole);
-  if (tells) [[likely]] {
-    out = whole.exponent == 0 ? shared / whole.value : quotient({shared, 0}, whole);
-  } else {
-    out = std::fmin(1, quotient(shared_measure(), whole));
-  }
+  out = std::fmin(1, quotient(shared, whole));
   return 0;
 }
 
@@ -168,12 +155,8 @@ std::int32_t ratio_or_error(Ratio which, const A<T>& a, const B<T>& b, T& out) n
   double result = 0;
   std::int32_t error;
   if (detail::ratio::is_of_area(which)) {
-    const auto shared_measure = [&] { return detail::ratio::shared_measure(first, second); };
-    const auto a_facts = facts(first);
-    const auto b_facts = facts(second);
-    const bool by_measure = detail::ratio::only_measure_tells(which, a_facts, b_facts);
-    const double shared = by_measure ? std::numeric_limits<double>::quiet_NaN() : area(first, second);
-    error = detail::ratio::over_area(shared, which, a_facts, b_facts, shared_measure, result);
+    error = detail::ratio::over_area(detail::ratio::shared_measure(first, second), which, facts(first), facts(second),
+                                     result);
   } else {
     error = iou_or_error(first, second, result);
     if (error == 0 && which != Ratio::over_union) {

@@ -36,36 +36,17 @@ std::int32_t facts_by_kind(const ShapeOfKind& s, Facts& out) noexcept {
   });
 }
 
-/// shared: the shared area, or NaN.
-std::int32_t over_area(double shared, Ratio which, const ShapeOfKind& a, const Facts& of_a, const ShapeOfKind& b,
-                       const Facts& of_b, double& out) noexcept {
-  const auto shared_measure = [&] {
-    detail::area::Measure measure;
-    shared_measures.of[a.kind][b.kind](a.numbers, b.numbers, &measure);
-    return measure;
-  };
-  return detail::ratio::over_area(shared, which, of_a, of_b, shared_measure, out);
-}
-
-/// Answers where the shared area as a double would not be looked at: to ask for that would take as long again.
-bool answers_by_measure(Ratio which, const ShapeOfKind& a, const ShapeOfKind& b, double& out,
-                        std::int32_t& error) noexcept {
-  using namespace detail::ratio;
-  if (!is_of_area(which) || (is_moderate(a.area) && is_moderate(b.area))) return false;
-  Facts of_a, of_b;
-  if (facts_by_kind(a, of_a) != 0 || facts_by_kind(b, of_b) != 0) return false;
-  if (!only_measure_tells(which, of_a, of_b)) return false;
-  error = queries::over_area(std::numeric_limits<double>::quiet_NaN(), which, a, of_a, b, of_b, out);
-  return true;
-}
-
-/// asked: the shared area or IoU; NaN where that is an error.
+/// asked: the shared area or IoU; NaN where that is an error, and where the area was not asked.
 template <Ratio which>
 std::int32_t derive(double asked, const ShapeOfKind& a, const ShapeOfKind& b, double& out) noexcept {
   Facts first, second;
   if (facts_by_kind(a, first) != 0 || facts_by_kind(b, second) != 0) return error_shape;
   if constexpr (detail::ratio::is_of_area(which)) {
-    return over_area(asked, which, a, first, b, second, out);
+    detail::area::Measure shared{asked, 0};
+    if (!detail::ratio::tells_share(asked, detail::ratio::divisor(which, first, second))) {
+      shared_measures.of[a.kind][b.kind](a.numbers, b.numbers, &shared);
+    }
+    return detail::ratio::over_area(shared, which, first, second, out);
   } else {
     if (std::isnan(asked)) return error_argument;
     out = detail::ratio::less_than_union(asked, which, first, second);
@@ -103,12 +84,13 @@ std::int32_t ratio_of_pair(Ratio which, std::int32_t kind_a, const double* a, st
   const Query& query = ratio(which);
   if (query.derive == nullptr) return query.doubles.of[kind_a][kind_b](a, b, &out);
   const ShapeOfKind first{kind_a, a, area_as_of_iou(kind_a, a)}, second{kind_b, b, area_as_of_iou(kind_b, b)};
-  std::int32_t error = 0;
-  if (answers_by_measure(which, first, second, out, error)) return error;
-  double asked = 0;
-  error = query.asked_instead->doubles.of[kind_a][kind_b](a, b, &asked);
-  if (error == error_shape) return error;
-  if (error != 0) asked = std::numeric_limits<double>::quiet_NaN();
+  double asked = std::numeric_limits<double>::quiet_NaN();
+  // The shared area is asked once, by derive: as a double it might not tell.
+  if (!detail::ratio::is_of_area(which)) {
+    const std::int32_t error = query.asked_instead->doubles.of[kind_a][kind_b](a, b, &asked);
+    if (error == error_shape) return error;
+    if (error != 0) asked = std::numeric_limits<double>::quiet_NaN();
+  }
   return query.derive(asked, first, second, out);
 }
 
