@@ -162,9 +162,9 @@ TEST(NearestContact, APointAllButOnANeedle) {
   }
 }
 
-// A point, or another needle, all but on the tip of a needle, along its axis but for far less: the direction found is
-// that of the needle's side, and every further step only goes some times as far as the one before. Up to 1000u of the
-// scale were off.
+// A shape all but on the tip of a needle, along its axis but for far less. The direction found was that of the needle's
+// side: it was reached by a step too long to foresee what is left, or further steps only went some times as far as the
+// one before, or led astray. Or a face counted that the tip was not above. Up to 3000u of the scale were off.
 TEST(NearestContact, AllButOnTheTipOfANeedle) {
   const auto point = [](const Numbers& at, const Numbers& needle) {
     return Pair{VESICA_POINT, VESICA_ELLIPSE, at, needle};
@@ -188,12 +188,24 @@ TEST(NearestContact, AllButOnTheTipOfANeedle) {
               {0x1.f0d40d5ad53fp+0, 0, 1, 0, 0x1.f280ab791d5fcp-16, 0x1.0d7913b9a3792p-50}),
       needles({0, 0, 1, 0, 0x1.26748fd31866bp+0, 0x1.f76f236ab6c57p-42},
               {0x1.267884148f90bp+0, -0x1.e85915d9b4a9ep-135, -0x1.279908e8d66b5p-3, 0, 0x1.b653eb527d5acp-12,
-               0x1.4c3a0edaed295p-59})};
+               0x1.4c3a0edaed295p-59}),
+      point({0x1.c678939cfd55bp+0, 0x1.3bc78562ac1a8p-10}, {0, 0, 16, 0, 0x1.c678939cfd55ap-4, 0x1.b9bb83fb6f13fp-53}),
+      point({0x1.593f453537bcep+0, 0x1.c7e4c4d7ae003p-50}, {0, 0, 1, 0, 0x1.593f453537bcdp+0, 0x1.a38febb2688a5p-50}),
+      {VESICA_SEGMENT,
+       VESICA_ELLIPSE,
+       {0x1.e25ca40d716f1p+0, -0x1.8d485db8ae363p-11, 0x1.e25ca60d716f1p+0, -0x1.8d485db8c1b6dp-11},
+       {0, 0, 1, 0, 0x1.e25ca40d716f1p+0, 0x1.e25ca40d716f1p-46}},
+      {VESICA_RECT,
+       VESICA_ELLIPSE,
+       {-0x1.fe23177aa3342p+0, 0x1.5e19c95ed523ap-137, 1, -0x1p-27, 0x1.9cf3a5eb4a922p-14, 0x1.9cf3a5eb4a922p-66},
+       {0, 0, 1, 0, 0x1.fe1ca3ac0b87p+0, 0x1.b987f020de1e7p-44}},
+      {VESICA_ELLIPSE, VESICA_RECT, {0, 0, 3, 0x1p-1058, 9, 3}, {-28, -1, 1, 1, 1, 0}}};
   for (const Pair& pair : pairs) {
     nearest_reference::set_precision(pair);
     const auto a = nearest_reference::shape(pair.kind_a, pair.a), b = nearest_reference::shape(pair.kind_b, pair.b);
     const Answer r = nearest_test::nearest(properties::Scalar::f64, pair);
     const auto exact = nearest_reference::distance(a, b, pair.b[0] - pair.a[0], 0);
+    EXPECT_EQ(r.code, 0);
     EXPECT_LE(abs(Real(Real(r.distance) - exact.upper)), Real(0x1p-51) * nearest_reference::scale(a, b))
         << properties::describe(pair);
   }

@@ -91,7 +91,7 @@ VESICA_INLINE BoxEllipse<V> feature_ellipse(const Box<V>& box, const Axes<V>& e,
   const V nx = ux * n.unit.x + uy * n.unit.y, ny = ux * n.unit.y - uy * n.unit.x;
   const V slack = V(-0x1p-40) * (abs(ux) + abs(uy));
   const auto between = both(either(f.i * nx >= slack, hx == zero), either(f.j * ny >= slack, hy == zero));
-  const auto above = off * (abs(ux) + abs(uy)) <= V(settled_slope) * size;
+  const auto above = off * (abs(ux) + abs(uy)) <= V(0x1p-51) * size;
   const auto ended = either(both(face, above), both(and_not(direction.found, face), between));
   return {found.distance,
           {select(f.face_y, foot_x, f.i * hx), select(f.face_x, foot_y, f.j * hy)},

@@ -12,16 +12,17 @@
 
 namespace vesica::detail::nearest {
 
-/// An ellipse as the search sees it: semi-axis vectors (rounded, for here only) and (a b u.u)^2.
+/// An ellipse as the search sees it: semi-axis vectors (rounded, for here only), (a b u.u)^2 and the square of the
+/// longer one's length.
 template <class V>
 struct SemiAxes {
-  V x0, y0, x1, y1, area_squared;
+  V x0, y0, x1, y1, area_squared, longer_squared;
 };
 
 template <class V>
 VESICA_INLINE SemiAxes<V> semi_axes(const Axes<V>& e) noexcept {
-  const V area = (e.a * e.b) * (e.ux * e.ux + e.uy * e.uy);
-  return {e.a * e.ux, e.a * e.uy, -(e.b * e.uy), e.b * e.ux, area * area};
+  const V uu = e.ux * e.ux + e.uy * e.uy, area = (e.a * e.b) * uu, longer = max(e.a, e.b);
+  return {e.a * e.ux, e.a * e.uy, -(e.b * e.uy), e.b * e.ux, area * area, (longer * longer) * uu};
 }
 
 /// What D leads to: an ellipse, from a point; or from one ellipse to another.
@@ -101,6 +102,7 @@ VESICA_INLINE Direction<V> first_direction(const TwoEllipses<V>& s, const Direct
 template <class V>
 struct Pull {
   V x, y, bend, third, fourth;
+  V flatness;  ///< (longer half axis / h)^2, the greater of two
 };
 
 /// inverse: 1 / h^2, so that the division need not wait for the root.
@@ -109,7 +111,12 @@ VESICA_INLINE Pull<V> pull(const SemiAxes<V>& e, const Image<V>& i, const Direct
   const V one(1.0), three(3.0), four(4.0);
   const V k = sqrt(i.square) * inverse, c = (n.x * i.y - n.y * i.x) * inverse;
   const V rho = (e.area_squared * k) * ((nn * nn) * inverse), three_rho = three * rho;
-  return {i.x * k, i.y * k, rho, three_rho * c, three_rho * ((one - rho * k) + four * (c * c))};
+  return {i.x * k,
+          i.y * k,
+          rho,
+          three_rho * c,
+          three_rho * ((one - rho * k) + four * (c * c)),
+          e.longer_squared * (nn * inverse)};
 }
 template <class V>
 VESICA_INLINE Pull<V> pull(const OneEllipse<V>& s, const Direction<V>& n, V nn) noexcept {
@@ -121,7 +128,7 @@ VESICA_INLINE Pull<V> pull(const TwoEllipses<V>& s, const Direction<V>& n, V nn)
   const Image<V> a = image(s.sa, n), b = image(s.sb, n);
   const V inverse = V(1.0) / (a.square * b.square);
   const Pull<V> p = pull(s.sa, a, n, nn, inverse * b.square), q = pull(s.sb, b, n, nn, inverse * a.square);
-  return {p.x + q.x, p.y + q.y, p.bend + q.bend, p.third + q.third, p.fourth + q.fourth};
+  return {p.x + q.x, p.y + q.y, p.bend + q.bend, p.third + q.third, p.fourth + q.fourth, max(p.flatness, q.flatness)};
 }
 
 /// How far N is to be turned, in tangents; what is known of phi' and phi'' times |N|.
@@ -132,7 +139,8 @@ struct Turn {
 };
 
 /// A turn t is the last when the slope it will leave, at most about 8 t^4 (phi'''^2 / (4 phi'') + |phi''''| / 4), is
-/// below this share of the shapes' size, or when it is beneath what a direction can resolve.
+/// below this share of the shapes' size, or when it is beneath what a direction can resolve. The former is of turns of a
+/// quarter of h / (longer half axis) at most: so far off h has a zero, among complex directions.
 inline constexpr double slope_left = 0x1p-54, last_tangent = 0x1p-50;
 
 template <class V, class Shapes>
@@ -149,7 +157,8 @@ VESICA_INLINE Turn<V> turn_at(const Shapes& shapes, const Direction<V>& d, V siz
   const V tangent = angle + (angle * angle) * (angle * V(1.0 / 3));
   const auto sane = both(bend > V(0.0), both(numerator > V(0.25) * squared, denominator > V(0.25) * (bend * squared)));
   const V t = abs(tangent), left = ((t * t) * (t * t)) * (third * third + abs(bend * fourth));
-  const auto last = either(both(t <= V(0.25), left <= V(slope_left) * (size * bend)), t <= V(last_tangent));
+  const auto holds = (t * t) * p.flatness <= V(0x1p-4);
+  const auto last = either(both(holds, left <= V(slope_left) * (size * bend)), t <= V(last_tangent));
   return {slope, bend, tangent, sane, both(sane, last)};
 }
 

@@ -155,7 +155,7 @@ inline Closest closest_box_ellipse(const Box<double>& box, const Axes<double>& e
   // A face's normal lacks nothing, and leaves no doubt.
   if (found.doubt > 0 && rounded(found.distance) - radius < found.doubt) {
     const Vector<double> corner = vertex(box, std::copysign(1.0, found.spot.s), std::copysign(1.0, found.spot.t));
-    found.distance = polished_distance(renormalised(d - corner), {found.nx, found.ny}, nullptr, e);
+    found.distance = polished_distance(found.distance, renormalised(d - corner), {found.nx, found.ny}, nullptr, e);
   }
   return {found.distance, on_box(box, found.spot), on_ellipse(found.bx, found.by), found.nx, found.ny};
 }
@@ -171,7 +171,9 @@ inline Closest closest_ellipses(const Axes<double>& a, const Axes<double>& b, co
                                 int& steps) noexcept {
   ClosestOffsets<double> found = ellipse_ellipse(a, b, d, size, steps);
   if (!found.settled) found = ellipse_ellipse_by_halving(a, b, d, size);
-  if (rounded(found.distance) < found.doubt) found.distance = polished_distance(d, {found.nx, found.ny}, &a, b);
+  if (rounded(found.distance) < found.doubt) {
+    found.distance = polished_distance(found.distance, d, {found.nx, found.ny}, &a, b);
+  }
   return {found.distance, on_ellipse(found.ax, found.ay), on_ellipse(found.bx, found.by), found.nx, found.ny};
 }
 

@@ -36,10 +36,15 @@ inline constexpr double short_turn = 0x1p-50;
 /// along the sides.
 inline constexpr int most_turns = 12;
 
+/// A slope left above this is of a direction that leads to another part of an outline: a needle's turns within less than
+/// a step.
+inline constexpr double stray_slope = 0x1p-50;
+
 /// The distance between two ellipses, or with a null pointer from a point to an ellipse; d from the first centre to the
-/// second, n near the direction from the first to the second.
-inline Twofold<double> polished_distance(const Vector<double>& d, Direction<double> n, const Axes<double>* a,
-                                         const Axes<double>& b) noexcept {
+/// second, n near the direction from the first to the second. `found`: the distance as it was, which stays where n leads
+/// astray.
+inline Twofold<double> polished_distance(const Twofold<double>& found, const Vector<double>& d, Direction<double> n,
+                                         const Axes<double>* a, const Axes<double>& b) noexcept {
   for (int round = 0;; ++round) {
     const auto vector = factor(n.x, n.y);
     const auto normal_of = normal(vector);
@@ -49,11 +54,11 @@ inline Twofold<double> polished_distance(const Vector<double>& d, Direction<doub
     const double along = rounded(dot(vector, factor(gap))) / normal_of.length;
     const double bend = along + (sa.curvature + sb.curvature), turn = bend > 0 ? slope / bend : 0.0;
     if (round == most_turns || abs(turn) <= short_turn) {
+      if (!(abs(slope) <= stray_slope)) return found;
       const Twofold<double> phi =
           factor(dot(vector, factor(d)) - (sa.height + sb.height)) * factor(normal_of.inverse_length);
-      // The turn gains no more than the way to the points of support.
-      const double gap_less_phi = slope * slope / (std::sqrt(along * along + slope * slope) + along);
-      return {phi.high, phi.low + (turn == 0 ? 0 : min(0.5 * (slope * turn), gap_less_phi))};
+      // The turn gains no more than the way to the points of support has across the direction.
+      return {phi.high, phi.low + min(0.5 * (slope * turn), abs(slope))};
     }
     n = turned(n, turn);
   }

@@ -33,7 +33,7 @@ VESICA_INLINE Pull<V> pull(const NestedEllipses<V>& s, const Direction<V>& n, V 
   const Image<V> a = image(s.pair.sa, n), b = image(s.pair.sb, n);
   const V inverse = V(1.0) / (a.square * b.square);
   const Pull<V> p = pull(s.pair.sa, a, n, nn, inverse * b.square), q = pull(s.pair.sb, b, n, nn, inverse * a.square);
-  return {p.x - q.x, p.y - q.y, p.bend - q.bend, p.third - q.third, p.fourth - q.fourth};
+  return {p.x - q.x, p.y - q.y, p.bend - q.bend, p.third - q.third, p.fourth - q.fourth, max(p.flatness, q.flatness)};
 }
 template <class V>
 VESICA_INLINE Direction<V> middle(const NestedEllipses<V>& s, const Direction<V>& d, const Bracket<V>& bracket,
