@@ -139,8 +139,8 @@ struct Turn {
 };
 
 /// A turn t is the last when the slope it will leave, at most about 8 t^4 (phi'''^2 / (4 phi'') + |phi''''| / 4), is
-/// below this share of the shapes' size, or when it is beneath what a direction can resolve. The former is of turns of a
-/// quarter of h / (longer half axis) at most: so far off h has a zero, among complex directions.
+/// below this share of the shapes' size, or when it is beneath what a direction can resolve. The former is of turns of
+/// at most a quarter of h / (longer half axis): so far off h has a zero, among complex directions.
 inline constexpr double slope_left = 0x1p-54, last_tangent = 0x1p-50;
 
 template <class V, class Shapes>
