@@ -36,13 +36,13 @@ inline constexpr double short_turn = 0x1p-50;
 /// along the sides.
 inline constexpr int most_turns = 12;
 
-/// A slope left above this is of a direction that leads to another part of an outline: a needle's turns within less than
-/// a step.
+/// A slope left above this is of a direction that leads to another part of an outline: a needle's turns within less
+/// than a step.
 inline constexpr double stray_slope = 0x1p-50;
 
 /// The distance between two ellipses, or with a null pointer from a point to an ellipse; d from the first centre to the
-/// second, n near the direction from the first to the second. `found`: the distance as it was, which stays where n leads
-/// astray.
+/// second, n near the direction from the first to the second. `found`: the distance as it was, which stays where n
+/// leads astray.
 inline Twofold<double> polished_distance(const Twofold<double>& found, const Vector<double>& d, Direction<double> n,
                                          const Axes<double>* a, const Axes<double>& b) noexcept {
   for (int round = 0;; ++round) {
