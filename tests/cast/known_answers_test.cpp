@@ -144,6 +144,30 @@ TEST(Known, ASlideThatTouchesBesideTheEnd) {
   }
 }
 
+// A needle so thin that it is a segment slides along another, and meets it at the middle of its side. The vertex's
+// normal tells no time, for errors hide all of it; the needle's own, along the way, told one before contact and was
+// taken: the point was the other one's tip.
+TEST(Known, ANeedleThatSlidesAlongAnother) {
+  const Pair pairs[] = {
+      {VESICA_ELLIPSE,
+       VESICA_ELLIPSE,
+       {0, 0, 1, 0x1p-46, 0x1.bcfec77241f44p+0, 0x1.8a693639f59f4p-29},
+       {-0x1.b074628cd23fp-6, 0x1.8a6932d90fb57p-29, 1, 0x1p-46, 0x1.0228dd5cea682p-3, 0x1.6dbb0296ef3fp-68}},
+      {VESICA_ELLIPSE,
+       VESICA_ELLIPSE,
+       {0, 0, 0x1.433a1b33a09e6p-4, 0, 0x1.12ecd963c967cp+4, 0x1.9ce4001e125d9p-40},
+       {0x1.5535f527e5b28p-2, 0x1.04a8b1d6a4dd7p-43, 0x1.433a1b33a09e6p-4, 0, 0x1.fd7160327b33cp-16,
+        0x1.fd7160327b33cp-81}}};
+  const Motion motions[] = {{8, 0x1p-43, 4}, {-0.25, -0.0, 4}};
+  for (int i = 0; i < 2; ++i) {
+    const Answer r = cast(Scalar::f64, pairs[i], motions[i]);
+    EXPECT_EQ(r.code, VESICA_CAST_HIT);
+    EXPECT_LT(std::fabs(r.x), 0x1p-48);
+    EXPECT_LT(std::fabs(r.nx), 0x1p-45);
+    EXPECT_EQ(r.ny, 1);
+  }
+}
+
 // A needle flies at a disc. Newton's method for the direction went in a circle, and what it had after 80
 // steps was taken: the point was on the disc, but a quarter of the needle's length off.
 TEST(Known, ANeedleThatPassesADisc) {

@@ -364,15 +364,17 @@ Found polished(const Scene& scene, double s) noexcept {
 }
 
 /// Of what was found at a vertex and of the faces' normals that which tells the latest time. Beside a face the vertex's
-/// normals may end nearer than numbers of s lie, and beyond them another vertex lies farthest.
+/// normals may end nearer than numbers of s lie, and beyond them another vertex lies farthest. A vertex that tells no
+/// time is met where there is contact only after the faces' times.
 template <class Products>
-VESICA_COLD Found latest_beside_faces(const Scene& scene, const Side& box, Found found) noexcept {
+VESICA_COLD Found latest_beside_faces(const Scene& scene, const Side& box, const Found& at_vertex) noexcept {
+  Found found = at_vertex;
   for (const Vector& u : {box.u, perpendicular(box.u)}) {
     const Vector n = against<Products>(scene, u);
     const TimeBounds time = time_bounds<Products>(scene, n);
     if (time.tells() && (!found.time.tells() || is_later(time, found.time))) found = {n, time};
   }
-  return found;
+  return found.time.tells() && !at_vertex.time.tells() ? with_beside(found, at_vertex.normal) : found;
 }
 
 /// steps: how many the search of two ellipses took, which tests look at.
