@@ -10,6 +10,7 @@
 #include "area/hard_pairs.hpp"
 #include "boundary_distance/nested_pairs.hpp"
 #include "hammer/call.hpp"
+#include "hammer/needle_pairs.hpp"
 #include "properties/exact_changes.hpp"
 #include "properties/generators.hpp"
 #include "properties/shape_maker.hpp"
@@ -221,8 +222,17 @@ void append_contact(Scalar scalar, const Pair& base, bool odd, Random& random, G
 
 }  // namespace
 
-Group draw_group(std::uint64_t seed, std::uint64_t number) {
+Group draw_group(std::uint64_t seed, std::uint64_t number, Drawn from) {
   Random random(mixed(seed, number));
+  if (from == Drawn::needles) {
+    Group needles{Scalar::f64, {}};
+    Pair pair = draw_needle_pair(random);
+    if (!properties::valid(pair.kind_a, pair.a) || !properties::valid(pair.kind_b, pair.b)) return needles;
+    pair = exchanged_mirrored_turned(pair, random);
+    needles.pairs.push_back(pair);
+    append_contact(Scalar::f64, pair, false, random, needles);
+    return needles;
+  }
   Group group{random.chance(0.5) ? Scalar::f32 : Scalar::f64, {}};
   const int kind_a = random.below(6), kind_b = random.below(6);
   const bool odd = random.below(8) == 0;

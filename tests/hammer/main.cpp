@@ -34,6 +34,7 @@ constexpr const char* usage =
   --query Q         ask only this query, of every pair; "all" asks each query of its share of the pairs
   --resume FILE     go on where FILE says, and keep it up to date
   --known FILE      laws of which faults are known: they are counted, but are no failure
+  --needles         draw pairs of needles alone
   --environments    ask under flushed subnormals and directed roundings too, and expect the same bits
   --group G         only this group of the seed
   --stop-at LAW     stop once a fault of this law is found
@@ -51,6 +52,7 @@ struct Options {
   std::optional<Query> query;
   std::string resume, known, replay, replay_all, stop_at;
   bool environments = false, functions = false;
+  Drawn drawn = Drawn::all;
 };
 
 std::uint64_t seed_of_today() {
@@ -120,7 +122,7 @@ class Hammer {
     Clock::time_point saved = Clock::now();
     while (progress_.pairs < last && Clock::now() < end_) {
       current_group = progress_.next_group;
-      run_group(draw_group(progress_.seed, progress_.next_group++));
+      run_group(draw_group(progress_.seed, progress_.next_group++, options_.drawn));
       if (options_.group || progress_.faults.contains(options_.stop_at)) break;
       if (!options_.resume.empty() && Clock::now() - saved > std::chrono::seconds(10)) {
         progress_.save(options_.resume);
@@ -285,6 +287,10 @@ std::optional<Options> read(int count, char** arguments) {
     const std::string option = arguments[i];
     if (option == "--environments") {
       o.environments = true;
+      continue;
+    }
+    if (option == "--needles") {
+      o.drawn = Drawn::needles;
       continue;
     }
     if (option == "--functions") {
