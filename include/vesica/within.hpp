@@ -114,7 +114,7 @@ Shape<double> times(double k, const Shape<double>& s) noexcept {
 /// of nearest() is right to 4u of the scale, and to half the least number; 4.5u leave room for the roundings here.
 template <class A, class B>
 VESICA_COLD Within by_distance(A a, B b, double distance) noexcept {
-  // Lengths are below 2^2050. In a unit of 2^600, or of its square or cube, none is beyond the range of double. What
+  // Lengths are below 2^2050. In a unit of 2^600, or of its square, none is beyond the range of double. What
   // underflows there is nothing beside them: where the shapes overlap then, their distance is a rounding error.
   for (int unit = 0; unit < 3; ++unit) {
     ClosestPoints<double> found;

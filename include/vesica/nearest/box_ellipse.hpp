@@ -56,6 +56,10 @@ struct BoxEllipse {
   V doubt = V(0.0);  ///< as of ClosestOffsets
 };
 
+/// How far beyond a face's end, as a share of the size, a point counts as above the face: by rounding. Farther would
+/// show in the distance where that is as small.
+inline constexpr double beyond_face = 0x1p-51;
+
 /// The distance of an ellipse from one feature of a box; d from the box's centre to the ellipse's. The ellipse may not
 /// contain the feature's vertex. search: farthest_direction() or another with its arguments. Settled where the
 /// direction found lies between the normals of the vertex's faces, or the foot in the face: then nothing of the box is
@@ -91,7 +95,7 @@ VESICA_INLINE BoxEllipse<V> feature_ellipse(const Box<V>& box, const Axes<V>& e,
   const V nx = ux * n.unit.x + uy * n.unit.y, ny = ux * n.unit.y - uy * n.unit.x;
   const V slack = V(-0x1p-40) * (abs(ux) + abs(uy));
   const auto between = both(either(f.i * nx >= slack, hx == zero), either(f.j * ny >= slack, hy == zero));
-  const auto above = off * (abs(ux) + abs(uy)) <= V(0x1p-51) * size;
+  const auto above = off * (abs(ux) + abs(uy)) <= V(beyond_face) * size;
   const auto ended = either(both(face, above), both(and_not(direction.found, face), between));
   return {found.distance,
           {select(f.face_y, foot_x, f.i * hx), select(f.face_x, foot_y, f.j * hy)},
