@@ -20,10 +20,11 @@ enum class Drawn { all, needles };
 
 /// The group of a seed and a number, the same in every run of one build. All shapes are valid.
 ///
-/// A needle's pair is drawn (needle_pairs.hpp), in double. Or else a random pair is drawn, thinned, shrunk, moved,
-/// scaled or degraded; one in eight has an exponent of its own for every number. Then one number is bisected to where
-/// the library's answer (overlap, or the relation) changes, and the pair is taken with neighbours of that number up to
-/// 64 places away, and some further, exchanged, mirrored or turned.
+/// A random pair is drawn, thinned, shrunk, moved, scaled or degraded; one in eight has an exponent of its own for
+/// every number. With Drawn::needles it is that of draw_needle_pair() instead, in double; where this is not valid the
+/// group is empty. Then one number is bisected to where the library's answer (overlap, or the relation) changes, and
+/// the pair is taken with neighbours of that number up to 64 places away, and some further, exchanged, mirrored or
+/// turned.
 Group draw_group(std::uint64_t seed, std::uint64_t number, Drawn from = Drawn::all);
 
 /// The pair with one number that makes a shape invalid.

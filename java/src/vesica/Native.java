@@ -176,11 +176,11 @@ final class Native {
    * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
    *
    * <p>Accuracy: the distance is right to 4 u scale at any aspect ratio; the largest error seen was 1 u scale, and 3.3
-   * u beside the tips of needles. Its relative error is at most 2 u above 1e-10 scale (aspect ratios up to 1e6) or
-   * 1e-14 scale (up to 1000). Closest points are right to 4 u scale, and a common point to 8 u scale, before they are
-   * rounded. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between
-   * their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is
-   * &lt;= x.
+   * u beside the ends of the thinnest ellipses. Its relative error is at most 2 u above 1e-10 scale (aspect ratios up
+   * to 1e6) or 1e-14 scale (up to 1000). Closest points are right to 4 u scale, and a common point to 8 u scale, before
+   * they are rounded. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
+   * between their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the
+   * error is &lt;= x.
    *
    * <p>Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the other's
    * centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below 2^-40; at worst 45 us.
@@ -900,11 +900,11 @@ final class Native {
    * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
    *
    * <p>Accuracy: the distance is right to 4 u scale at any aspect ratio; the largest error seen was 1 u scale, and 3.3
-   * u beside the tips of needles. Its relative error is at most 2 u above 1e-10 scale (aspect ratios up to 1e6) or
-   * 1e-14 scale (up to 1000). Closest points are right to 4 u scale, and a common point to 8 u scale, before they are
-   * rounded. Each number is computed in double, within these bounds, and then rounded to float once. Bounds on computed
-   * numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their
-   * half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.
+   * u beside the ends of the thinnest ellipses. Its relative error is at most 2 u above 1e-10 scale (aspect ratios up
+   * to 1e6) or 1e-14 scale (up to 1000). Closest points are right to 4 u scale, and a common point to 8 u scale, before
+   * they are rounded. Each number is computed in double, within these bounds, and then rounded to float once. Bounds on
+   * computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and
+   * of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.
    *
    * <p>Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the other's
    * centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below 2^-40; at worst 45 us.
