@@ -269,7 +269,7 @@ VESICA_API int32_t vesica_crossings_f64(int32_t kind_a, const double *numbers_a,
  * beside the ends of the thinnest ellipses. Its relative error is at most 2 u above 1e-10 scale (aspect ratios up to
  * 1e6) or 1e-14 scale (up to 1000). Closest points are right to 4 u scale, and a common point to 8 u scale, before they
  * are rounded.
- * Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the other's centre;
+ * Cost: 100 to 200 ns for disjoint shapes, 500 ns for the thinnest ellipses; 50 ns if a shape holds the other's centre;
  * 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below 2^-40; at worst 45 us.
  */
 VESICA_API int32_t vesica_nearest_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b, const double *numbers_b,

@@ -140,7 +140,7 @@ export interface C {
    * 1000). Closest points are right to 4 u scale, and a common point to 8 u scale, before they are rounded. Bounds on
    * computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and
    * of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is <= x. Cost: 100 to
-   * 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the other's centre; 0.3 to 3
+   * 200 ns for disjoint shapes, 500 ns for the thinnest ellipses; 50 ns if a shape holds the other's centre; 0.3 to 3
    * us for shapes that cross, near-ties and magnitudes above 2^40 or below 2^-40; at worst 45 us. Since: 0.1.
    */
   vesica_nearest_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
@@ -850,7 +850,7 @@ export interface C {
    * is computed in double, within these bounds, and then rounded to float once. Bounds on computed numbers use u =
    * 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An
    * aspect ratio is longer over shorter size. "Right to x": the error is <= x. Cost: 100 to 200 ns for disjoint shapes,
-   * 300 ns for the thinnest ellipses; 50 ns if a shape holds the other's centre; 0.3 to 3 us for shapes that cross,
+   * 500 ns for the thinnest ellipses; 50 ns if a shape holds the other's centre; 0.3 to 3 us for shapes that cross,
    * near-ties and magnitudes above 2^40 or below 2^-40; at worst 45 us. Since: 0.1.
    */
   vesica_nearest_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;

@@ -170,7 +170,7 @@ namespace Vesica
         /// common point to 8 u scale, before they are rounded. Bounds on computed numbers use u = 2^-53. The scale of
         /// two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio
         /// is longer over shorter size. "Right to x": the error is &lt;= x.</para>
-        /// <para>Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the
+        /// <para>Cost: 100 to 200 ns for disjoint shapes, 500 ns for the thinnest ellipses; 50 ns if a shape holds the
         /// other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below 2^-40; at
         /// worst 45 us.</para>
         /// <para>Since: 0.1.</para>
@@ -776,7 +776,7 @@ namespace Vesica
         /// and then rounded to float once. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the
         /// largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is longer over
         /// shorter size. "Right to x": the error is &lt;= x.</para>
-        /// <para>Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the
+        /// <para>Cost: 100 to 200 ns for disjoint shapes, 500 ns for the thinnest ellipses; 50 ns if a shape holds the
         /// other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below 2^-40; at
         /// worst 45 us.</para>
         /// <para>Since: 0.1.</para>

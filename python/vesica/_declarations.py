@@ -523,7 +523,7 @@ the thinnest ellipses. Its relative error is at most 2 u above 1e-10 scale (aspe
 1e-14 scale (up to 1000). Closest points are right to 4 u scale, and a common point to 8 u scale, before
 they are rounded. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx|
 and |dy| between their centres and of their half lengths. An aspect ratio is longer over shorter size.
-"Right to x": the error is <= x. Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses;
+"Right to x": the error is <= x. Cost: 100 to 200 ns for disjoint shapes, 500 ns for the thinnest ellipses;
 50 ns if a shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above
 2^40 or below 2^-40; at worst 45 us. Since: 0.1.""",
     ),
@@ -1346,7 +1346,7 @@ the thinnest ellipses. Its relative error is at most 2 u above 1e-10 scale (aspe
 they are rounded. Each number is computed in double, within these bounds, and then rounded to float once.
 Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between
 their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the
-error is <= x. Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape
+error is <= x. Cost: 100 to 200 ns for disjoint shapes, 500 ns for the thinnest ellipses; 50 ns if a shape
 holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below
 2^-40; at worst 45 us. Since: 0.1.""",
     ),

@@ -62,7 +62,7 @@ Vector any_axis(Random& random) {
 
 /// Where the other shape's centre is, along the needle and across it.
 Vector place_beside(Random& random, const Vector& needle, const Vector& other) {
-  switch (random.below(6)) {
+  switch (random.below(7)) {
     case 0:
       return {near_to(random, needle.x + other.x), small(random)};
     case 1:
@@ -73,6 +73,11 @@ Vector place_beside(Random& random, const Vector& needle, const Vector& other) {
       return {random.between(-needle.x, needle.x), near_to(random, needle.y + other.y)};
     case 4:
       return {near_to(random, needle.x - other.x), near_to(random, needle.y - other.y)};
+    case 5: {
+      // Above a side, from all but touching to far.
+      const double along = random.chance(0.5) ? random.between(-needle.x, needle.x) : near_to(random, needle.x);
+      return {along, needle.y + of_binades(random, -50, 0)};
+    }
     default: {
       // Off the outline along its normal.
       const double angle = random.between(0, 1.6), gap = of_binades(random, -50, -1);

@@ -110,27 +110,34 @@ TEST(NearestContact, CommonPointsOfNeedles) {
 }
 
 // The common point of needles that meet in plain arithmetic is not in both; one of their crossings is. And the search
-// for the normal of two needles far less than the other that ends by its limit of steps.
+// for the normal of two needles far less than the other that ends by its limit of steps. In the last pair a needle that
+// is taken for a segment holds a smaller one beside that segment.
 TEST(NearestContact, CommonPointsThatAreNotFoundAtOnce) {
-  const Pair pairs[] = {{VESICA_CIRCLE,
-                         VESICA_ELLIPSE,
-                         {0x1.28dd3bef6cda2p+1, -0x1.f9c872accdc11p+0, 0x1.57b656ea63b18p-11},
-                         {0x1.7dae3938acf3cp+1, -0x1.3a0d51c4c29b8p+0, -0x1.538446a73324ep-1, -0x1.7f3d46ce5877p-1, 1,
-                          0x1.6bc3a7247c62p-46}},
-                        {VESICA_CIRCLE,
-                         VESICA_ELLIPSE,
-                         {0x1.ffffe9ebfce36p-1, 0x1.8d9dc4aed45adp-2, 0x1.8d9dc4aed45adp-2},
-                         {0, 0, 1, 0, 1, 0x1.7c36441f0ebfcp-47}},
-                        {VESICA_ELLIPSE,
-                         VESICA_ELLIPSE,
-                         {0x1.9deefa078c656p-1, 0x1.2c994e1a02b91p-1, 0x1.7fb2d950cc70cp-1, -0x1.f447085c5ffc2p-1,
-                          0x1.53cb7f47515c5p-29, 0x1.16dde2ab993f1p-64},
-                         {0, 0, 0x1.9e48d95996753p-1, 0x1.2cda453210698p-1, 1, 0x1.79214ae30f96ap-15}},
-                        {VESICA_ELLIPSE,
-                         VESICA_ELLIPSE,
-                         {-0x1.f4eb689081defp-1, -0x1.a368453eee201p-3, -0x1.3ebab6460101cp-2, 0x1.f24f3b5e00c3ep-1,
-                          0x1.b4d509100b26bp-32, 0x1.800c0798d1487p-38},
-                         {0, 0, -0x1.f523a06cca17fp-1, -0x1.a39748e81ecdbp-3, 1, 0x1.d63423d81e6b7p-19}}};
+  const Pair pairs[] = {
+      {VESICA_CIRCLE,
+       VESICA_ELLIPSE,
+       {0x1.28dd3bef6cda2p+1, -0x1.f9c872accdc11p+0, 0x1.57b656ea63b18p-11},
+       {0x1.7dae3938acf3cp+1, -0x1.3a0d51c4c29b8p+0, -0x1.538446a73324ep-1, -0x1.7f3d46ce5877p-1, 1,
+        0x1.6bc3a7247c62p-46}},
+      {VESICA_CIRCLE,
+       VESICA_ELLIPSE,
+       {0x1.ffffe9ebfce36p-1, 0x1.8d9dc4aed45adp-2, 0x1.8d9dc4aed45adp-2},
+       {0, 0, 1, 0, 1, 0x1.7c36441f0ebfcp-47}},
+      {VESICA_ELLIPSE,
+       VESICA_ELLIPSE,
+       {0x1.9deefa078c656p-1, 0x1.2c994e1a02b91p-1, 0x1.7fb2d950cc70cp-1, -0x1.f447085c5ffc2p-1, 0x1.53cb7f47515c5p-29,
+        0x1.16dde2ab993f1p-64},
+       {0, 0, 0x1.9e48d95996753p-1, 0x1.2cda453210698p-1, 1, 0x1.79214ae30f96ap-15}},
+      {VESICA_ELLIPSE,
+       VESICA_ELLIPSE,
+       {-0x1.f4eb689081defp-1, -0x1.a368453eee201p-3, -0x1.3ebab6460101cp-2, 0x1.f24f3b5e00c3ep-1,
+        0x1.b4d509100b26bp-32, 0x1.800c0798d1487p-38},
+       {0, 0, -0x1.f523a06cca17fp-1, -0x1.a39748e81ecdbp-3, 1, 0x1.d63423d81e6b7p-19}},
+      {VESICA_ELLIPSE,
+       VESICA_ELLIPSE,
+       {0, 0, -0x1.92adcb793151bp+6, -0x1.b26145e241d5fp+3, 0x1.3a834b22bbb63p-6, 0x1.0c165f631b58fp-61},
+       {0x1.038ab0cf9573ap+0, 0x1.17f96c4d29661p-3, -0x1.92adcb7934118p+6, -0x1.b26145e241d5fp+3, 0x1.50719f19455d8p-25,
+        0x1.39d0c7bc2476fp-70}}};
   for (const Pair& pair : pairs) {
     EXPECT_LE(common_point_outside(pair), 8) << properties::describe(pair);
     EXPECT_EQ(nearest_test::nearest(properties::Scalar::f64, properties::swapped(pair)),
@@ -208,6 +215,50 @@ TEST(NearestContact, AllButOnTheTipOfANeedle) {
     EXPECT_EQ(r.code, 0);
     EXPECT_LE(abs(Real(Real(r.distance) - exact.upper)), Real(0x1p-51) * nearest_reference::scale(a, b))
         << properties::describe(pair);
+  }
+}
+
+// Needles above the sides of needles: a vector with rounded coordinates does not tell the best direction from others
+// whose points are far along the needle, or off it once they were moved along a tangent.
+TEST(NearestContact, AboveTheSideOfANeedle) {
+  const Pair pairs[] = {
+      {VESICA_CIRCLE,
+       VESICA_ELLIPSE,
+       {0x1.7c33104fc19b8p+0, 0x1.52354cf52ae7fp+0, 0x1.469032bac3316p-8},
+       {0, 0, 0x1.7f9968cbb50e8p+0, 0x1.531c2ad16c51fp+0, 0x1.fcdb036eec3b4p-1, 0x1.fcdb036eec3b4p-53}},
+      {VESICA_ELLIPSE,
+       VESICA_ELLIPSE,
+       {-0x1.580e529d69dcdp-2, -0x1.1e3284aaef91dp+0, -0x1.26c5bbcabe4eep-2, -0x1.ea53e7d51adp-1, 0x1.554a44f03c11ap-24,
+        0x1.554a44f03c11ap-76},
+       {0, 0, -0x1.26c5bbcabe4eep-1, -0x1.ea53e7d51adp+0, 0x1.2ad7e2e3991bap-1, 0x1.2ad7e2e3991bap-52}},
+      {VESICA_ELLIPSE,
+       VESICA_ELLIPSE,
+       {0x1.b65cf536f2fbep+0, 0x1.f4f0466e71aacp-30, 1, 0, 0x1.2b904d6b764cfp-27, 0x1.2b904d6b764cfp-59},
+       {0, 0, 1, 0, 0x1.b65cf536f1fecp+0, 0x1.fb7952b2ca88dp-52}},
+      {VESICA_ELLIPSE,
+       VESICA_ELLIPSE,
+       {0x1.4f7a2397a8c09p+0, 0x1.3f3749b3e43ccp-24, 1, 0, 0x1.5e1a93a0d7e3dp-5, 0x1.5e1a93a0d7e3dp-42},
+       {0, 0, 1, 0, 0x1.4c45eddcc59ddp+0, 0x1.4c45eddcc59ddp-52}},
+      {VESICA_ELLIPSE,
+       VESICA_ELLIPSE,
+       {0x1.dc314ccf0e8f8p+0, 0x1.98c78e884e6d8p-15, 1, 0, 0x1.a74dcd9034ea1p-29, 0x1.a74dcd9034ea1p-81},
+       {0, 0, 0x1p+2, 0, 0x1.dce0a1000f2eap-2, 0x1.dce0a1000f2eap-53}},
+      {VESICA_ELLIPSE,
+       VESICA_SEGMENT,
+       {0, 0, 0x1.8p+1, 0x1p+2, 0x1.a63362fad62cdp-2, 0x1p-45},
+       {0x1.3ca68a3c20a15p+0, 0x1.a63362fad62d1p+0, 0x1.3ca6ap+0, 0x1.a6338p+0}}};
+  for (const Pair& pair : pairs) {
+    nearest_reference::set_precision(pair);
+    const auto a = nearest_reference::shape(pair.kind_a, pair.a), b = nearest_reference::shape(pair.kind_b, pair.b);
+    const Answer r = nearest_test::nearest(properties::Scalar::f64, pair);
+    const auto exact = nearest_reference::distance(a, b, r.bx - r.ax, r.by - r.ay);
+    const Real u_of_scale = Real(0x1p-53) * nearest_reference::scale(a, b);
+    EXPECT_LE(abs(Real(Real(r.distance) - exact.upper)), 2 * u_of_scale) << properties::describe(pair);
+    for (const auto& [s, x, y] : {std::tuple{&a, r.ax, r.ay}, {&b, r.bx, r.by}}) {
+      EXPECT_LE(abs(nearest_reference::beyond_outline(*s, x, y, u_of_scale)), 8 * u_of_scale)
+          << properties::describe(pair);
+    }
+    EXPECT_EQ(nearest_test::nearest(properties::Scalar::f64, properties::swapped(pair)), nearest_test::exchanged(r));
   }
 }
 

@@ -97,7 +97,8 @@ TEST(GeneralWay, HalvingOfEllipses) {
     a.cx = a.cy = 0;
     if (overlap(a, b)) continue;
     const ScaledPair p = scaled(a, b);
-    const auto found = ellipse_ellipse_by_halving(p.a.axes(), p.b.axes(), p.d, p.size);
+    int steps = 0;
+    const auto found = closest_offsets(two_ellipses(p.a.axes(), p.b.axes()), p.d, p.size, steps, Halving{});
     ++asked;
     ASSERT_NEAR(std::ldexp(rounded(found.distance), p.exponent), nearest(a, b).distance,
                 allowed * std::ldexp(p.size, p.exponent));

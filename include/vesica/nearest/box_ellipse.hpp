@@ -56,9 +56,9 @@ struct BoxEllipse {
   V doubt = V(0.0);  ///< as of ClosestOffsets
 };
 
-/// How far beyond a face's end, as a share of the size, a point counts as above the face: by rounding. Farther would
-/// show in the distance where that is as small.
-inline constexpr double beyond_face = 0x1p-51;
+/// How far beyond a face's end a point counts as above the face: this share of the distance, which changes that by far
+/// less than its last place, or, by rounding, of the size.
+inline constexpr double beyond_of_distance = 0x1p-28, beyond_of_size = 0x1p-54;
 
 /// The distance of an ellipse from one feature of a box; d from the box's centre to the ellipse's. The ellipse may not
 /// contain the feature's vertex. search: farthest_direction() or another with its arguments. Settled where the
@@ -70,21 +70,20 @@ VESICA_INLINE BoxEllipse<V> feature_ellipse(const Box<V>& box, const Axes<V>& e,
   const V zero(0.0), one(1.0);
   const auto face = either(f.face_x, f.face_y);
   const Vector<V> from_vertex = renormalised(d - vertex(box, f.i, f.j));
+  const OneEllipse<V> shape = one_ellipse(e);
   // Where all is settled by faces there is nothing to search for.
-  FoundDirection<V> direction{{one, zero}, zero > zero, 0};
-  if (!all(face)) {
-    direction = search(OneEllipse<V>{e, semi_axes(e)}, Direction<V>{from_vertex.x.high, from_vertex.y.high}, size);
-  }
+  decltype(search(shape, from_vertex, size)) direction{{}, zero > zero, 0};
+  if (!all(face)) direction = search(shape, from_vertex, size);
   steps = direction.steps;
   const Vector<V> across_x = flipped(box.u, f.i);
   const Vector<V> across_y{flipped(box.u.y, -f.j), flipped(box.u.x, f.j)};
-  const auto pick = [&](const V& n, const Twofold<V>& x, const Twofold<V>& y) {
-    return choose(f.face_x, x, choose(f.face_y, y, Twofold<V>{n, zero}));
+  const Vector<V> best = twofold(direction.n);
+  const auto pick = [&](const Twofold<V>& n, const Twofold<V>& x, const Twofold<V>& y) {
+    return choose(f.face_x, x, choose(f.face_y, y, n));
   };
-  const auto n = normal(VectorFactor<TwofoldFactor<V>>{factor(pick(direction.n.x, across_x.x, across_y.x)),
-                                                       factor(pick(direction.n.y, across_x.y, across_y.y))});
-  const ClosestOffsets<V> found =
-      separation(from_vertex, n, no_support<V>(), support(e, n), size, select(face, zero, one));
+  const auto n = normal(VectorFactor<TwofoldFactor<V>>{factor(pick(best.x, across_x.x, across_y.x)),
+                                                       factor(pick(best.y, across_x.y, across_y.y))});
+  const ClosestOffsets<V> found = separation(shape, from_vertex, n, size, select(face, zero, one));
 
   // The place in the box that the ellipse's point stands above.
   const V ux = box.u.x.high, uy = box.u.y.high, scale = one / (ux * ux + uy * uy);
@@ -95,7 +94,8 @@ VESICA_INLINE BoxEllipse<V> feature_ellipse(const Box<V>& box, const Axes<V>& e,
   const V nx = ux * n.unit.x + uy * n.unit.y, ny = ux * n.unit.y - uy * n.unit.x;
   const V slack = V(-0x1p-40) * (abs(ux) + abs(uy));
   const auto between = both(either(f.i * nx >= slack, hx == zero), either(f.j * ny >= slack, hy == zero));
-  const auto above = off * (abs(ux) + abs(uy)) <= V(beyond_face) * size;
+  const V beyond = max(V(beyond_of_distance) * abs(found.distance.high), V(beyond_of_size) * size);
+  const auto above = off * (abs(ux) + abs(uy)) <= beyond;
   const auto ended = either(both(face, above), both(and_not(direction.found, face), between));
   return {found.distance,
           {select(f.face_y, foot_x, f.i * hx), select(f.face_x, foot_y, f.j * hy)},
@@ -108,12 +108,9 @@ VESICA_INLINE BoxEllipse<V> feature_ellipse(const Box<V>& box, const Axes<V>& e,
 }
 
 /// The distance between a box and an ellipse that are disjoint; d from the box's centre to the ellipse's.
-template <class V>
-VESICA_INLINE BoxEllipse<V> box_ellipse(const Box<V>& box, const Axes<V>& e, const Vector<V>& d, V size,
-                                        int& steps) noexcept {
-  const auto search = [](const OneEllipse<V>& shape, const Direction<V>& from, V about) {
-    return farthest_direction(shape, from, about);
-  };
+template <class V, class Search = Farthest>
+VESICA_INLINE BoxEllipse<V> box_ellipse(const Box<V>& box, const Axes<V>& e, const Vector<V>& d, V size, int& steps,
+                                        const Search& search = {}) noexcept {
   return feature_ellipse(box, e, d, size, closest_feature(box, e, d.x.high, d.y.high), search, steps);
 }
 

@@ -189,6 +189,12 @@ inline Common common_point(const ScaledPair& p) noexcept {
   return in_order(p) ? common_of_outlines(p) : exchanged(common_of_outlines(exchanged(p)));
 }
 
+/// Of shapes that are disjoint by no more than rounding.
+inline Common closest_point(const ScaledPair& p) noexcept {
+  int steps = 0;
+  return in_order(p) ? Common{true, closest(p, steps).a} : exchanged(Common{true, closest(exchanged(p), steps).a});
+}
+
 /// Smaller than this share of the pair a shape is all one place, to rounding.
 inline constexpr double small_share = 0x1p-56;
 

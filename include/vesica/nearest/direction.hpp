@@ -37,6 +37,15 @@ struct TwoEllipses {
   SemiAxes<V> sa, sb;
 };
 
+template <class V>
+VESICA_INLINE OneEllipse<V> one_ellipse(const Axes<V>& a) noexcept {
+  return {a, semi_axes(a)};
+}
+template <class V>
+VESICA_INLINE TwoEllipses<V> two_ellipses(const Axes<V>& a, const Axes<V>& b) noexcept {
+  return {a, b, semi_axes(a), semi_axes(b)};
+}
+
 /// S n = x0 (x0.n) + x1 (x1.n), and n . S n = h^2.
 template <class V>
 struct Image {

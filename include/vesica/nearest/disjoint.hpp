@@ -4,7 +4,7 @@
 #pragma once
 
 #include <vesica/nearest/box_ellipse.hpp>
-#include <vesica/nearest/ellipse_ellipse.hpp>
+#include <vesica/nearest/fine_direction.hpp>
 #include <vesica/nearest/polish.hpp>
 #include <vesica/nearest/scaled_pair.hpp>
 
@@ -51,46 +51,21 @@ inline Closest closest_boxes(const Box<double>& a, const Box<double>& b, const V
   return {found.distance, on_box(a, found.a), on_box(b, found.b), found.nx, found.ny};
 }
 
-/// farthest_direction() by halving alone, to the last place of the direction.
-struct Halving {
-  /// Two brackets are halved by turns, that of angles and that which the ellipse sees: more than the digits of both.
-  static constexpr int most_steps = 128;
-
-  template <class Shapes>
-  FoundDirection<double> operator()(const Shapes& shapes, const Direction<double>& d, double size) const noexcept {
-    Direction<double> n = first_direction(shapes, d);
-    Bracket<double> bracket = first_bracket(d, n);
-    int step = 0;
-    for (; step < most_steps && !is_closed(bracket); ++step) {
-      (turn_at(shapes, d, size, n).slope > 0 ? bracket.low : bracket.high) = n;
-      n = middle(shapes, d, bracket, step);
-    }
-    return {n, true, step};
-  }
-
- private:
-  /// Whether rounding leaves nothing between its ends.
-  static bool is_closed(const Bracket<double>& b) noexcept {
-    const double p = b.low.x * b.high.y, q = b.low.y * b.high.x;
-    return p - q <= 0x1p-52 * (abs(p) + abs(q));
-  }
-};
-
 /// Halving of one ellipse, from each vertex of a box. Those at one place, as the box is far smaller one way than its
 /// distance is, are searched once.
 class VertexHalving {
  public:
-  FoundDirection<double> operator()(const OneEllipse<double>& e, const Direction<double>& d, double size) noexcept {
+  FoundNormal operator()(const OneEllipse<double>& e, const Vector<double>& d, double size) noexcept {
     for (int k = 0; k < searched_; ++k) {
-      if (d.x == of_[k].x && d.y == of_[k].y) return found_[k];
+      if (d.x.high == of_[k].x.high && d.y.high == of_[k].y.high) return found_[k];
     }
     of_[searched_] = d;
     return found_[searched_++] = Halving{}(e, d, size);
   }
 
  private:
-  Direction<double> of_[4];
-  FoundDirection<double> found_[4];
+  Vector<double> of_[4];
+  FoundNormal found_[4];
   int searched_ = 0;
 };
 
@@ -122,7 +97,7 @@ inline BoxEllipse<double> box_ellipse_by_features(const Box<double>& box, const 
   BoxEllipse<double> best{{0x1p1000, 0}, {0, 0}, 0, 0, 0, 0, false};
   int of_best = 12;
   VertexHalving halving;
-  const auto search = [&halving](const OneEllipse<double>& of, const Direction<double>& from, double about) {
+  const auto search = [&halving](const OneEllipse<double>& of, const Vector<double>& from, double about) {
     return halving(of, from, about);
   };
   const auto attempt = [&](int k) {
@@ -148,6 +123,7 @@ inline BoxEllipse<double> box_ellipse_by_features(const Box<double>& box, const 
 inline Closest closest_box_ellipse(const Box<double>& box, const Axes<double>& e, const Vector<double>& d, double size,
                                    double radius, int& steps) noexcept {
   BoxEllipse<double> found = box_ellipse(box, e, d, size, steps);
+  if (!found.settled) found = box_ellipse(box, e, d, size, steps, Refining{});
   if (!found.settled) {
     found = box_ellipse_by_features(box, e, d, size);
     steps = 0;
@@ -160,17 +136,13 @@ inline Closest closest_box_ellipse(const Box<double>& box, const Axes<double>& e
   return {found.distance, on_box(box, found.spot), on_ellipse(found.bx, found.by), found.nx, found.ny};
 }
 
-inline ClosestOffsets<double> ellipse_ellipse_by_halving(const Axes<double>& a, const Axes<double>& b,
-                                                         const Vector<double>& d, double size) noexcept {
-  const Direction<double> best = Halving{}(two_ellipses(a, b), Direction<double>{d.x.high, d.y.high}, size).n;
-  const auto n = normal(factor(best.x, best.y));
-  return separation(d, n, support(a, n), support(b, n), size);
-}
-
 inline Closest closest_ellipses(const Axes<double>& a, const Axes<double>& b, const Vector<double>& d, double size,
                                 int& steps) noexcept {
-  ClosestOffsets<double> found = ellipse_ellipse(a, b, d, size, steps);
-  if (!found.settled) found = ellipse_ellipse_by_halving(a, b, d, size);
+  const TwoEllipses<double> shapes = two_ellipses(a, b);
+  ClosestOffsets<double> found = closest_offsets(shapes, d, size, steps);
+  if (!found.settled) found = closest_offsets(shapes, d, size, steps, Refining{});
+  int halvings;
+  if (!found.settled) found = closest_offsets(shapes, d, size, halvings, Halving{});
   if (rounded(found.distance) < found.doubt) {
     found.distance = polished_distance(found.distance, d, {found.nx, found.ny}, &a, b);
   }

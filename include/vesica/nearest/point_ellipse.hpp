@@ -2,7 +2,7 @@
 /// A point outside an ellipse, or a circle: the distance along the normal in which they are farthest apart.
 #pragma once
 
-#include <vesica/nearest/direction.hpp>
+#include <vesica/nearest/closest_offsets.hpp>
 
 namespace vesica::detail::nearest {
 
@@ -10,13 +10,7 @@ namespace vesica::detail::nearest {
 /// lengths must be positive. steps: how many the search took, which tests look at.
 template <class V>
 VESICA_INLINE ClosestOffsets<V> point_ellipse(const Axes<V>& e, const Vector<V>& d, V size, int& steps) noexcept {
-  const OneEllipse<V> shape{e, semi_axes(e)};
-  const FoundDirection<V> best = farthest_direction(shape, Direction<V>{d.x.high, d.y.high}, size);
-  const auto n = normal(factor(best.n.x, best.n.y));
-  steps = best.steps;
-  ClosestOffsets<V> result = separation(d, n, no_support<V>(), support(e, n), size);
-  result.settled = both(result.settled, best.found);
-  return result;
+  return closest_offsets(one_ellipse(e), d, size, steps);
 }
 
 /// A circle is a point that reaches r farther.

@@ -50,11 +50,11 @@ VESICA_INLINE auto normal(const VectorFactor<F>& vector) noexcept {
 }
 
 /// Along a normal N from the ellipse's centre: the height |N| h, h for the unit normal; the farthest point; the radius
-/// of curvature there.
+/// of curvature there; 1 / h^2.
 template <class V>
 struct Support {
   Twofold<V> height;
-  V x, y, curvature;
+  V x, y, curvature, inverse_square;
 };
 
 /// With p = u.N, q = u x N: |N| h = sqrt((a p)^2 + (b q)^2), x = (a^2 p u + b^2 q perp(u)) / (|N| h),
@@ -67,27 +67,28 @@ VESICA_INLINE Support<V> support(const Axes<V>& e, const Normal<V, F>& n) noexce
   const Root<V> height = root(square(factor(p)) + square(factor(q)));
   const V scale = rounded_inverse(height);
   const V s = e.a * (rounded(p) * scale), t = e.b * (rounded(q) * scale);
-  const V ratio = n.length * scale, area = (e.a * e.b) * (e.ux * e.ux + e.uy * e.uy);
-  return {height.value, s * e.ux - t * e.uy, s * e.uy + t * e.ux, ((area * area) * ratio) * (ratio * ratio)};
+  const V ratio = n.length * scale, squared = ratio * ratio, area = (e.a * e.b) * (e.ux * e.ux + e.uy * e.uy);
+  return {height.value, s * e.ux - t * e.uy, s * e.uy + t * e.ux, ((area * area) * ratio) * squared, squared};
 }
 
 /// A point: no extent.
 template <class V>
 VESICA_INLINE Support<V> no_support() noexcept {
   const V zero(0.0);
-  return {{zero, zero}, zero, zero, zero};
+  return {{zero, zero}, zero, zero, zero, zero};
 }
 
 /// The result for two disjoint shapes: the distance, the closest points as offsets from the shapes' own centres, and
 /// the unit vector from a to b. `settled` tells whether the search converged; if not, the rest means nothing. Of shapes
 /// that are nearly in contact the distance may be 0 or below, by less than some 2^-100 of their size. Of disjoint
-/// shapes a distance of at least `doubt` is right to 2u of itself.
+/// shapes a distance of at least `doubt` is right to 2u of itself. The points and the unit vector were turned by `turn`
+/// from where a search ended.
 template <class V>
 struct ClosestOffsets {
   Twofold<V> distance;
   V ax, ay, bx, by, nx, ny;
   MaskOf<V> settled;
-  V doubt = V(0.0);
+  V doubt = V(0.0), turn = V(0.0);
 };
 
 /// A distance below the rounding of the last step's slope, times that step, is not right to 2u of itself: this many u
@@ -123,7 +124,8 @@ VESICA_INLINE ClosestOffsets<V> separation(const Vector<V>& d, const Normal<V, F
           n.unit.x - turn * n.unit.y,
           n.unit.y + turn * n.unit.x,
           converged,
-          V(slope_rounding) * (abs(turn) * size)};
+          V(slope_rounding) * (abs(turn) * size),
+          turn};
 }
 
 }  // namespace vesica::detail::nearest

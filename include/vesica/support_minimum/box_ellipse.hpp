@@ -169,11 +169,11 @@ VESICA_INLINE BoxEllipse<V> deepest(const Box<V>& box, const Axes<V>& e, const V
   FoundDirection<V> best{at.from.n, face, 0};
   const Direction<V> from_corner{p.d.x - at.i * p.hx, p.d.y - at.j * p.hy};
   if (!all(either(face, idle))) {
-    best = search_between(OneEllipse<V>{p.e, semi_axes(p.e)}, from_corner, size * length, at.from.n, at.from.bracket,
-                          either(face, idle), step_limit);
+    best = search_between(one_ellipse(p.e), from_corner, size * length, at.from.n, at.from.bracket, either(face, idle),
+                          step_limit);
   }
   const V nx = best.n.x * p.side_x, ny = best.n.y * p.side_y;
-  const auto search = [&](const OneEllipse<V>&, const Direction<V>&, V) {
+  const auto search = [&](const OneEllipse<V>&, const Vector<V>&, V) {
     return FoundDirection<V>{{nx * ux - ny * uy, nx * uy + ny * ux}, best.found, best.steps};
   };
   int steps;

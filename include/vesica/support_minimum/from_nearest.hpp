@@ -41,6 +41,7 @@ using nearest::negated;
 using nearest::no_support;
 using nearest::normal;
 using nearest::offset;
+using nearest::one_ellipse;
 using nearest::pull;
 using nearest::search_between;
 using nearest::semi_axes;

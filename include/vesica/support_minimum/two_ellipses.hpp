@@ -266,7 +266,7 @@ VESICA_INLINE ClosestOffsets<V> closest_inside(const Axes<V>& a, const Axes<V>& 
   const FoundDirection<V> best = search_between(shapes, towards, size, from.n, from.bracket, idle, step_limit);
   const auto n = normal(factor(best.n.x, best.n.y));
   const Support<V> outer = support(a, n), inner = support(b, n);
-  const Support<V> taken{-inner.height, -inner.x, -inner.y, -inner.curvature};
+  const Support<V> taken{-inner.height, -inner.x, -inner.y, -inner.curvature, inner.inverse_square};
   ClosestOffsets<V> result = separation(d, n, outer, taken, size);
   const V radius = max(outer.curvature, inner.curvature);
   const auto straight = turns_little(n.unit, {result.nx, result.ny}, radius, size);

@@ -182,7 +182,7 @@ final class Native {
    * between their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the
    * error is &lt;= x.
    *
-   * <p>Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the other's
+   * <p>Cost: 100 to 200 ns for disjoint shapes, 500 ns for the thinnest ellipses; 50 ns if a shape holds the other's
    * centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below 2^-40; at worst 45 us.
    *
    * <p>Since: 0.1.
@@ -906,7 +906,7 @@ final class Native {
    * computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and
    * of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.
    *
-   * <p>Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the other's
+   * <p>Cost: 100 to 200 ns for disjoint shapes, 500 ns for the thinnest ellipses; 50 ns if a shape holds the other's
    * centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below 2^-40; at worst 45 us.
    *
    * <p>Since: 0.1.

@@ -437,7 +437,7 @@ extern "C" {
     /// |dx| and |dy| between their centres and of their half lengths. An aspect ratio is longer over shorter size.
     /// "Right to x": the error is \<= x.
     ///
-    /// Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the other's
+    /// Cost: 100 to 200 ns for disjoint shapes, 500 ns for the thinnest ellipses; 50 ns if a shape holds the other's
     /// centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below 2^-40; at worst 45 us.
     ///
     /// Since: 0.1.
@@ -1326,7 +1326,7 @@ extern "C" {
     /// centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is \<=
     /// x.
     ///
-    /// Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the other's
+    /// Cost: 100 to 200 ns for disjoint shapes, 500 ns for the thinnest ellipses; 50 ns if a shape holds the other's
     /// centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below 2^-40; at worst 45 us.
     ///
     /// Since: 0.1.

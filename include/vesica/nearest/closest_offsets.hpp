@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The distance of an ellipse from a point, or of two ellipses, along a direction near the best one; and the search for
+/// that.
+#pragma once
+
+#include <vesica/nearest/direction.hpp>
+
+namespace vesica::detail::nearest {
+
+/// By a turn a support point's preimage on the unit circle turns at most longer half axis / h times as far. Turned less
+/// than this the point, which is moved along a tangent, stays within some 2^-52 of the longer half axis of its outline.
+inline constexpr double settled_turn = 0x1p-26;
+
+/// Whether the last turn of a search leaves a point on its outline; flatness: (longer half axis / h)^2.
+template <class V>
+VESICA_INLINE MaskOf<V> stays_on_outline(V turn, V flatness) noexcept {
+  return (turn * turn) * flatness <= V(settled_turn * settled_turn);
+}
+
+/// separation() of a point or of the first ellipse; it is not settled either where a point leaves its outline.
+template <class V, class F>
+VESICA_INLINE ClosestOffsets<V> separation(const OneEllipse<V>& s, const Vector<V>& d, const Normal<V, F>& n, V size,
+                                           V smooth = V(1.0)) noexcept {
+  const Support<V> of_a = support(s.a, n);
+  ClosestOffsets<V> result = separation(d, n, no_support<V>(), of_a, size, smooth);
+  const V flatness = s.sa.longer_squared * of_a.inverse_square;
+  const auto stays = either(smooth == V(0.0), stays_on_outline(result.turn, flatness));
+  result.settled = both(result.settled, stays);
+  return result;
+}
+template <class V, class F>
+VESICA_INLINE ClosestOffsets<V> separation(const TwoEllipses<V>& s, const Vector<V>& d, const Normal<V, F>& n,
+                                           V size) noexcept {
+  const Support<V> of_a = support(s.a, n), of_b = support(s.b, n);
+  ClosestOffsets<V> result = separation(d, n, of_a, of_b, size);
+  const V flatness = max(s.sa.longer_squared * of_a.inverse_square, s.sb.longer_squared * of_b.inverse_square);
+  result.settled = both(result.settled, stays_on_outline(result.turn, flatness));
+  return result;
+}
+
+/// A direction as factors: its coordinates are rounded, or twofold.
+template <class V>
+VESICA_INLINE auto as_factors(const Direction<V>& n) noexcept {
+  return factor(n.x, n.y);
+}
+template <class V>
+VESICA_INLINE auto as_factors(const Vector<V>& n) noexcept {
+  return factor(n);
+}
+
+template <class V>
+VESICA_INLINE Vector<V> twofold(const Direction<V>& n) noexcept {
+  return {{n.x, V(0.0)}, {n.y, V(0.0)}};
+}
+template <class V>
+VESICA_INLINE Vector<V> twofold(const Vector<V>& n) noexcept {
+  return n;
+}
+
+/// farthest_direction(), from a vector in twice the precision.
+struct Farthest {
+  template <class V, class Shapes>
+  VESICA_INLINE FoundDirection<V> operator()(const Shapes& shapes, const Vector<V>& d, V size) const noexcept {
+    return farthest_direction(shapes, Direction<V>{d.x.high, d.y.high}, size);
+  }
+};
+
+/// The distance of disjoint shapes, d from the point or the first centre to the ellipse's. steps: how many the search
+/// took, which tests look at.
+template <class V, class Shapes, class Search = Farthest>
+VESICA_INLINE ClosestOffsets<V> closest_offsets(const Shapes& shapes, const Vector<V>& d, V size, int& steps,
+                                                const Search& search = {}) noexcept {
+  const auto best = search(shapes, d, size);
+  steps = best.steps;
+  ClosestOffsets<V> result = separation(shapes, d, normal(as_factors(best.n)), size);
+  result.settled = both(result.settled, best.found);
+  return result;
+}
+
+}  // namespace vesica::detail::nearest
