@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The direction of the shortest connection in twice the precision, for where direction.hpp and double leave too much:
-/// nearly all of a needle's outline is between two directions that a vector with rounded coordinates may not tell apart.
+/// nearly all of a needle's outline is between two directions that a vector with rounded coordinates may not tell
+/// apart.
 #pragma once
 
 #include <vesica/nearest/closest_offsets.hpp>
