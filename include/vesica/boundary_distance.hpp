@@ -34,7 +34,7 @@ namespace detail::boundary_distance {
 inline Nested nested_in_unit(const Form& outer, const Form& inner) noexcept {
   if (!outer.curved && !inner.curved) {
     const PlacedPair pair = place(outer, inner);
-    const auto boxes = nested_boxes(box_pair(pair));
+    const auto boxes = nested_boxes_of_ties(box_pair(pair));
     if (boxes.settled) {
       return {boxes.distance, {boxes.outer_x, boxes.outer_y}, {boxes.inner_x, boxes.inner_y}, pair.exponent};
     }

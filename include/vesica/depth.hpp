@@ -87,7 +87,7 @@ inline BoxPair<double> boxes_in_unit(const PlacedPair& pair) noexcept {
 inline Depth depth_of_forms(const Form& a, const Form& b) noexcept {
   if (!a.curved && !b.curved) {
     const PlacedPair pair = place(a, b);
-    const auto in_unit = box_box_depth(boxes_in_unit(pair));
+    const auto in_unit = box_box_depth_of_ties(boxes_in_unit(pair), out_of_order(a, b, pair));
     if (in_unit.settled) return {in_unit.depth, {in_unit.x, in_unit.y}, pair.exponent};
   }
   return searched_depth(a, b);

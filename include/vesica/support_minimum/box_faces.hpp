@@ -37,6 +37,9 @@ VESICA_INLINE V rough_reach(const Face<V>& f, const Axes<V>& other, const Double
   return ((f.own * nn + sign * (other.a * along + other.b * across)) - apart) / sqrt(nn);
 }
 
+/// Faces whose rough reaches differ by no more than this share of the sizes are as near, to rounding.
+inline constexpr double rough_tie = 0x1p-48;
+
 /// The same to twice the precision, and n.D |N|, whose sign tells on which side of the first box the second lies.
 template <class V>
 struct Reach {
@@ -53,6 +56,8 @@ VESICA_INLINE Reach<V> reach(const Face<V>& f, const Axes<V>& other, const Doubl
   const FastDoubleDouble<V> all = (nn * f.own + (along + across) * sign) - magnitude(apart);
   return {quotient_by_root(all, nn), rounded(apart)};
 }
+
+inline bool nearer(const Reach<double>& x, const Reach<double>& y) noexcept { return rounded(x.value - y.value) < 0; }
 
 template <class V>
 VESICA_INLINE Face<V> along_face(const Axes<V>& box) noexcept {
