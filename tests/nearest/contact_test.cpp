@@ -262,6 +262,22 @@ TEST(NearestContact, AboveTheSideOfANeedle) {
   }
 }
 
+// A slope whose terms cancel to nothing says little of the direction where the outline hardly bends; and whether a
+// point of support is above a face is not told by rounded numbers where the distance is as small as these are off.
+TEST(NearestContact, AllButTouching) {
+  const Pair pairs[] = {
+      {VESICA_ELLIPSE,
+       VESICA_ELLIPSE,
+       {-0x1.e95800c1da36ap+4, -0x1.4fc468b1f173bp+9, 0x1.3333333333333p-1, 0x1.999999999999ap-1, 0x1.0f60f8a837d8p-1,
+        0x1.6011c5f910b3fp-7},
+       {-0x1.f3853d48291b8p+4, -0x1.5030f5e234bd4p+9, 0x1.8p+1, 0x1p+2, 0x1.b234c10d26266p-4, 0x1.b234c10d26266p-10}},
+      {VESICA_SEGMENT,
+       VESICA_ELLIPSE,
+       {-0x1.4d8981048a626p-1, 0x1.8cdd719326633p-1, -0x1.e6cbc0d08cf9ep+0, -0x1.1a1ca2e79bd9ep-2},
+       {0, 0, -0x1.4969bf3925bf8p+14, 0x1.87f53b8c00787p+14, 0x1.03347883943d8p-15, 0x1.03347883943d8p-23}}};
+  for (const Pair& pair : pairs) EXPECT_LE(error_of_itself(pair), 2) << properties::describe(pair);
+}
+
 // The way from one shape to the other is 0 in the pair's unit; the distance must not be.
 TEST(NearestContact, ACircleOfTheLeastNumbers) {
   for (const double gap : {0x1p-1072, 0x1p-1071, 0x1p-1060}) {

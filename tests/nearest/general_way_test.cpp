@@ -54,12 +54,14 @@ TEST(GeneralWay, FeaturesOfBoxAndEllipse) {
 /// Every vertex and every face, without a thought of which may be the closest.
 BoxEllipse<double> closest_of_all(const ScaledPair& p) {
   BoxEllipse<double> best{{0x1p1000, 0}, {0, 0}, 0, 0, 0, 0, false};
-  for (int k = 0; k < 12; ++k) {
+  const bool is_point = p.a.box.hx.high == 0 && p.a.box.hy.high == 0;
+  for (int k = 0; k < (is_point ? 4 : 12); ++k) {
     const bool again = (p.a.box.hx.high == 0 && k % 2 == 1) || (p.a.box.hy.high == 0 && k / 2 % 2 == 1);
     if (k < 4 && again) continue;
     int steps = 0;
     const auto found = feature_ellipse(p.a.box, p.b.axes(), p.d, p.size, feature(k), Halving{}, steps);
-    const bool counts = k < 4 || (found.settled && rounded(found.distance) > -0x1p-80 * p.size);
+    const bool counts = k < 4 || (rounded(found.distance) > -0x1p-80 * p.size &&
+                                  stands_above(p.a.box, p.b.axes(), p.d, feature(k), found.distance.high));
     if (counts && less(found.distance, best.distance)) best = found;
   }
   return best;

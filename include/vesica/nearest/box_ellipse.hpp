@@ -56,9 +56,9 @@ struct BoxEllipse {
   V doubt = V(0.0);  ///< as of ClosestOffsets
 };
 
-/// How far beyond a face's end a point counts as above the face: this share of the distance, which changes that by far
-/// less than its last place, or, by rounding, of the size.
-inline constexpr double beyond_of_distance = 0x1p-28, beyond_of_size = 0x1p-54;
+/// How far beyond a face's end, as a share of the distance, a point counts as above the face: this changes the distance
+/// by far less than its last place. The point may be off by rounding, by this share of the size.
+inline constexpr double beyond_face = 0x1p-28, foot_rounding = 0x1p-50;
 
 /// The distance of an ellipse from one feature of a box; d from the box's centre to the ellipse's. The ellipse may not
 /// contain the feature's vertex. search: farthest_direction() or another with its arguments. Settled where the
@@ -90,12 +90,12 @@ VESICA_INLINE BoxEllipse<V> feature_ellipse(const Box<V>& box, const Axes<V>& e,
   const V px = d.x.high + found.bx, py = d.y.high + found.by, hx = box.hx.high, hy = box.hy.high;
   const V above_x = (ux * px + uy * py) * scale, above_y = (ux * py - uy * px) * scale;
   const V foot_x = max(-hx, min(hx, above_x)), foot_y = max(-hy, min(hy, above_y));
-  const V off = select(f.face_x, abs(above_y - foot_y), abs(above_x - foot_x));
+  const V beyond = select(f.face_x, abs(above_y) - hy, abs(above_x) - hx);
   const V nx = ux * n.unit.x + uy * n.unit.y, ny = ux * n.unit.y - uy * n.unit.x;
   const V slack = V(-0x1p-40) * (abs(ux) + abs(uy));
   const auto between = both(either(f.i * nx >= slack, hx == zero), either(f.j * ny >= slack, hy == zero));
-  const V beyond = max(V(beyond_of_distance) * abs(found.distance.high), V(beyond_of_size) * size);
-  const auto above = off * (abs(ux) + abs(uy)) <= beyond;
+  const auto above =
+      beyond * (abs(ux) + abs(uy)) + V(foot_rounding) * size <= V(beyond_face) * abs(found.distance.high);
   const auto ended = either(both(face, above), both(and_not(direction.found, face), between));
   return {found.distance,
           {select(f.face_y, foot_x, f.i * hx), select(f.face_x, foot_y, f.j * hy)},

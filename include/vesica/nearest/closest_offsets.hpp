@@ -17,7 +17,8 @@ VESICA_INLINE MaskOf<V> stays_on_outline(V turn, V flatness) noexcept {
   return (turn * turn) * flatness <= V(settled_turn * settled_turn);
 }
 
-/// separation() of a point or of the first ellipse; it is not settled either where a point leaves its outline.
+/// separation() from a point to an ellipse, or from one ellipse to another. It is not settled either where the last
+/// turn takes a point off its outline.
 template <class V, class F>
 VESICA_INLINE ClosestOffsets<V> separation(const OneEllipse<V>& s, const Vector<V>& d, const Normal<V, F>& n, V size,
                                            V smooth = V(1.0)) noexcept {
@@ -57,7 +58,7 @@ VESICA_INLINE Vector<V> twofold(const Vector<V>& n) noexcept {
   return n;
 }
 
-/// farthest_direction(), from a vector in twice the precision.
+/// farthest_direction(), of an offset in twice the precision.
 struct Farthest {
   template <class V, class Shapes>
   VESICA_INLINE FoundDirection<V> operator()(const Shapes& shapes, const Vector<V>& d, V size) const noexcept {

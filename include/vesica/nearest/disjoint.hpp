@@ -90,6 +90,25 @@ inline bool is_vertex_beaten(const Box<double>& box, const Axes<double>& e, cons
   return way > 8 * (max(e.a, e.b) * (abs(e.ux) + abs(e.uy))) && way > 4 * best.distance.high;
 }
 
+/// How far beyond the ends of a face the ellipse's support point stands, to twice the precision.
+inline double beyond_ends(const Box<double>& box, const Axes<double>& e, const Vector<double>& d,
+                          const Feature<double>& f) noexcept {
+  const auto u = factor(box.u);
+  const Vector<double> normal =
+      f.face_x ? flipped(box.u, f.i) : Vector<double>{flipped(box.u.y, -f.j), flipped(box.u.x, f.j)};
+  const auto point = factor(renormalised(d - fine_support(e, factor(normal)).point));
+  const Twofold<double> uu = square(u.x) + square(u.y),
+                        place = renormalised(f.face_x ? cross(u, point) : dot(u, point));
+  const Twofold<double> end = factor(f.face_x ? box.hy : box.hx) * factor(uu);
+  return positive_part(rounded(flipped(place, place.high) - end)) / root(uu).value.high;
+}
+
+/// Whether a face is as far from the ellipse as their distance along its normal.
+inline bool stands_above(const Box<double>& box, const Axes<double>& e, const Vector<double>& d,
+                         const Feature<double>& f, double distance) noexcept {
+  return beyond_ends(box, e, d, f) <= beyond_face * abs(distance);
+}
+
 /// The faces that the ellipse's support point stands above, and all four vertices. The vertex that is likely to be the
 /// closest is tried first: then few others need a search. Of equally close features the first counts.
 inline BoxEllipse<double> box_ellipse_by_features(const Box<double>& box, const Axes<double>& e,
@@ -103,13 +122,15 @@ inline BoxEllipse<double> box_ellipse_by_features(const Box<double>& box, const 
   const auto attempt = [&](int k) {
     int steps;
     const BoxEllipse<double> found = feature_ellipse(box, e, d, size, feature(k), search, steps);
-    if (k >= 4 && !(found.settled && rounded(found.distance) > -0x1p-80 * size)) return;
+    if (k >= 4 && !(rounded(found.distance) > -0x1p-80 * size)) return;
+    if (k >= 4 && !stands_above(box, e, d, feature(k), found.distance.high)) return;
     const double farther = rounded(renormalised(found.distance - best.distance));
     if (!(farther < 0 || (farther == 0 && k < of_best))) return;
     best = found;
     of_best = k;
   };
-  for (int k = 4; k < 12; ++k) attempt(k);
+  const bool is_point = box.hx.high == 0 && box.hy.high == 0;  // its faces are its vertex
+  for (int k = is_point ? 12 : 4; k < 12; ++k) attempt(k);
   const Feature<double> guess = closest_feature(box, e, d.x.high, d.y.high);
   const int likely = (guess.i > 0 && box.hx.high != 0 ? 1 : 0) + (guess.j > 0 && box.hy.high != 0 ? 2 : 0);
   for (const int turn : {0, 1, 2, 3}) {

@@ -22,16 +22,17 @@ inline Vector<double> turned(const Vector<double>& n, double tangent) noexcept {
 
 /// farthest_direction(), and from there a few steps of Newton's method.
 struct Refining {
-  /// Each doubles the digits.
+  /// Each doubles the digits, if it is short.
   static constexpr int most_turns = 3;
+  static constexpr double longest_turn = 0.25;
 
   template <class Shapes>
   FoundNormal operator()(const Shapes& shapes, const Vector<double>& d, double size) const noexcept {
-    const FoundDirection<double> rough = farthest_direction(shapes, {d.x.high, d.y.high}, size);
+    const FoundDirection<double> rough = Farthest{}(shapes, d, size);
     FoundNormal best{twofold(rough.n), rough.found, rough.steps};
     for (int k = 0; k < most_turns; ++k) {
       const ClosestOffsets<double> at = separation(shapes, d, normal(factor(best.n)), size);
-      if (at.settled) break;
+      if (at.settled || abs(at.turn) > longest_turn) break;
       best.n = turned(best.n, at.turn);
     }
     return best;
@@ -64,11 +65,12 @@ class Frame {
   VectorFactor<Factor<double>> u_;
 };
 
-inline Frame frame_along(const OneEllipse<double>& s, const Direction<double>&) noexcept { return Frame(s.a); }
-/// Of two ellipses that of the one that is the flatter along D.
-inline Frame frame_along(const TwoEllipses<double>& s, const Direction<double>& d) noexcept {
-  const double a = s.sa.longer_squared * image(s.sb, d).square, b = s.sb.longer_squared * image(s.sa, d).square;
-  return Frame(a > b || (a == b && in_order(d.x, d.y)) ? s.a : s.b);
+inline Frame frame_for(const OneEllipse<double>& s, const Vector<double>&, double) noexcept { return Frame(s.a); }
+/// Of two ellipses that of the one that is the flatter where they are closest, to rounding.
+inline Frame frame_for(const TwoEllipses<double>& s, const Vector<double>& d, double size) noexcept {
+  const Direction<double> n = Farthest{}(s, d, size).n;
+  const double a = s.sa.longer_squared * image(s.sb, n).square, b = s.sb.longer_squared * image(s.sa, n).square;
+  return Frame(a > b || (a == b && in_order(n.x, n.y)) ? s.a : s.b);
 }
 
 /// farthest_direction() by halving alone, to the last place of the direction in a frame.
@@ -78,7 +80,7 @@ struct Halving {
 
   template <class Shapes>
   FoundNormal operator()(const Shapes& shapes, const Vector<double>& d, double size) const noexcept {
-    const Frame frame = frame_along(shapes, farthest_direction(shapes, {d.x.high, d.y.high}, size).n);
+    const Frame frame = frame_for(shapes, d, size);
     const Shapes seen = frame.of(shapes);
     const Direction<double> towards = frame.of(d);
     Direction<double> n = first_direction(seen, towards);

@@ -15,7 +15,8 @@ struct FineSupport {
   double curvature;
 };
 
-inline FineSupport fine_support(const Axes<double>& e, const VectorFactor<Factor<double>>& n) noexcept {
+template <class F>
+FineSupport fine_support(const Axes<double>& e, const VectorFactor<F>& n) noexcept {
   const VectorFactor<Factor<double>> u = factor(e.ux, e.uy);
   const Twofold<double> p = factor(e.a) * factor(dot(u, n)), q = factor(e.b) * factor(cross(u, n));
   const Root<double> height = root(square(factor(p)) + square(factor(q)));

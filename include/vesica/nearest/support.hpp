@@ -91,8 +91,8 @@ struct ClosestOffsets {
   V doubt = V(0.0), turn = V(0.0);
 };
 
-/// A distance below the rounding of the last step's slope, times that step, is not right to 2u of itself: this many u
-/// of the size of its terms are allowed for in the slope.
+/// A slope that is off by e changes what the last step gains by (|slope| + e / 2) e / bend. Where that is more than u
+/// of the distance, that is not right to 2u of itself: this many u of the size of its terms are allowed for as e.
 inline constexpr double slope_rounding = 8;
 
 /// A search has converged where the slope left is below this share of the size of its terms.
@@ -111,8 +111,10 @@ VESICA_INLINE ClosestOffsets<V> separation(const Vector<V>& d, const Normal<V, F
   const V gx = d.x.high - (a.x + b.x), gy = d.y.high - (a.y + b.y);
   const V slope = smooth * (n.unit.x * gy - n.unit.y * gx), curvature = a.curvature + b.curvature;
   const V bend = (n.unit.x * gx + n.unit.y * gy) + curvature;
-  const V turn = slope / select(bend > zero, bend, one);
+  // A turn of more than 1 would be of rounding errors alone.
+  const V steepest = max(bend, abs(slope)), divisor = select(steepest > zero, steepest, one), turn = slope / divisor;
   const Twofold<V> phi = factor(dot(n.vector, factor(d)) - (a.height + b.height)) * factor(n.inverse_length);
+  const V doubted = (abs(slope) + smooth * (V(slope_rounding * 0x1p-54) * size)) / divisor;
   const V move_a = a.curvature * turn, move_b = b.curvature * turn;
   const auto converged = either(smooth == zero, both(bend > zero, abs(slope) <= V(settled_slope) * (size + curvature)));
   const Twofold<V> distance{phi.high, phi.low + V(0.5) * (slope * turn)};
@@ -124,7 +126,7 @@ VESICA_INLINE ClosestOffsets<V> separation(const Vector<V>& d, const Normal<V, F
           n.unit.x - turn * n.unit.y,
           n.unit.y + turn * n.unit.x,
           converged,
-          V(slope_rounding) * (abs(turn) * size),
+          V(slope_rounding) * (size * doubted),
           turn};
 }
 
