@@ -9,8 +9,8 @@
 
 #include "area/hard_pairs.hpp"
 #include "boundary_distance/nested_pairs.hpp"
+#include "hammer/built_pairs.hpp"
 #include "hammer/call.hpp"
-#include "hammer/needle_pairs.hpp"
 #include "properties/exact_changes.hpp"
 #include "properties/generators.hpp"
 #include "properties/shape_maker.hpp"
@@ -220,19 +220,27 @@ void append_contact(Scalar scalar, const Pair& base, bool odd, Random& random, G
   }
 }
 
+bool is_valid(const Pair& pair) {
+  return properties::valid(pair.kind_a, pair.a) && properties::valid(pair.kind_b, pair.b);
+}
+
+Group built_group(Drawn from, Random& random) {
+  Group group{Scalar::f64, {}};
+  for (int i = 0; i < (from == Drawn::ties ? 8 : 1); ++i) {
+    const Pair pair = from == Drawn::ties ? draw_tie_pair(random) : draw_needle_pair(random);
+    if (is_valid(pair)) group.pairs.push_back(exchanged_mirrored_turned(pair, random));
+  }
+  if (from == Drawn::needles && !group.pairs.empty()) {
+    append_contact(Scalar::f64, Pair(group.pairs.front()), false, random, group);
+  }
+  return group;
+}
+
 }  // namespace
 
 Group draw_group(std::uint64_t seed, std::uint64_t number, Drawn from) {
   Random random(mixed(seed, number));
-  if (from == Drawn::needles) {
-    Group needles{Scalar::f64, {}};
-    Pair pair = draw_needle_pair(random);
-    if (!properties::valid(pair.kind_a, pair.a) || !properties::valid(pair.kind_b, pair.b)) return needles;
-    pair = exchanged_mirrored_turned(pair, random);
-    needles.pairs.push_back(pair);
-    append_contact(Scalar::f64, pair, false, random, needles);
-    return needles;
-  }
+  if (from != Drawn::all) return built_group(from, random);
   Group group{random.chance(0.5) ? Scalar::f32 : Scalar::f64, {}};
   const int kind_a = random.below(6), kind_b = random.below(6);
   const bool odd = random.below(8) == 0;

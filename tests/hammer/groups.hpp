@@ -16,7 +16,7 @@ struct Group {
 };
 
 /// What a group's first pair is drawn from.
-enum class Drawn { all, needles };
+enum class Drawn { all, needles, ties };
 
 /// The group of a seed and a number, the same in every run of one build. All shapes are valid.
 ///
@@ -24,7 +24,7 @@ enum class Drawn { all, needles };
 /// every number. With Drawn::needles it is that of draw_needle_pair() instead, in double; where this is not valid the
 /// group is empty. Then one number is bisected to where the library's answer (overlap, or the relation) changes, and
 /// the pair is taken with neighbours of that number up to 64 places away, and some further, exchanged, mirrored or
-/// turned.
+/// turned. With Drawn::ties the group has eight pairs of draw_tie_pair(), less those that are not valid.
 Group draw_group(std::uint64_t seed, std::uint64_t number, Drawn from = Drawn::all);
 
 /// The pair with one number that makes a shape invalid.

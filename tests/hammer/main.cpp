@@ -34,7 +34,7 @@ constexpr const char* usage =
   --query Q         ask only this query, of every pair; "all" asks each query of its share of the pairs
   --resume FILE     go on where FILE says, and keep it up to date
   --known FILE      laws of which faults are known: they are counted, but are no failure
-  --needles         draw pairs of needles alone
+  --needles, --ties draw pairs of needles alone, or of shapes that are equal but for rounding
   --environments    ask under flushed subnormals and directed roundings too, and expect the same bits
   --group G         only this group of the seed
   --stop-at LAW     stop once a fault of this law is found
@@ -289,8 +289,8 @@ std::optional<Options> read(int count, char** arguments) {
       o.environments = true;
       continue;
     }
-    if (option == "--needles") {
-      o.drawn = Drawn::needles;
+    if (option == "--needles" || option == "--ties") {
+      o.drawn = option == "--ties" ? Drawn::ties : Drawn::needles;
       continue;
     }
     if (option == "--functions") {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hammer/needle_pairs.hpp"
+#include "hammer/built_pairs.hpp"
 
 #include <vesica.h>
 
@@ -117,6 +117,26 @@ properties::Pair draw_needle_pair(Random& random) {
   if (turn == 2) other_axis.x += small(random), other_axis.y += small(random);
   if (turn == 3) other_axis = any_axis(random);
   return {kind, other_kind, shape_about(kind, axis, needle, centre), shape_about(other_kind, other_axis, other, at)};
+}
+
+properties::Pair draw_tie_pair(Random& random) {
+  const Vector axis = any_axis(random);
+  const auto round_or_thin = [&random] { return random.chance(0.5) ? 1 : of_binades(random, -50, 0); };
+  Vector about{1 + random.unit(), 0}, centre{0, 0};
+  about.y = about.x * round_or_thin();
+  if (random.chance(0.5)) centre.x = random.between(-1, 1), centre.y = random.between(-1, 1);
+  const double scale = random.chance(0.5)   ? 1
+                       : random.chance(0.5) ? random.between(0.9, 1.1)
+                                            : of_binades(random, -3, 3);
+  Vector other_axis{near_to(random, axis.x), near_to(random, axis.y)};
+  if (random.chance(0.2)) other_axis = {-axis.y, axis.x};
+  const Vector other{scale * near_to(random, about.x), scale * near_to(random, about.y)};
+  const Vector at{near_to(random, centre.x), near_to(random, centre.y)};
+  const auto kind = [&random] {
+    return random.chance(0.2) ? VESICA_CIRCLE : random.chance(0.4) ? VESICA_RECT : VESICA_ELLIPSE;
+  };
+  const int kind_a = kind(), kind_b = kind();
+  return {kind_a, kind_b, shape_about(kind_a, axis, about, centre), shape_about(kind_b, other_axis, other, at)};
 }
 
 }  // namespace hammer

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Pairs that are built where plain arithmetic tells least: of needles, whose outline turns within less than a step of
+/// most searches; and of shapes whose directions are all as good but for rounding.
+#pragma once
+
+#include "properties/pair.hpp"
+#include "properties/random.hpp"
+
+namespace hammer {
+
+/// A rectangle or an ellipse 8 to 2^80 times as long as it is wide, and a shape of a random kind that all but touches
+/// it, from outside or inside, along its axis or across it, by far less than a last place or more.
+properties::Pair draw_needle_pair(properties::Random& random);
+
+/// Two circles, squares, or rectangles and ellipses that may be as thin as needles, with equal sizes, axes and places
+/// but for a few last places or a little more; one of them may be larger or smaller.
+properties::Pair draw_tie_pair(properties::Random& random);
+
+}  // namespace hammer
