@@ -59,7 +59,8 @@ BoxEllipse<double> closest_of_all(const ScaledPair& p) {
     const bool again = (p.a.box.hx.high == 0 && k % 2 == 1) || (p.a.box.hy.high == 0 && k / 2 % 2 == 1);
     if (k < 4 && again) continue;
     int steps = 0;
-    const auto found = feature_ellipse(p.a.box, p.b.axes(), p.d, p.size, feature(k), Halving{}, steps);
+    const auto found =
+        searched_feature(p.a.box, p.b.axes(), p.d, p.size, feature(k), halved_normal<OneEllipse<double>>, steps);
     const bool counts = k < 4 || (rounded(found.distance) > -0x1p-80 * p.size &&
                                   stands_above(p.a.box, p.b.axes(), p.d, feature(k), found.distance.high));
     if (counts && less(found.distance, best.distance)) best = found;
@@ -99,8 +100,8 @@ TEST(GeneralWay, HalvingOfEllipses) {
     a.cx = a.cy = 0;
     if (overlap(a, b)) continue;
     const ScaledPair p = scaled(a, b);
-    int steps = 0;
-    const auto found = closest_offsets(two_ellipses(p.a.axes(), p.b.axes()), p.d, p.size, steps, Halving{});
+    const auto ellipses = two_ellipses(p.a.axes(), p.b.axes());
+    const auto found = offsets_along(ellipses, p.d, halved_normal(ellipses, p.d, p.size), p.size);
     ++asked;
     ASSERT_NEAR(std::ldexp(rounded(found.distance), p.exponent), nearest(a, b).distance,
                 allowed * std::ldexp(p.size, p.exponent));

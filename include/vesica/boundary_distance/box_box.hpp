@@ -61,8 +61,8 @@ VESICA_INLINE NestedBoxes<V> nested_boxes(const BoxPair<V>& p) noexcept {
 
 /// The same where two faces are as near, to rounding: both in double-doubles.
 inline NestedBoxes<double> nested_boxes_of_ties(const BoxPair<double>& p) noexcept {
-  const Reach<double> of_along = reach(along_face(p.first), p.second, p.d, -1.0);
-  const Reach<double> of_across = reach(across_face(p.first), p.second, p.d, -1.0);
+  const Reach<double> of_along = called_reach(along_face(p.first), p.second, p.d, -1.0);
+  const Reach<double> of_across = called_reach(across_face(p.first), p.second, p.d, -1.0);
   const bool take_across = nearer(of_across, of_along);
   return nested_at(p, take_across, take_across ? of_across : of_along, true);
 }

@@ -81,9 +81,9 @@ inline BoxDepth<double> box_box_depth_of_ties(const BoxPair<double>& given, bool
   const Axes<double>&a = exchange ? given.second : given.first, &b = exchange ? given.first : given.second;
   const Face<double> faces[4] = {along_face(a), across_face(a), along_face(b), across_face(b)};
   int best = 0;
-  Reach<double> least = reach(faces[0], b, given.d, 1.0);
+  Reach<double> least = called_reach(faces[0], b, given.d, 1.0);
   for (int i = 1; i < 4; ++i) {
-    const Reach<double> found = reach(faces[i], i < 2 ? b : a, given.d, 1.0);
+    const Reach<double> found = called_reach(faces[i], i < 2 ? b : a, given.d, 1.0);
     if (!nearer(found, least)) continue;
     least = found;
     best = i;

@@ -43,21 +43,24 @@ inline constexpr double least_bend = 0x1p-40;
 /// shapes that are nearly circles and nearly concentric. Where they are as near, to rounding, the normals of faces, or
 /// the way to the centre and directions all round, are compared to twice the precision.
 inline Least least_of_ties(const Frame& frame, const Objective& o, const Minimum& found) noexcept {
+  PlaneVector lines[2 * 2 + 1 + 2 * 9];
+  int count = 0;
+  for (const CentredShape* s : {&o.first, &o.second}) {
+    if (!s->curved && s->a + s->b > 0) lines[count++] = s->axis, lines[count++] = perp(s->axis);
+  }
+  if (lane::abs((found.at.radius1 + found.at.radius2) - found.at.value) <= least_bend) {
+    if (o.e.x != 0 || o.e.y != 0) lines[count++] = unit_of_any(o.e);
+    for (int k = 0; k <= 8; ++k) {
+      lines[count++] = {cosines_of_16ths[k], cosines_of_16ths[8 - k]};
+      lines[count++] = {-cosines_of_16ths[k], cosines_of_16ths[8 - k]};
+    }
+  }
   Least least{found.at.n, frame.value(found.at.n, 1)};
-  const auto attempt = [&](const PlaneVector& line) {
-    const PlaneVector n = dot(line, o.e) > 0 ? -line : line;
-    if (rough_value(o, n) > found.at.value + rough_tie) return;
+  for (int i = 0; i < count; ++i) {
+    const PlaneVector n = dot(lines[i], o.e) > 0 ? -lines[i] : lines[i];
+    if (rough_value(o, n) > found.at.value + rough_tie) continue;
     const FastDoubleDouble<double> value = frame.value(n, 1);
     if (rounded(value - least.value) < 0) least = {n, value};
-  };
-  for (const CentredShape* s : {&o.first, &o.second}) {
-    if (!s->curved && s->a + s->b > 0) attempt(s->axis), attempt(perp(s->axis));
-  }
-  if (lane::abs((found.at.radius1 + found.at.radius2) - found.at.value) > least_bend) return least;
-  if (o.e.x != 0 || o.e.y != 0) attempt(unit_of_any(o.e));
-  for (int k = 0; k <= 8; ++k) {
-    attempt({cosines_of_16ths[k], cosines_of_16ths[8 - k]});
-    attempt({-cosines_of_16ths[k], cosines_of_16ths[8 - k]});
   }
   return least;
 }

@@ -56,6 +56,16 @@ struct BoxEllipse {
   V doubt = V(0.0);  ///< as of ClosestOffsets
 };
 
+/// A direction in twice the precision.
+template <class V>
+VESICA_INLINE Vector<V> twofold(const Direction<V>& n) noexcept {
+  return {{n.x, V(0.0)}, {n.y, V(0.0)}};
+}
+template <class V>
+VESICA_INLINE Vector<V> twofold(const Vector<V>& n) noexcept {
+  return n;
+}
+
 /// How far beyond a face's end, as a share of the distance, a point counts as above the face: this changes the distance
 /// by far less than its last place. The point may be off by rounding, by this share of the size.
 inline constexpr double beyond_face = 0x1p-28, foot_rounding = 0x1p-50;
@@ -108,9 +118,12 @@ VESICA_INLINE BoxEllipse<V> feature_ellipse(const Box<V>& box, const Axes<V>& e,
 }
 
 /// The distance between a box and an ellipse that are disjoint; d from the box's centre to the ellipse's.
-template <class V, class Search = Farthest>
-VESICA_INLINE BoxEllipse<V> box_ellipse(const Box<V>& box, const Axes<V>& e, const Vector<V>& d, V size, int& steps,
-                                        const Search& search = {}) noexcept {
+template <class V>
+VESICA_INLINE BoxEllipse<V> box_ellipse(const Box<V>& box, const Axes<V>& e, const Vector<V>& d, V size,
+                                        int& steps) noexcept {
+  const auto search = [](const OneEllipse<V>& shape, const Vector<V>& from, V about) {
+    return farthest_direction(shape, Direction<V>{from.x.high, from.y.high}, about);
+  };
   return feature_ellipse(box, e, d, size, closest_feature(box, e, d.x.high, d.y.high), search, steps);
 }
 

@@ -39,41 +39,13 @@ VESICA_INLINE ClosestOffsets<V> separation(const TwoEllipses<V>& s, const Vector
   return result;
 }
 
-/// A direction as factors: its coordinates are rounded, or twofold.
-template <class V>
-VESICA_INLINE auto as_factors(const Direction<V>& n) noexcept {
-  return factor(n.x, n.y);
-}
-template <class V>
-VESICA_INLINE auto as_factors(const Vector<V>& n) noexcept {
-  return factor(n);
-}
-
-template <class V>
-VESICA_INLINE Vector<V> twofold(const Direction<V>& n) noexcept {
-  return {{n.x, V(0.0)}, {n.y, V(0.0)}};
-}
-template <class V>
-VESICA_INLINE Vector<V> twofold(const Vector<V>& n) noexcept {
-  return n;
-}
-
-/// farthest_direction(), of an offset in twice the precision.
-struct Farthest {
-  template <class V, class Shapes>
-  VESICA_INLINE FoundDirection<V> operator()(const Shapes& shapes, const Vector<V>& d, V size) const noexcept {
-    return farthest_direction(shapes, Direction<V>{d.x.high, d.y.high}, size);
-  }
-};
-
 /// The distance of disjoint shapes, d from the point or the first centre to the ellipse's. steps: how many the search
 /// took, which tests look at.
-template <class V, class Shapes, class Search = Farthest>
-VESICA_INLINE ClosestOffsets<V> closest_offsets(const Shapes& shapes, const Vector<V>& d, V size, int& steps,
-                                                const Search& search = {}) noexcept {
-  const auto best = search(shapes, d, size);
+template <class V, class Shapes>
+VESICA_INLINE ClosestOffsets<V> closest_offsets(const Shapes& shapes, const Vector<V>& d, V size, int& steps) noexcept {
+  const FoundDirection<V> best = farthest_direction(shapes, Direction<V>{d.x.high, d.y.high}, size);
   steps = best.steps;
-  ClosestOffsets<V> result = separation(shapes, d, normal(as_factors(best.n)), size);
+  ClosestOffsets<V> result = separation(shapes, d, normal(factor(best.n.x, best.n.y)), size);
   result.settled = both(result.settled, best.found);
   return result;
 }

@@ -164,8 +164,8 @@ inline Common common_with_circle(const ScaledPair& p) noexcept {
   }
   const Vector<double> to_centre = flipped(p.d, -1.0);
   if (!p.b.curved) return {false, on_box(p.b.box, point_box(p.b.box, to_centre).spot)};
-  int steps;
-  const ClosestOffsets<double> found = point_ellipse(p.b.axes(), p.d, p.size, steps);
+  const OneEllipse<double> ellipse = one_ellipse(p.b.axes());
+  const ClosestOffsets<double> found = offsets_along(ellipse, p.d, farthest_normal(ellipse, p.d, p.size), p.size);
   return {false, on_ellipse(found.bx, found.by)};
 }
 

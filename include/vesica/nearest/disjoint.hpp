@@ -60,7 +60,7 @@ class VertexHalving {
       if (d.x.high == of_[k].x.high && d.y.high == of_[k].y.high) return found_[k];
     }
     of_[searched_] = d;
-    return found_[searched_++] = Halving{}(e, d, size);
+    return found_[searched_++] = halved_normal(e, d, size);
   }
 
  private:
@@ -121,7 +121,7 @@ inline BoxEllipse<double> box_ellipse_by_features(const Box<double>& box, const 
   };
   const auto attempt = [&](int k) {
     int steps;
-    const BoxEllipse<double> found = feature_ellipse(box, e, d, size, feature(k), search, steps);
+    const BoxEllipse<double> found = searched_feature(box, e, d, size, feature(k), search, steps);
     if (k >= 4 && !(rounded(found.distance) > -0x1p-80 * size)) return;
     if (k >= 4 && !stands_above(box, e, d, feature(k), found.distance.high)) return;
     const double farther = rounded(renormalised(found.distance - best.distance));
@@ -143,8 +143,11 @@ inline BoxEllipse<double> box_ellipse_by_features(const Box<double>& box, const 
 /// radius: of the circle that the box stands for, which takes so much from the distance.
 inline Closest closest_box_ellipse(const Box<double>& box, const Axes<double>& e, const Vector<double>& d, double size,
                                    double radius, int& steps) noexcept {
-  BoxEllipse<double> found = box_ellipse(box, e, d, size, steps);
-  if (!found.settled) found = box_ellipse(box, e, d, size, steps, Refining{});
+  const Feature<double> likely = closest_feature(box, e, d.x.high, d.y.high);
+  BoxEllipse<double> found = searched_feature(box, e, d, size, likely, farthest_normal<OneEllipse<double>>, steps);
+  if (!found.settled) {
+    found = searched_feature(box, e, d, size, likely, refined_normal<OneEllipse<double>>, steps);
+  }
   if (!found.settled) {
     found = box_ellipse_by_features(box, e, d, size);
     steps = 0;
@@ -160,10 +163,11 @@ inline Closest closest_box_ellipse(const Box<double>& box, const Axes<double>& e
 inline Closest closest_ellipses(const Axes<double>& a, const Axes<double>& b, const Vector<double>& d, double size,
                                 int& steps) noexcept {
   const TwoEllipses<double> shapes = two_ellipses(a, b);
-  ClosestOffsets<double> found = closest_offsets(shapes, d, size, steps);
-  if (!found.settled) found = closest_offsets(shapes, d, size, steps, Refining{});
-  int halvings;
-  if (!found.settled) found = closest_offsets(shapes, d, size, halvings, Halving{});
+  const FoundNormal first = farthest_normal(shapes, d, size);
+  steps = first.steps;
+  ClosestOffsets<double> found = offsets_along(shapes, d, first, size);
+  if (!found.settled) found = offsets_along(shapes, d, refined_normal(shapes, d, size), size);
+  if (!found.settled) found = offsets_along(shapes, d, halved_normal(shapes, d, size), size);
   if (rounded(found.distance) < found.doubt) {
     found.distance = polished_distance(found.distance, d, {found.nx, found.ny}, &a, b);
   }

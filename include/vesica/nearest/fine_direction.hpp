@@ -4,7 +4,7 @@
 /// apart.
 #pragma once
 
-#include <vesica/nearest/closest_offsets.hpp>
+#include <vesica/nearest/box_ellipse.hpp>
 
 namespace vesica::detail::nearest {
 
@@ -15,29 +15,40 @@ struct FoundNormal {
   int steps;
 };
 
+/// farthest_direction() and separation() as calls, which are shorter.
+template <class Shapes>
+VESICA_CALLED FoundNormal farthest_normal(const Shapes& shapes, const Vector<double>& d, double size) noexcept {
+  const FoundDirection<double> best = farthest_direction(shapes, Direction<double>{d.x.high, d.y.high}, size);
+  return {twofold(best.n), best.found, best.steps};
+}
+template <class Shapes>
+VESICA_CALLED ClosestOffsets<double> offsets_along(const Shapes& shapes, const Vector<double>& d,
+                                                   const FoundNormal& along, double size) noexcept {
+  ClosestOffsets<double> result = separation(shapes, d, normal(factor(along.n)), size);
+  result.settled = result.settled && along.found;
+  return result;
+}
+
 inline Vector<double> turned(const Vector<double>& n, double tangent) noexcept {
   const auto t = factor(tangent);
   return renormalised(Vector<double>{n.x - t * factor(n.y), n.y + t * factor(n.x)});
 }
 
-/// farthest_direction(), and from there a few steps of Newton's method.
-struct Refining {
-  /// Each doubles the digits, if it is short.
-  static constexpr int most_turns = 3;
-  static constexpr double longest_turn = 0.25;
+/// Each turn of Newton's method doubles the digits, if it is short.
+inline constexpr int most_refining_turns = 3;
+inline constexpr double longest_refining_turn = 0.25;
 
-  template <class Shapes>
-  FoundNormal operator()(const Shapes& shapes, const Vector<double>& d, double size) const noexcept {
-    const FoundDirection<double> rough = Farthest{}(shapes, d, size);
-    FoundNormal best{twofold(rough.n), rough.found, rough.steps};
-    for (int k = 0; k < most_turns; ++k) {
-      const ClosestOffsets<double> at = separation(shapes, d, normal(factor(best.n)), size);
-      if (at.settled || abs(at.turn) > longest_turn) break;
-      best.n = turned(best.n, at.turn);
-    }
-    return best;
+/// farthest_normal(), and from there a few steps of Newton's method.
+template <class Shapes>
+VESICA_COLD FoundNormal refined_normal(const Shapes& shapes, const Vector<double>& d, double size) noexcept {
+  FoundNormal best = farthest_normal(shapes, d, size);
+  for (int k = 0; k < most_refining_turns; ++k) {
+    const ClosestOffsets<double> at = offsets_along(shapes, d, best, size);
+    if (at.settled || abs(at.turn) > longest_refining_turn) break;
+    best.n = turned(best.n, at.turn);
   }
-};
+  return best;
+}
 
 /// The axis of an ellipse as a frame to search in, where directions near the ellipse's own normals have all their
 /// digits.
@@ -68,37 +79,54 @@ class Frame {
 inline Frame frame_for(const OneEllipse<double>& s, const Vector<double>&, double) noexcept { return Frame(s.a); }
 /// Of two ellipses that of the one that is the flatter where they are closest, to rounding.
 inline Frame frame_for(const TwoEllipses<double>& s, const Vector<double>& d, double size) noexcept {
-  const Direction<double> n = Farthest{}(s, d, size).n;
+  const Vector<double> best = farthest_normal(s, d, size).n;
+  const Direction<double> n{best.x.high, best.y.high};
   const double a = s.sa.longer_squared * image(s.sb, n).square, b = s.sb.longer_squared * image(s.sa, n).square;
   return Frame(a > b || (a == b && in_order(n.x, n.y)) ? s.a : s.b);
 }
 
-/// farthest_direction() by halving alone, to the last place of the direction in a frame.
-struct Halving {
-  /// Two brackets are halved by turns, that of angles and that which the ellipse sees: more than the digits of both.
-  static constexpr int most_steps = 128;
+/// Two brackets are halved by turns, that of angles and that which the ellipse sees: more than the digits of both.
+inline constexpr int most_halvings = 128;
 
-  template <class Shapes>
-  FoundNormal operator()(const Shapes& shapes, const Vector<double>& d, double size) const noexcept {
-    const Frame frame = frame_for(shapes, d, size);
-    const Shapes seen = frame.of(shapes);
-    const Direction<double> towards = frame.of(d);
-    Direction<double> n = first_direction(seen, towards);
-    Bracket<double> bracket = first_bracket(towards, n);
-    int step = 0;
-    for (; step < most_steps && !is_closed(bracket); ++step) {
-      (turn_at(seen, towards, size, n).slope > 0 ? bracket.low : bracket.high) = n;
-      n = middle(seen, towards, bracket, step);
-    }
-    return {frame.back(n), true, step};
-  }
+/// Whether rounding leaves nothing between its ends.
+inline bool is_closed(const Bracket<double>& b) noexcept {
+  const double p = b.low.x * b.high.y, q = b.low.y * b.high.x;
+  return p - q <= 0x1p-52 * (abs(p) + abs(q));
+}
 
- private:
-  /// Whether rounding leaves nothing between its ends.
-  static bool is_closed(const Bracket<double>& b) noexcept {
-    const double p = b.low.x * b.high.y, q = b.low.y * b.high.x;
-    return p - q <= 0x1p-52 * (abs(p) + abs(q));
+/// farthest_normal() by halving alone, to the last place of the direction in a frame.
+template <class Shapes>
+VESICA_COLD FoundNormal halved_normal(const Shapes& shapes, const Vector<double>& d, double size) noexcept {
+  const Frame frame = frame_for(shapes, d, size);
+  const Shapes seen = frame.of(shapes);
+  const Direction<double> towards = frame.of(d);
+  Direction<double> n = first_direction(seen, towards);
+  Bracket<double> bracket = first_bracket(towards, n);
+  int step = 0;
+  for (; step < most_halvings && !is_closed(bracket); ++step) {
+    (turn_at(seen, towards, size, n).slope > 0 ? bracket.low : bracket.high) = n;
+    n = middle(seen, towards, bracket, step);
   }
-};
+  return {frame.back(n), true, step};
+}
+
+/// The distance of an ellipse from a feature of a box, of a vertex along a direction that was found from it.
+VESICA_CALLED inline BoxEllipse<double> at_feature(const Box<double>& box, const Axes<double>& e,
+                                                   const Vector<double>& d, double size, const Feature<double>& f,
+                                                   const FoundNormal& along) noexcept {
+  const auto known = [&along](const OneEllipse<double>&, const Vector<double>&, double) { return along; };
+  int steps;
+  return feature_ellipse(box, e, d, size, f, known, steps);
+}
+
+/// The same with a search: farthest_normal(), or another with its arguments.
+template <class Search>
+BoxEllipse<double> searched_feature(const Box<double>& box, const Axes<double>& e, const Vector<double>& d, double size,
+                                    const Feature<double>& f, const Search& search, int& steps) noexcept {
+  FoundNormal along{};
+  if (!f.face_x && !f.face_y) along = search(one_ellipse(e), renormalised(d - vertex(box, f.i, f.j)), size);
+  steps = along.steps;
+  return at_feature(box, e, d, size, f, along);
+}
 
 }  // namespace vesica::detail::nearest

@@ -15,8 +15,8 @@ struct FineSupport {
   double curvature;
 };
 
-template <class F>
-FineSupport fine_support(const Axes<double>& e, const VectorFactor<F>& n) noexcept {
+VESICA_CALLED inline FineSupport fine_support(const Axes<double>& e,
+                                              const VectorFactor<TwofoldFactor<double>>& n) noexcept {
   const VectorFactor<Factor<double>> u = factor(e.ux, e.uy);
   const Twofold<double> p = factor(e.a) * factor(dot(u, n)), q = factor(e.b) * factor(cross(u, n));
   const Root<double> height = root(square(factor(p)) + square(factor(q)));
@@ -26,7 +26,7 @@ FineSupport fine_support(const Axes<double>& e, const VectorFactor<F>& n) noexce
   return {{s * u.x - t * u.y, s * u.y + t * u.x}, height.value, support(e, normal(n)).curvature};
 }
 
-inline FineSupport fine_support(const Axes<double>* e, const VectorFactor<Factor<double>>& n) noexcept {
+inline FineSupport fine_support(const Axes<double>* e, const VectorFactor<TwofoldFactor<double>>& n) noexcept {
   return e == nullptr ? FineSupport{{{0, 0}, {0, 0}}, {0, 0}, 0} : fine_support(*e, n);
 }
 
@@ -47,7 +47,7 @@ inline constexpr double stray_slope = 0x1p-50;
 inline Twofold<double> polished_distance(const Twofold<double>& found, const Vector<double>& d, Direction<double> n,
                                          const Axes<double>* a, const Axes<double>& b) noexcept {
   for (int round = 0;; ++round) {
-    const auto vector = factor(n.x, n.y);
+    const auto vector = factor(Vector<double>{{n.x, 0}, {n.y, 0}});
     const auto normal_of = normal(vector);
     const FineSupport sa = fine_support(a, vector), sb = fine_support(&b, vector);
     const Vector<double> gap = renormalised(d - (sa.point + sb.point));
