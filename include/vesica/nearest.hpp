@@ -66,12 +66,10 @@ VESICA_COLD ClosestPoints<double> common_points(const A& a, const B& b) noexcept
   } else {
     // Neither shape contains the other then, so outlines meet; but for ellipses so thin that they are taken for
     // segments, one of which may hold the other beside that segment.
-    const auto place = [&](const Common& c) {
-      return c.of_a ? located(a, p.a, c.contact, p.exponent) : located(b, p.b, c.contact, p.exponent);
-    };
-    const Common c = common_point(p);
-    common = place(c);
-    if (!is_certain(c, p) && !crossings::one_place(a, b, common.x, common.y)) common = place(closest_point(p));
+    Common c = common_point(p);
+    const bool certain = is_certain(c, p), crossed = !certain && crossings::one_place(a, b, common.x, common.y);
+    if (!certain && !crossed) c = closest_point(p);
+    if (!crossed) common = c.of_a ? located(a, p.a, c.contact, p.exponent) : located(b, p.b, c.contact, p.exponent);
   }
   // The sign of a zero must not depend on the order of the shapes.
   const double x = common.x + 0.0, y = common.y + 0.0;
