@@ -90,8 +90,9 @@ TEST(CoreParts, AngleOfArea) {
   }
 }
 
-/// Where the upper half of the disc stops to be concave: nowhere as soon as the other's height reaches its flatness.
-TEST(CoreParts, ReachOfConcave) {
+/// How far the value is concave along the upper half of the disc, and where it is least: nowhere as soon as the other's
+/// height reaches its flatness.
+TEST(CoreParts, UpperHalf) {
   for (const double ratio : {0.0, 0.25, 0.5, 0.75, 0x1.fffp-1}) {
     area::Against<double> f{};
     f.p = 1, f.over_p = 1, f.q = ratio;
@@ -99,13 +100,14 @@ TEST(CoreParts, ReachOfConcave) {
     double last = 2;
     for (const double share : {0x1p-60, 0.001, 0.5, 0.999, 1 - 0x1p-30, 1 - 0x1p-53}) {
       f.y = share * flatness;
-      const double reach = area::reach_of_concave(f);
+      const auto [reach, least] = area::upper_half(f);
       EXPECT_TRUE(reach >= 0 && reach < last) << ratio << ' ' << share;
       EXPECT_NEAR(reach * reach, 1 - std::cbrt(share * share), 1e-3) << ratio << ' ' << share;
+      EXPECT_NEAR(least * least, (1 - share) * (1 + share), 0x1p-50) << ratio << ' ' << share;
       last = reach;
     }
     f.y = flatness;
-    EXPECT_EQ(area::reach_of_concave(f), 0);
+    EXPECT_EQ(area::upper_half(f).reach, 0);
   }
 }
 
@@ -125,6 +127,24 @@ TEST(CoreParts, CrossingThatIsNone) {
     const double up = found({-1, -0.96}, {0, 0.96}), down = found({0, 0.96}, {1, -0.96});
     EXPECT_TRUE(up < 0 && up > -0x1p-60) << up;
     EXPECT_TRUE(down > 0 && down < 0x1p-60) << down;
+  }
+}
+
+/// Places at which an ellipse just reaches beyond the disc are told in few steps, however thin and near to each other.
+TEST(CoreParts, CrossingsThatNearlyCoincide) {
+  for (const double q : {0x1p-3, 0x1p-20, 0x1p-56, 0x1p-400}) {
+    for (const double y : {0x1p-40, 0.5, 1 - 0x1p-30, 1 - 0x1p-53}) {
+      area::Against<double> f{};
+      f.y = y, f.p = 4, f.over_p = 0.25, f.q = q, f.over_q = 1 / q;
+      const area::HalfCircle<double> half{f, 1};
+      const double x = std::sqrt((1 - y) * (1 + y)), low = half.value(x), high = half.value(1);
+      if (!(low < 0 && high > 0)) continue;
+      area::Search<double> search(half, {x, low}, {1, high});
+      int steps = 0;
+      for (; !search.found(); ++steps) search.step();
+      EXPECT_LE(steps, 20) << q << ' ' << y;
+      EXPECT_NEAR(std::fabs(std::sqrt((1 - search.place()) * (1 + search.place())) - y), q, 0x1p-52 + 0.1 * q);
+    }
   }
 }
 

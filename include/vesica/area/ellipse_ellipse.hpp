@@ -109,16 +109,21 @@ struct HalfCircle {
     return rounded((p.height > V(0.0) ? p.height : V(0x1p-27)) * shallow + steep);
   }
   double slope(double at) const noexcept { return slope(at, point(at)); }
-  /// A point's value, and the step of Newton's method along the circle towards a value of 0.
-  struct Newton {
+  /// A point's value, and the angle along the circle to the nearer zero of the parabola that fits the value there: so a
+  /// pair of zeros that nearly coincide is met as soon as one alone.
+  struct Step {
     double at, height, value, angle;
     double next() const noexcept { return (at - height * angle) / std::sqrt(1 + angle * angle); }
   };
-  Newton newton(double at) const noexcept {
+  Step step(double at) const noexcept {
     const Point p = point(at);
-    const double value = p.value(), height = side * rounded(p.height);
-    const double slope = 2 * (at * rounded(p.z1 * f.over_q) - height * rounded(p.z0 * f.over_p));
-    return {at, height, value, -value / slope};
+    const double value = p.value(), height = side * rounded(p.height), q = rounded(f.q), flat = q * rounded(f.over_p);
+    // In the frame shrunk by q, in which no thin ellipse makes a product overflow: halves of both derivatives.
+    const double z0 = q * rounded(p.z0), z1 = q * rounded(p.z1), x0 = flat * at, y0 = flat * height;
+    const double here = value < 0x1p1000 ? value * q * q : z0 * z0 + z1 * z1;
+    const double slope = z1 * at - z0 * y0, bend = at * at + y0 * y0 - (z0 * x0 + z1 * height);
+    const double newton = -0.5 * here / slope, defect = 1 + 2 * newton * (bend / slope);
+    return {at, height, value, 2 * newton / (1 + (defect > 0 ? std::sqrt(defect) : 0))};
   }
 };
 
@@ -127,8 +132,21 @@ struct Place {
   double x, value;
 };
 
-/// The search for a sign change of the value between two places at which its signs differ: Newton's method from the
-/// secant's zero. The interval is halved where a step would leave it or does not shrink.
+/// Between 0 <= low < high: halfway, or of numbers of unlike magnitude as far from either in magnitude.
+inline double between_magnitudes(double low, double high) noexcept {
+  if (high <= 4 * low) return low + 0.5 * (high - low);
+  const double least = 0x1p-40 * high;
+  return std::sqrt((low > least ? low : least) * high);
+}
+/// A place between two of the diameter. Those near its middle or its ends are told by how near they are.
+inline double between(double low, double high) noexcept {
+  if (low < 0 && high > 0) return 0;
+  if (low < 0) return -between(-high, -low);
+  return low < 0.5 ? between_magnitudes(low, high) : 1 - between_magnitudes(1 - high, 1 - low);
+}
+
+/// The search for a sign change of the value between two places at which its signs differ, step by step from the secant's
+/// zero. The interval is halved where a step would leave it or does not shrink.
 template <class V>
 class Search {
  public:
@@ -152,31 +170,32 @@ class Search {
   bool negative_at_low_ = false, found_ = false;
 
   bool is_inside() const noexcept { return x_ > low_ && x_ < high_; }
-  double middle() const noexcept { return low_ + 0.5 * (high_ - low_); }
   /// Whether x is the place now.
   bool stepped() noexcept {
     if (!is_inside()) {
-      x_ = middle();
+      x_ = between(low_, high_);
       if (!is_inside()) return true;
       last_angle_ = 4;
     }
-    const auto newton = half_->newton(x_);
-    if (newton.value == 0) return true;
-    ((newton.value < 0) == negative_at_low_ ? low_ : high_) = x_;
+    const auto step = half_->step(x_);
+    if (step.value == 0) return true;
+    ((step.value < 0) == negative_at_low_ ? low_ : high_) = x_;
     // All places so near to the middle are one: what is between them is nothing beside any rounding.
     if (low_ > -0x1p-115 && high_ < 0x1p-115) return true;
-    const double angle = std::fabs(newton.angle), last_angle = last_angle_;
-    last_angle_ = angle;
+    const double angle = std::fabs(step.angle), last_angle = last_angle_;
+    last_angle_ = angle < 4 ? angle : 4;
+    // Where outlines coincide, but for what no slope tells, a cut may be anywhere.
+    if (!(angle < 4) && std::fabs(step.value) * rounded(half_->f.p) < 0x1p-64) return true;
     if (angle < 0x1p-28 || angle <= 0.5 * last_angle) {
-      const double next = newton.next();
-      // Newton's error is then squared once more by the step already made.
+      const double next = step.next();
+      // The error is then squared once more by the step already made.
       const bool is_near = angle < 0x1p-28 && next >= low_ && next <= high_;
       if (is_near || angle <= 0.5 * last_angle) {
         x_ = next;
         return is_near;
       }
     }
-    x_ = middle();
+    x_ = between(low_, high_);
     return false;
   }
 };
@@ -218,10 +237,47 @@ struct Cuts {
   }
 };
 
+/// The search for where a slope is 0 between two places at which its signs differ: by secants, where the slope of an end
+/// that stays twice counts half (the Illinois rule). The interval is halved where three of them do not narrow it.
+class LevelSearch {
+ public:
+  LevelSearch(double from, double slope_from, double to, double slope_to) noexcept
+      : from_(from), to_(to), slope_from_(slope_from), slope_to_(slope_to), width_(to - from) {}
+
+  bool holds(double x) const noexcept { return x > from_ && x < to_; }
+  bool is_narrow() const noexcept { return to_ - from_ < 0x1p-40; }
+  double next() noexcept {
+    const bool is_third = ++steps_ % 3 == 0, halved = is_third && to_ - from_ > 0.25 * width_;
+    if (is_third) width_ = to_ - from_;
+    const double x = zero_of_secant();
+    return halved || !holds(x) ? between(from_, to_) : x;
+  }
+  void take(double x, double slope) noexcept {
+    const bool after = (slope < 0) == (slope_to_ < 0);
+    (after ? to_ : from_) = x;
+    (after ? slope_to_ : slope_from_) = slope;
+    if (stays_[!after]) (after ? slope_from_ : slope_to_) *= 0.5;
+    stays_[!after] = true;
+    stays_[after] = false;
+  }
+
+ private:
+  double from_, to_, slope_from_, slope_to_, width_;
+  int steps_ = 0;
+  bool stays_[2] = {false, false};
+
+  /// A little off an end that it all but meets.
+  double zero_of_secant() const noexcept {
+    const double width = to_ - from_, x = to_ - slope_to_ * (width / (slope_to_ - slope_from_));
+    return x >= to_ ? to_ - 0x1p-30 * width : x <= from_ ? from_ + 0x1p-30 * width : x;
+  }
+};
+
 /// Crossings on a part of a half circle on which the value along x is convex (bend 1) or concave (bend -1): one where
-/// the ends differ in sign; else two if the extreme value between them differs.
+/// the ends differ in sign; else two if the extreme value between them differs. That is first sought at `guess`, if it
+/// is between them.
 template <class V>
-void add_crossings(const HalfCircle<V>& half, const Place& low, const Place& high, double bend,
+void add_crossings(const HalfCircle<V>& half, const Place& low, const Place& high, double bend, double guess,
                    Searches<V>& crossings) noexcept {
   if (!(low.x < high.x)) return;
   const bool negative = low.value < 0;
@@ -230,12 +286,11 @@ void add_crossings(const HalfCircle<V>& half, const Place& low, const Place& hig
     return;
   }
   if ((bend > 0) == negative) return;
-  double from = low.x, to = high.x, slope_from = half.slope(from), slope_to = half.slope(to);
-  if ((slope_from < 0) == (slope_to < 0) || (slope_from < 0) != (bend > 0)) return;
-  for (int i = 0; i < 60; ++i) {
-    double x = to - slope_to * ((to - from) / (slope_to - slope_from));
-    if (i % 3 == 2 || !(x > from && x < to)) x = from + 0.5 * (to - from);
-    if (!(x > from && x < to) || to - from < 0x1p-40) return;
+  const double slope_low = half.slope(low.x), slope_high = half.slope(high.x);
+  if ((slope_low < 0) == (slope_high < 0) || (slope_low < 0) != (bend > 0)) return;
+  LevelSearch extreme(low.x, slope_low, high.x, slope_high);
+  double x = extreme.holds(guess) ? guess : extreme.next();
+  for (int i = 0; i < 60 && extreme.holds(x) && !extreme.is_narrow(); ++i) {
     const auto point = half.point(x);
     const double value = point.value();
     if ((value < 0) != negative) {
@@ -243,10 +298,8 @@ void add_crossings(const HalfCircle<V>& half, const Place& low, const Place& hig
       crossings.add(half, {x, value}, high);
       return;
     }
-    const double slope = half.slope(x, point);
-    const bool falling = slope < 0, before = falling == (slope_from < 0);
-    (before ? from : to) = x;
-    (before ? slope_from : slope_to) = slope;
+    extreme.take(x, half.slope(x, point));
+    x = extreme.next();
   }
 }
 
@@ -258,23 +311,30 @@ inline double cube_root(double r) noexcept {
 }
 
 /// On the lower half circle the value is concave along x, f's centre being above; on the upper it is convex, but
-/// concave within +-sqrt(1 - r^(2/3)), r = y p^2 / (p^2 - q^2), where r < 1: this, and 0 for r >= 1. Where outlines all
-/// but coincide a double would not tell p from q.
+/// concave within +-`reach`, sqrt(1 - r^(2/3)), r = y p^2 / (p^2 - q^2), where r < 1; for r >= 1 that is 0. With f's
+/// centre at x = 0 it is least at +-`least`, sqrt(1 - r^2).
+struct Upper {
+  double reach = 0, least = 0;
+};
+/// Where outlines all but coincide a double would not tell p from q.
 template <class V>
-double reach_of_concave(const Against<V>& f) noexcept {
+Upper upper_half(const Against<V>& f) noexcept {
   const V one(1.0), ratio = f.q * f.over_p, flatness = (one - ratio) * (one + ratio);
-  if (!(f.y < flatness)) return 0;
+  if (!(f.y < flatness)) return {};
   const double r = rounded(f.y / flatness), root = r > 0 ? cube_root(r) : 0;
-  return root < 1 ? std::sqrt((1 - root) * (1 + root)) : 0;
+  const double least = std::sqrt(rounded((flatness - f.y) / flatness) * (1 + r));
+  return {root < 1 ? std::sqrt((1 - root) * (1 + root)) : 0, least};
 }
 
-/// Crossings along a half circle, from the first of n places on to the last. At those between them the bend changes.
+/// Crossings along a half circle, from the first of n places on to the last. At those between them the bend changes. The
+/// extreme value is likely near -guess on the first part, and near guess on the last.
 template <class V>
-void add_crossings(const HalfCircle<V>& half, const double* x, int n, double bend, Searches<V>& crossings) noexcept {
+void add_crossings(const HalfCircle<V>& half, const double* x, int n, double bend, double guess,
+                   Searches<V>& crossings) noexcept {
   Place before{x[0], half.value(x[0])};
   for (int i = 1; i < n; ++i, bend = -bend) {
     const Place here{x[i], half.value(x[i])};
-    add_crossings(half, before, here, bend, crossings);
+    add_crossings(half, before, here, bend, i == 1 ? -guess : guess, crossings);
     before = here;
   }
 }
@@ -288,11 +348,13 @@ Cuts cuts(const Against<V>& f) noexcept {
   if (!(ends[0] < ends[1])) return all;
   for (const double end : ends) all.add(end);
   const HalfCircle<V> upper{f, 1}, lower{f, -1};
-  const double bend = reach_of_concave(f);
-  const double bends[] = {ends[0], clamp(-bend, ends[0], ends[1]), clamp(bend, ends[0], ends[1]), ends[1]};
+  const Upper shape = upper_half(f);
+  const double bends[] = {ends[0], clamp(-shape.reach, ends[0], ends[1]), clamp(shape.reach, ends[0], ends[1]),
+                          ends[1]};
   Searches<V> crossings;
-  add_crossings(lower, ends, 2, -1, crossings);
-  add_crossings(upper, bend == 0 ? ends : bends, bend == 0 ? 2 : 4, 1, crossings);
+  constexpr double no_guess = 2;
+  add_crossings(lower, ends, 2, -1, no_guess, crossings);
+  add_crossings(upper, shape.reach == 0 ? ends : bends, shape.reach == 0 ? 2 : 4, 1, shape.least, crossings);
   crossings.run();
   for (int i = 0; i < crossings.count; ++i) all.add(crossings.search[i].place());
   return all;
