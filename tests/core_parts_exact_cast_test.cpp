@@ -252,6 +252,17 @@ TEST(ExactCastParts, FloorByTrials) {
   EXPECT_EQ(floor(1, largest), infinity);
 }
 
+/// Contact before all times that trials know is told by one of them.
+TEST(ExactCastParts, FloorBeforeAllTrials) {
+  int asked = 0;
+  const auto ask = [&asked](double t) {
+    ++asked;
+    return Trial{t >= 0x1p-500, true};
+  };
+  EXPECT_EQ(TrialSearch(ask, 0x1p-500).floor(0, {largest, infinity}, 0), -1);
+  EXPECT_EQ(asked, 1);
+}
+
 /// Two ellipses whose contact rounds to a place of more digits than there is room for.
 TEST(ExactCastParts, FloorOfEllipsesBeyondTheDigits) {
   const Circle<double> large{0, 0, 0x1p1000};

@@ -68,14 +68,15 @@ class Bracket {
   bool was_after_ = false, repeated_ = false;
 };
 
-/// A search for the greatest double with no contact before it, for which ask(t) is answered by trials.
+/// A search for the greatest double with no contact before it, for which ask(t) is answered by trials. Those at times
+/// above 0 and below `least` are likely not to be known.
 template <class Ask>
 class TrialSearch {
   using Limits = std::numeric_limits<double>;
   static constexpr double least_double = Limits::denorm_min(), largest = Limits::max();
 
  public:
-  explicit TrialSearch(const Ask& ask) noexcept : ask_(ask) {}
+  explicit TrialSearch(const Ask& ask, double least = least_double) noexcept : ask_(ask), least_(least) {}
 
   /// Infinite where there is no contact before the largest double, negative where a trial that was needed is not known.
   /// A guess above 0 is T(n) of some n (bound.hpp), which is not after contact, and mostly not long before it. Where
@@ -85,9 +86,9 @@ class TrialSearch {
   double floor(double start, const Between& witness, double guess) noexcept {
     if (begins_about(guess) || begins_about(start)) return narrowed();
     if (no_ == 0) {
-      const Trial first = ask_(least_double);
-      if (first.known && first.after) return 0;
-      if (first.known) no_ = least_double, at_no_ = first;
+      const Trial first = ask_(least_);
+      if (first.known && first.after) return least_ > least_double ? -1 : 0;
+      if (first.known) no_ = least_, at_no_ = first;
     }
     if (!begins_at(witness)) {
       bisect_powers(guess);
@@ -164,7 +165,7 @@ class TrialSearch {
   }
 
   const Ask& ask_;
-  double no_ = 0, yes_ = Limits::infinity();
+  double least_, no_ = 0, yes_ = Limits::infinity();
   Trial at_no_, at_yes_;
   bool lost_ = false;
 };
@@ -175,10 +176,10 @@ class EllipseTrials {
   explicit EllipseTrials(const ExactPair& pair) noexcept
       : pair_(pair), contact_(PairDigits<exact::few_limbs>(pair)), witness_(pair.rough_witness()) {}
 
-  /// As of TrialSearch; negative where the place at a time that is tried is beyond exact numbers.
+  /// As of TrialSearch. A trial is not known where the place then is beyond exact numbers.
   VESICA_COLD double floor(double start, double guess) noexcept {
     const auto ask = [this](double t) { return at(t); };
-    return TrialSearch(ask).floor(start, between(witness_), guess);
+    return TrialSearch(ask, least_held()).floor(start, between(witness_), guess);
   }
 
   /// What ExactPair::contact_before() answers; mostly known from the trials before.
@@ -195,7 +196,16 @@ class EllipseTrials {
     if (trial.known) (trial.after ? first_after_ : latest_before_) = t;
     return trial;
   }
-  /// Not known where the place is beyond exact numbers.
+  /// The least power of two at which the place is within exact numbers, below which there are ever more digits.
+  double least_held() const noexcept {
+    const auto is_held = [this](int exponent) { return pair_.holds_place(arithmetic::scale_far(1, exponent)); };
+    int no = -1075, yes = is_held(no + 1) ? no + 1 : 1023;
+    while (yes - no > 1) {
+      const int middle = (no + yes) / 2;
+      (is_held(middle) ? yes : no) = middle;
+    }
+    return arithmetic::scale_far(1, yes);
+  }
   Trial find(double t) noexcept {
     const int left = to_witness(t);
     if (left < 0) return {true, true};
