@@ -61,52 +61,46 @@ template <class V>
 VESICA_INLINE Vector<V> twofold(const Direction<V>& n) noexcept {
   return {{n.x, V(0.0)}, {n.y, V(0.0)}};
 }
-template <class V>
-VESICA_INLINE Vector<V> twofold(const Vector<V>& n) noexcept {
-  return n;
-}
 
 /// How far beyond a face's end, as a share of the distance, a point counts as above the face: this changes the distance
 /// by far less than its last place. The point may be off by rounding, by this share of the size.
 inline constexpr double beyond_face = 0x1p-28, foot_rounding = 0x1p-50;
 
-/// The distance of an ellipse from one feature of a box; d from the box's centre to the ellipse's. The ellipse may not
-/// contain the feature's vertex. search: farthest_direction() or another with its arguments. Settled where the
-/// direction found lies between the normals of the vertex's faces, or the foot in the face: then nothing of the box is
-/// closer.
-template <class V, class Search>
-VESICA_INLINE BoxEllipse<V> feature_ellipse(const Box<V>& box, const Axes<V>& e, const Vector<V>& d, V size,
-                                            const Feature<V>& f, const Search& search, int& steps) noexcept {
-  const V zero(0.0), one(1.0);
-  const auto face = either(f.face_x, f.face_y);
-  const Vector<V> from_vertex = renormalised(d - vertex(box, f.i, f.j));
-  const OneEllipse<V> shape = one_ellipse(e);
-  // Where all is settled by faces there is nothing to search for.
-  decltype(search(shape, from_vertex, size)) direction{{}, zero > zero, 0};
-  if (!all(face)) direction = search(shape, from_vertex, size);
-  steps = direction.steps;
+template <class V>
+using NormalOf = Normal<V, TwofoldFactor<V>>;
+
+/// The normal of a face, or that which was found from a vertex.
+template <class V>
+VESICA_INLINE NormalOf<V> feature_normal(const Box<V>& box, const Feature<V>& f, const Vector<V>& found) noexcept {
   const Vector<V> across_x = flipped(box.u, f.i);
   const Vector<V> across_y{flipped(box.u.y, -f.j), flipped(box.u.x, f.j)};
-  const Vector<V> best = twofold(direction.n);
   const auto pick = [&](const Twofold<V>& n, const Twofold<V>& x, const Twofold<V>& y) {
     return choose(f.face_x, x, choose(f.face_y, y, n));
   };
-  const auto n = normal(VectorFactor<TwofoldFactor<V>>{factor(pick(best.x, across_x.x, across_y.x)),
-                                                       factor(pick(best.y, across_x.y, across_y.y))});
-  const ClosestOffsets<V> found = separation(shape, from_vertex, n, size, select(face, zero, one));
+  return normal(VectorFactor<TwofoldFactor<V>>{factor(pick(found.x, across_x.x, across_y.x)),
+                                               factor(pick(found.y, across_x.y, across_y.y))});
+}
 
-  // The place in the box that the ellipse's point stands above.
+/// What was found along a normal from a feature, with the place in the box that the ellipse's point stands above.
+/// Settled where the direction, if it was found, lies between the normals of the vertex's faces, or the foot in the
+/// face: then nothing of the box is closer.
+template <class V>
+VESICA_INLINE BoxEllipse<V> on_feature(const Box<V>& box, const Vector<V>& d, V size, const Feature<V>& f,
+                                       const Direction<V>& unit, MaskOf<V> direction_found,
+                                       const ClosestOffsets<V>& found) noexcept {
+  const V zero(0.0), one(1.0);
+  const auto face = either(f.face_x, f.face_y);
   const V ux = box.u.x.high, uy = box.u.y.high, scale = one / (ux * ux + uy * uy);
   const V px = d.x.high + found.bx, py = d.y.high + found.by, hx = box.hx.high, hy = box.hy.high;
   const V above_x = (ux * px + uy * py) * scale, above_y = (ux * py - uy * px) * scale;
   const V foot_x = max(-hx, min(hx, above_x)), foot_y = max(-hy, min(hy, above_y));
   const V beyond = select(f.face_x, abs(above_y) - hy, abs(above_x) - hx);
-  const V nx = ux * n.unit.x + uy * n.unit.y, ny = ux * n.unit.y - uy * n.unit.x;
+  const V nx = ux * unit.x + uy * unit.y, ny = ux * unit.y - uy * unit.x;
   const V slack = V(-0x1p-40) * (abs(ux) + abs(uy));
   const auto between = both(either(f.i * nx >= slack, hx == zero), either(f.j * ny >= slack, hy == zero));
   const auto above =
       beyond * (abs(ux) + abs(uy)) + V(foot_rounding) * size <= V(beyond_face) * abs(found.distance.high);
-  const auto ended = either(both(face, above), both(and_not(direction.found, face), between));
+  const auto ended = either(both(face, above), both(and_not(direction_found, face), between));
   return {found.distance,
           {select(f.face_y, foot_x, f.i * hx), select(f.face_x, foot_y, f.j * hy)},
           found.bx,
@@ -117,14 +111,32 @@ VESICA_INLINE BoxEllipse<V> feature_ellipse(const Box<V>& box, const Axes<V>& e,
           found.doubt};
 }
 
+/// The distance of an ellipse from one feature of a box, of a vertex along a direction; d from the box's centre to the
+/// ellipse's. The ellipse may not contain the feature's vertex.
+template <class V>
+VESICA_INLINE BoxEllipse<V> feature_ellipse(const Box<V>& box, const OneEllipse<V>& e, const Vector<V>& d, V size,
+                                            const Feature<V>& f, const Vector<V>& from_vertex,
+                                            const FoundDirection<V>& direction) noexcept {
+  const auto n = feature_normal(box, f, twofold(direction.n));
+  const V smooth = select(either(f.face_x, f.face_y), V(0.0), V(1.0));
+  return on_feature(box, d, size, f, n.unit, direction.found, separation(e, from_vertex, n, size, smooth));
+}
+
 /// The distance between a box and an ellipse that are disjoint; d from the box's centre to the ellipse's.
 template <class V>
 VESICA_INLINE BoxEllipse<V> box_ellipse(const Box<V>& box, const Axes<V>& e, const Vector<V>& d, V size,
                                         int& steps) noexcept {
-  const auto search = [](const OneEllipse<V>& shape, const Vector<V>& from, V about) {
-    return farthest_direction(shape, Direction<V>{from.x.high, from.y.high}, about);
-  };
-  return feature_ellipse(box, e, d, size, closest_feature(box, e, d.x.high, d.y.high), search, steps);
+  const V zero(0.0);
+  const Feature<V> f = closest_feature(box, e, d.x.high, d.y.high);
+  const Vector<V> from_vertex = renormalised(d - vertex(box, f.i, f.j));
+  const OneEllipse<V> shape = one_ellipse(e);
+  // Where all is settled by faces there is nothing to search for.
+  FoundDirection<V> direction{{}, zero > zero, 0};
+  if (!all(either(f.face_x, f.face_y))) {
+    direction = farthest_direction(shape, Direction<V>{from_vertex.x.high, from_vertex.y.high}, size);
+  }
+  steps = direction.steps;
+  return feature_ellipse(box, shape, d, size, f, from_vertex, direction);
 }
 
 }  // namespace vesica::detail::nearest

@@ -17,26 +17,31 @@ VESICA_INLINE MaskOf<V> stays_on_outline(V turn, V flatness) noexcept {
   return (turn * turn) * flatness <= V(settled_turn * settled_turn);
 }
 
-/// separation() from a point to an ellipse, or from one ellipse to another. It is not settled either where the last
-/// turn takes a point off its outline.
+/// separation(), which is not settled either where the last turn takes a point off its outline.
+template <class V, class F>
+VESICA_INLINE ClosestOffsets<V> separation(const Vector<V>& d, const Normal<V, F>& n, const Support<V>& of_a,
+                                           const Support<V>& of_b, V flatness, V size, V smooth) noexcept {
+  ClosestOffsets<V> result = separation(d, n, of_a, of_b, size, smooth);
+  const auto stays = either(smooth == V(0.0), stays_on_outline(result.turn, flatness));
+  result.settled = both(result.settled, stays);
+  return result;
+}
+template <class V>
+VESICA_INLINE V flatness(const SemiAxes<V>& e, const Support<V>& s) noexcept {
+  return e.longer_squared * s.inverse_square;
+}
+/// From a point to an ellipse, or from one ellipse to another.
 template <class V, class F>
 VESICA_INLINE ClosestOffsets<V> separation(const OneEllipse<V>& s, const Vector<V>& d, const Normal<V, F>& n, V size,
                                            V smooth = V(1.0)) noexcept {
   const Support<V> of_a = support(s.a, n);
-  ClosestOffsets<V> result = separation(d, n, no_support<V>(), of_a, size, smooth);
-  const V flatness = s.sa.longer_squared * of_a.inverse_square;
-  const auto stays = either(smooth == V(0.0), stays_on_outline(result.turn, flatness));
-  result.settled = both(result.settled, stays);
-  return result;
+  return separation(d, n, no_support<V>(), of_a, flatness(s.sa, of_a), size, smooth);
 }
 template <class V, class F>
 VESICA_INLINE ClosestOffsets<V> separation(const TwoEllipses<V>& s, const Vector<V>& d, const Normal<V, F>& n,
                                            V size) noexcept {
   const Support<V> of_a = support(s.a, n), of_b = support(s.b, n);
-  ClosestOffsets<V> result = separation(d, n, of_a, of_b, size);
-  const V flatness = max(s.sa.longer_squared * of_a.inverse_square, s.sb.longer_squared * of_b.inverse_square);
-  result.settled = both(result.settled, stays_on_outline(result.turn, flatness));
-  return result;
+  return separation(d, n, of_a, of_b, max(flatness(s.sa, of_a), flatness(s.sb, of_b)), size, V(1.0));
 }
 
 /// The distance of disjoint shapes, d from the point or the first centre to the ellipse's. steps: how many the search

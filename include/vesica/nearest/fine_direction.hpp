@@ -15,16 +15,35 @@ struct FoundNormal {
   int steps;
 };
 
-/// farthest_direction() and separation() as calls, which are shorter.
+/// farthest_direction(), support() and separation() as calls, which are shorter.
 template <class Shapes>
 VESICA_CALLED FoundNormal farthest_normal(const Shapes& shapes, const Vector<double>& d, double size) noexcept {
   const FoundDirection<double> best = farthest_direction(shapes, Direction<double>{d.x.high, d.y.high}, size);
   return {twofold(best.n), best.found, best.steps};
 }
+VESICA_CALLED inline Support<double> called_support(const Axes<double>& e, const NormalOf<double>& n) noexcept {
+  return support(e, n);
+}
+VESICA_CALLED inline ClosestOffsets<double> called_separation(const Vector<double>& d, const NormalOf<double>& n,
+                                                              const Support<double>& of_a, const Support<double>& of_b,
+                                                              double flatness, double size, double smooth) noexcept {
+  return separation(d, n, of_a, of_b, flatness, size, smooth);
+}
+
+inline ClosestOffsets<double> offsets_along(const OneEllipse<double>& s, const Vector<double>& d,
+                                            const NormalOf<double>& n, double size, double smooth = 1) noexcept {
+  const Support<double> of_a = called_support(s.a, n);
+  return called_separation(d, n, no_support<double>(), of_a, flatness(s.sa, of_a), size, smooth);
+}
+inline ClosestOffsets<double> offsets_along(const TwoEllipses<double>& s, const Vector<double>& d,
+                                            const NormalOf<double>& n, double size) noexcept {
+  const Support<double> of_a = called_support(s.a, n), of_b = called_support(s.b, n);
+  return called_separation(d, n, of_a, of_b, max(flatness(s.sa, of_a), flatness(s.sb, of_b)), size, 1);
+}
 template <class Shapes>
 VESICA_CALLED ClosestOffsets<double> offsets_along(const Shapes& shapes, const Vector<double>& d,
                                                    const FoundNormal& along, double size) noexcept {
-  ClosestOffsets<double> result = separation(shapes, d, normal(factor(along.n)), size);
+  ClosestOffsets<double> result = offsets_along(shapes, d, normal(factor(along.n)), size);
   result.settled = result.settled && along.found;
   return result;
 }
@@ -111,22 +130,25 @@ VESICA_COLD FoundNormal halved_normal(const Shapes& shapes, const Vector<double>
 }
 
 /// The distance of an ellipse from a feature of a box, of a vertex along a direction that was found from it.
-VESICA_CALLED inline BoxEllipse<double> at_feature(const Box<double>& box, const Axes<double>& e,
+VESICA_CALLED inline BoxEllipse<double> at_feature(const Box<double>& box, const OneEllipse<double>& e,
                                                    const Vector<double>& d, double size, const Feature<double>& f,
+                                                   const Vector<double>& from_vertex,
                                                    const FoundNormal& along) noexcept {
-  const auto known = [&along](const OneEllipse<double>&, const Vector<double>&, double) { return along; };
-  int steps;
-  return feature_ellipse(box, e, d, size, f, known, steps);
+  const NormalOf<double> n = feature_normal(box, f, along.n);
+  const ClosestOffsets<double> found = offsets_along(e, from_vertex, n, size, f.face_x || f.face_y ? 0 : 1);
+  return on_feature(box, d, size, f, n.unit, along.found, found);
 }
 
 /// The same with a search: farthest_normal(), or another with its arguments.
 template <class Search>
 BoxEllipse<double> searched_feature(const Box<double>& box, const Axes<double>& e, const Vector<double>& d, double size,
                                     const Feature<double>& f, const Search& search, int& steps) noexcept {
+  const Vector<double> from_vertex = renormalised(d - vertex(box, f.i, f.j));
+  const OneEllipse<double> shape = one_ellipse(e);
   FoundNormal along{};
-  if (!f.face_x && !f.face_y) along = search(one_ellipse(e), renormalised(d - vertex(box, f.i, f.j)), size);
+  if (!f.face_x && !f.face_y) along = search(shape, from_vertex, size);
   steps = along.steps;
-  return at_feature(box, e, d, size, f, along);
+  return at_feature(box, shape, d, size, f, from_vertex, along);
 }
 
 }  // namespace vesica::detail::nearest

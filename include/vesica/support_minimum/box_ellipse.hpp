@@ -173,12 +173,10 @@ VESICA_INLINE BoxEllipse<V> deepest(const Box<V>& box, const Axes<V>& e, const V
                           step_limit);
   }
   const V nx = best.n.x * p.side_x, ny = best.n.y * p.side_y;
-  const auto search = [&](const OneEllipse<V>&, const Vector<V>&, V) {
-    return FoundDirection<V>{{nx * ux - ny * uy, nx * uy + ny * ux}, best.found, best.steps};
-  };
-  int steps;
+  const FoundDirection<V> back{{nx * ux - ny * uy, nx * uy + ny * ux}, best.found, best.steps};
   const Feature<V> feature{at.i * p.side_x, at.j * p.side_y, at.face_x, at.face_y};
-  BoxEllipse<V> result = feature_ellipse(box, e, d, size, feature, search, steps);
+  const Vector<V> from_vertex = renormalised(d - vertex(box, feature.i, feature.j));
+  BoxEllipse<V> result = feature_ellipse(box, one_ellipse(e), d, size, feature, from_vertex, back);
   const Direction<V> n = unit(best.n.x, best.n.y);
   const V least = -rounded(result.distance) * length;
   const V off = (result.nx * result.nx + result.ny * result.ny) - one;
