@@ -67,8 +67,11 @@ VESICA_COLD ClosestPoints<double> common_points(const A& a, const B& b) noexcept
     // Neither shape contains the other then, so outlines meet; but for ellipses so thin that they are taken for
     // segments, one of which may hold the other beside that segment.
     Common c = common_point(p);
-    const bool certain = is_certain(c, p), crossed = !certain && crossings::one_place(a, b, common.x, common.y);
-    if (!certain && !crossed) c = closest_point(p);
+    bool crossed = false;
+    if (!is_certain(c, p)) {
+      crossed = crossings::one_place(a, b, common.x, common.y);
+      if (!crossed) c = closest_point(p);
+    }
     if (!crossed) common = c.of_a ? located(a, p.a, c.contact, p.exponent) : located(b, p.b, c.contact, p.exponent);
   }
   // The sign of a zero must not depend on the order of the shapes.

@@ -109,6 +109,27 @@ TEST(GeneralWay, HalvingOfEllipses) {
   EXPECT_GT(asked, 500);
 }
 
+/// Of two ellipses that are mirror images the frame is that of one and the same, whichever is the first.
+TEST(GeneralWay, FrameOfMirrorImages) {
+  const Axes<double> left{0.6, 0.8, 2, 0.5}, right{0.6, -0.8, 2, 0.5};
+  const Vector<double> to_right{{8, 0}, {0, 0}}, to_left{{-8, 0}, {0, 0}};
+  const Direction<double> seen = frame_for(two_ellipses(left, right), to_right, 10).of(to_right);
+  const Direction<double> back = frame_for(two_ellipses(right, left), to_left, 10).of(to_right);
+  EXPECT_EQ(seen.x, back.x);
+  EXPECT_EQ(seen.y, back.y);
+  EXPECT_NE(seen.y, 0);
+}
+
+/// What a search has not found is not settled, even where it is right.
+TEST(GeneralWay, DirectionThatWasNotFound) {
+  const OneEllipse<double> e = one_ellipse(Axes<double>{1, 0, 1, 1});
+  const Vector<double> d{{4, 0}, {0, 0}};
+  FoundNormal along = farthest_normal(e, d, 5);
+  EXPECT_TRUE(offsets_along(e, d, along, 5).settled);
+  along.found = false;
+  EXPECT_FALSE(offsets_along(e, d, along, 5).settled);
+}
+
 TEST(GeneralWay, VerticesOfBoxes) {
   Random random(properties::seed());
   int asked = 0;
