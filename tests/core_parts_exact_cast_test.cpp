@@ -283,7 +283,8 @@ TEST(ExactCastParts, TrialAtTheTimeItself) {
   EXPECT_TRUE(no.known && !no.after && no.has_value && no.value.value > 0);
   EXPECT_FALSE(at.known);
   EXPECT_TRUE(yes.known && yes.after && yes.has_value && yes.value.value < 0);
-  EXPECT_FALSE(LeadingContact::exactly_at(pair_of(a, b, -1, 0), 6).known);
+  const Trial exactly = LeadingContact::exactly_at(pair_of(a, b, -1, 0), 6);
+  EXPECT_TRUE(exactly.known && !exactly.after && !exactly.has_value);
 }
 
 /// A start in the middle of contact, where digits do not tell on which side of the witness it is.

@@ -104,24 +104,14 @@ class LeadingContact {
     return {true, discriminant.sign < 0, true, scaled(discriminant.span(), discriminant.sign)};
   }
 
-  /// The same from the cubic's exact coefficients; not known where their digits do not tell, or the place then is
-  /// beyond exact numbers.
+  /// The same from the cubic's exact coefficients; not known where the place then is beyond exact numbers.
   VESICA_COLD static Trial exactly_at(const ExactPair& pair, double time) noexcept {
     Trial trial;
     pair.with_placed(time, [&trial](const ExactBody& a, const ExactBody& b, const Window& window) {
       const exact::ContactCubic p = exact::contact_cubic(a.ellipse(), b.ellipse());
-      if (p.c1.sign >= 0 && p.c2.sign >= 0) {
-        trial = {true, true};
-        return;
-      }
-      const Few few = leading_discriminant(p);
-      if (few.sign_is_certain() && few.sign != 0) {
-        trial = {true, few.sign < 0, true, scaled(few.span(), few.sign)};
-      } else {
-        const Digits more = discriminant_from_digits(p);
-        const bool tells = more.sign_is_certain() && more.sign != 0;
-        trial = {tells, more.sign < 0, tells, scaled(more.span(), more.sign)};
-      }
+      trial = {true, true};
+      if (p.c1.sign >= 0 && p.c2.sign >= 0) return;
+      trial = from_discriminant(p);
       trial.value.exponent -= 32 * 64 * window.limbs();
     });
     return trial;
@@ -182,6 +172,15 @@ class LeadingContact {
     return n(6.1) * (by_c1 * bend1 + by_c2 * bend2) + n(3.1) * twice;
   }
 
+  static Trial from_discriminant(const exact::ContactCubic& p) noexcept {
+    const auto told_by = [](const auto& x) { return Trial{true, x.sign < 0, x.sign != 0, scaled(x.span(), x.sign)}; };
+    const Few few = leading_discriminant(p);
+    if (few.sign_is_certain()) return told_by(few);
+    const Digits more = discriminant_from_digits(p);
+    if (more.sign_is_certain()) return told_by(more);
+    const exact::DiscriminantParts d(p);
+    return told_by(exact::product_less_square(d.four_a, d.c, d.b));
+  }
   static Digits discriminant_from_digits(const exact::ContactCubic& p) noexcept {
     return exact::detail::discriminant(p, exact::detail::telling_limbs(exact::detail::dense_limbs(p)));
   }

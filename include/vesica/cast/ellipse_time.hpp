@@ -46,7 +46,7 @@ class EllipseTime {
       // A step of 100 bits gains some 200. Of a direction that is not near only its side is asked.
       if (at.more_digits && (at.is_near || at.step.sign() == 0)) limbs_ += exact::few_limbs;
       const Wide l = wide(share), step = wide(at.step);
-      if (at.is_near || step.sign() == 0 || step.exponent < l.exponent - 2) {
+      if (step.sign() == 0 || step.exponent < l.exponent - (at.is_near ? 0 : 2)) {
         // This is the direction now.
         share = (share + digits(at.step, most_limbs)).with_limbs(most_limbs);
       } else {

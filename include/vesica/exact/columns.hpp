@@ -49,6 +49,11 @@ struct ColumnSum {
     middle = low;
     low = 0;
   }
+  constexpr ColumnSum negated() const noexcept {
+    ColumnSum out;
+    out.subtract(*this);
+    return out;
+  }
   constexpr int sign() const noexcept { return high >> 63 != 0 ? -1 : (high | middle | low) != 0 ? 1 : 0; }
   /// Whether it is at least -2^76, and less than 2^76.
   constexpr bool is_small() const noexcept {
@@ -57,27 +62,38 @@ struct ColumnSum {
   }
 };
 
-/// After so many columns whole products are as quick.
-inline constexpr int most_columns = 96;
+/// Whether so many columns are worth while: of short numbers whole products are as quick then; of long ones n columns
+/// take 3/4 n^2 products, and should take fewer than half of what whole products do.
+constexpr bool are_worth_while(int columns, const Span& a, const Span& b) noexcept {
+  constexpr int always = 96;
+  return columns <= always || 2 * columns * columns < a.size * b.size;
+}
 
-/// The sign of a b - c^2, of numbers of at most 1024 limbs. False where so many digits cancel that the columns do not
-/// tell it. What the columns below add to either product is less than 1024 * 2^64 at a column: so a sum that is not
-/// small decides, and one that is has room for the next column.
-constexpr bool columns_tell(int& sign, const Span& a, const Span& b, const Span& c) noexcept {
+/// a b - c^2, of numbers of at most 1024 limbs, down to the column `last` of the grid. False where so many digits cancel
+/// that the columns do not tell its sign. What the columns below add to either product is less than 1024 * 2^64 at a
+/// column: so a sum that is not small decides, and one that is has room for the next column.
+constexpr bool columns_tell(ColumnSum& sum, int& last, const Span& a, const Span& b, const Span& c) noexcept {
   const int top_of_product = a.low + a.size + b.low + b.size, top_of_square = 2 * (c.low + c.size);
   const int bottom = a.low + b.low < 2 * c.low ? a.low + b.low : 2 * c.low;
   const int top = (top_of_product > top_of_square ? top_of_product : top_of_square) - 2;
-  ColumnSum sum;
   for (int column = top; column >= bottom && sum.is_small(); --column) {
-    if (column <= top - most_columns) return false;
+    if (!are_worth_while(top - column + 1, a, b)) return false;
+    last = column;
     sum.go_down();
     sum.add(a, b, column);
     ColumnSum square;
     square.add_square(c, column);
     sum.subtract(square);
   }
-  sign = sum.sign();
   return true;
+}
+/// Its sign alone.
+constexpr bool columns_tell(int& sign, const Span& a, const Span& b, const Span& c) noexcept {
+  ColumnSum sum;
+  int last = 0;
+  const bool tell = columns_tell(sum, last, a, b, c);
+  sign = sum.sign();
+  return tell;
 }
 
 }  // namespace vesica::exact::detail

@@ -9,6 +9,16 @@
 
 namespace vesica::exact {
 
+/// The discriminant of p is 4 a c - b^2, up to a positive factor.
+struct DiscriminantParts {
+  Number<16> four_a, b, c;
+
+  constexpr explicit DiscriminantParts(const ContactCubic& p) noexcept
+      : four_a(integer(4) * (square(p.c2) - integer(3) * (p.d2 * p.c1))),
+        b(p.c1 * p.c2 - integer(9) * (p.d1 * p.d2)),
+        c(square(p.c1) - integer(3) * (p.d1 * p.c2)) {}
+};
+
 /// Sign of the discriminant of p, up to a positive factor: 1 for three real roots, 0 for a multiple one, -1 for a
 /// single real root. Degree 32.
 VESICA_CALLED constexpr int discriminant_sign(const ContactCubic& p) noexcept {
@@ -17,11 +27,8 @@ VESICA_CALLED constexpr int discriminant_sign(const ContactCubic& p) noexcept {
     const int sign = discriminant_sign(p, signs);
     if (signs.certain) return sign;
   }
-  const Number<0> three = integer(3);
-  const auto a = square(p.c2) - three * (p.d2 * p.c1);
-  const auto b = p.c1 * p.c2 - integer(9) * (p.d1 * p.d2);
-  const auto c = square(p.c1) - three * (p.d1 * p.c2);
-  return compare_product_with_square(integer(4) * a, c, b);
+  const DiscriminantParts d(p);
+  return compare_product_with_square(d.four_a, d.c, d.b);
 }
 
 namespace detail {

@@ -240,6 +240,22 @@ constexpr int compare_product_with_square(const Number<A>& a, const Number<B>& b
   return detail::columns_tell(sign, a.span(), b.span(), c.span()) ? sign : compare(a * b, square(c));
 }
 
+/// a b - c^2 to a few leading digits, or one at least where nearly all cancel; its sign is certain.
+template <int A, int B, int C>
+constexpr Leading<few_limbs> product_less_square(const Number<A>& a, const Number<B>& b, const Number<C>& c) noexcept {
+  using Few = Leading<few_limbs>;
+  const Few few = Few(a) * Few(b) - square(Few(c));
+  if (few.sign_is_certain()) return few;
+  detail::ColumnSum sum;
+  int last = 0;
+  if (!detail::columns_tell(sum, last, a.span(), b.span(), c.span())) return Few(a * b - square(c));
+  const detail::ColumnSum size = sum.sign() < 0 ? sum.negated() : sum;
+  const Limb limb[] = {size.low, size.middle, size.high};
+  Few out;
+  out.set(sum.sign(), {limb, last, 3});
+  return out;
+}
+
 /// The signs of numbers; once one was not certain nothing is.
 struct Signs {
   bool certain = true;
