@@ -221,7 +221,7 @@ VESICA_API int32_t vesica_overlap_f64(int32_t kind_a, const double *numbers_a, i
  * on the rim of a disc is VESICA_INSIDE_TOUCH. Exchanging the shapes always gives the converse relation.
  * Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe them.
  * Accuracy: exact.
- * Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 25 us.
+ * Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 70 us.
  */
 VESICA_API int32_t vesica_relation_f64(int32_t kind_a, const double *numbers_a,
                                        int32_t kind_b, const double *numbers_b);
@@ -254,7 +254,7 @@ VESICA_API int32_t vesica_contains_f64(int32_t kind_a, const double *numbers_a,
  * Returns: the number of places, 0 to 8.
  * Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape, even
  * where the outlines nearly coincide. Places closer to one another than that may come in either order or be equal.
- * Cost: 1 to 10 us; at worst 40 us.
+ * Cost: 1 to 10 us; at worst 90 us.
  */
 VESICA_API int32_t vesica_crossings_f64(int32_t kind_a, const double *numbers_a,
                                         int32_t kind_b, const double *numbers_b, vesica_crossing_points_f64 *out);
@@ -269,8 +269,9 @@ VESICA_API int32_t vesica_crossings_f64(int32_t kind_a, const double *numbers_a,
  * beside the ends of the thinnest ellipses. Its relative error is at most 2 u above 1e-10 scale (aspect ratios up to
  * 1e6) or 1e-14 scale (up to 1000). Closest points are right to 4 u scale, and a common point to 8 u scale, before they
  * are rounded.
- * Cost: 100 to 200 ns for disjoint shapes, 500 ns for the thinnest ellipses; 50 ns if a shape holds the other's centre;
- * 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below 2^-40; at worst 45 us.
+ * Cost: 100 to 250 ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest ellipses; 50 ns
+ * if a shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below
+ * 2^-40; at worst 45 us.
  */
 VESICA_API int32_t vesica_nearest_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b, const double *numbers_b,
                                       vesica_closest_points_f64 *out);
@@ -303,7 +304,7 @@ VESICA_API int32_t vesica_boundary_distance_f64(int32_t kind_a, const double *nu
  * Accuracy: at aspect ratios up to 1e6 the depth is right to 4 u scale; for circles and points, to its last place. The
  * length of (x, y) is 1 to 3 u. After the move at most 8 u scale of overlap is left. Whether the depth is 0 is exact.
  * Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to 5 us if only
- * exact arithmetic can tell the depth from 0; at worst 25 us.
+ * exact arithmetic can tell the depth from 0; at worst 30 us.
  */
 VESICA_API int32_t vesica_depth_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b, const double *numbers_b,
                                     vesica_penetration_f64 *out);
@@ -326,7 +327,7 @@ VESICA_API int32_t vesica_shape_area_f64(int32_t kind, const double *numbers, do
  * Accuracy: right to 64 u times the smaller shape's area times the larger aspect ratio, at aspect ratios up to 10^4,
  * even if the outlines nearly touch or coincide and whatever the sizes are.
  * Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines
- * nearly touch or coincide, or if one shape is far larger; at worst 45 us.
+ * nearly touch or coincide, or if one shape is far larger; at worst 80 us.
  */
 VESICA_API int32_t vesica_area_f64(int32_t kind_a, const double *numbers_a,
                                    int32_t kind_b, const double *numbers_b, double *out);
@@ -355,7 +356,7 @@ VESICA_API int32_t vesica_bounds_f64(int32_t kind, const double *numbers, vesica
  * Returns: 1 if the shapes share a point (touching counts), 0 if not.
  * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
  * Accuracy: exact.
- * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+ * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
  * Since: 0.1.
  */
 

@@ -65,7 +65,7 @@ typedef struct {
  * has length 1 to 4 u.
  * Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two ellipses, see
  * the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly unlike exponents most
- * take 10 to 30 us; the dearest that searches found took 0.2 ms (AMD EPYC, Zen 4).
+ * take 10 to 30 us; the dearest that searches found took 0.4 ms (AMD EPYC, Zen 4).
  */
 VESICA_API int32_t vesica_cast_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b, const double *numbers_b,
                                    double vx, double vy, double t_end, vesica_impact_f64 *out);

@@ -94,7 +94,7 @@ export interface C {
    * Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe them.
    * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 25 us.
+   * Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 70 us.
    * Since: 0.1.
    */
   vesica_relation_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number): number;
@@ -124,7 +124,7 @@ export interface C {
    * where the outlines nearly coincide. Places closer to one another than that may come in either order or be equal.
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their
    * centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is <= x.
-   * Cost: 1 to 10 us; at worst 40 us. Since: 0.1.
+   * Cost: 1 to 10 us; at worst 90 us. Since: 0.1.
    */
   vesica_crossings_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
   /**
@@ -140,8 +140,9 @@ export interface C {
    * 1000). Closest points are right to 4 u scale, and a common point to 8 u scale, before they are rounded. Bounds on
    * computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and
    * of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is <= x. Cost: 100 to
-   * 200 ns for disjoint shapes, 500 ns for the thinnest ellipses; 50 ns if a shape holds the other's centre; 0.3 to 3
-   * us for shapes that cross, near-ties and magnitudes above 2^40 or below 2^-40; at worst 45 us. Since: 0.1.
+   * 250 ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest ellipses; 50 ns if a shape
+   * holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below 2^-40; at
+   * worst 45 us. Since: 0.1.
    */
   vesica_nearest_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
   /**
@@ -179,7 +180,7 @@ export interface C {
    * use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
    * lengths. An aspect ratio is longer over shorter size. "Right to x": the error is <= x. Cost: about 150 ns for
    * points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to 5 us if only exact arithmetic can
-   * tell the depth from 0; at worst 25 us. Since: 0.1.
+   * tell the depth from 0; at worst 30 us. Since: 0.1.
    */
   vesica_depth_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
   /**
@@ -206,7 +207,7 @@ export interface C {
    * or coincide and whatever the sizes are. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the
    * largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is longer over shorter
    * size. "Right to x": the error is <= x. Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for
-   * two ellipses; up to 10 us if outlines nearly touch or coincide, or if one shape is far larger; at worst 45 us.
+   * two ellipses; up to 10 us if outlines nearly touch or coincide, or if one shape is far larger; at worst 80 us.
    * Since: 0.1.
    */
   vesica_area_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
@@ -238,7 +239,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_point_point_f64(a: number, b: number): number;
@@ -248,7 +249,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_point_segment_f64(a: number, b: number): number;
@@ -258,7 +259,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_point_circle_f64(a: number, b: number): number;
@@ -268,7 +269,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_point_aabb_f64(a: number, b: number): number;
@@ -278,7 +279,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_point_rect_f64(a: number, b: number): number;
@@ -288,7 +289,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_point_ellipse_f64(a: number, b: number): number;
@@ -298,7 +299,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_segment_segment_f64(a: number, b: number): number;
@@ -308,7 +309,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_segment_circle_f64(a: number, b: number): number;
@@ -318,7 +319,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_segment_aabb_f64(a: number, b: number): number;
@@ -328,7 +329,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_segment_rect_f64(a: number, b: number): number;
@@ -338,7 +339,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_segment_ellipse_f64(a: number, b: number): number;
@@ -348,7 +349,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_circle_circle_f64(a: number, b: number): number;
@@ -358,7 +359,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_circle_aabb_f64(a: number, b: number): number;
@@ -368,7 +369,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_circle_rect_f64(a: number, b: number): number;
@@ -378,7 +379,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_circle_ellipse_f64(a: number, b: number): number;
@@ -388,7 +389,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_aabb_aabb_f64(a: number, b: number): number;
@@ -398,7 +399,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_aabb_rect_f64(a: number, b: number): number;
@@ -408,7 +409,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_aabb_ellipse_f64(a: number, b: number): number;
@@ -418,7 +419,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_rect_rect_f64(a: number, b: number): number;
@@ -428,7 +429,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_rect_ellipse_f64(a: number, b: number): number;
@@ -438,7 +439,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_ellipse_ellipse_f64(a: number, b: number): number;
@@ -802,7 +803,7 @@ export interface C {
    * Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe them.
    * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 25 us.
+   * Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 70 us.
    * Since: 0.1.
    */
   vesica_relation_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number): number;
@@ -833,7 +834,7 @@ export interface C {
    * Each number is computed in double, within these bounds, and then rounded to float once. Bounds on computed numbers
    * use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
    * lengths. An aspect ratio is longer over shorter size. "Right to x": the error is <= x. Cost: 1 to 10 us; at worst
-   * 40 us. Since: 0.1.
+   * 90 us. Since: 0.1.
    */
   vesica_crossings_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
   /**
@@ -849,9 +850,9 @@ export interface C {
    * 1000). Closest points are right to 4 u scale, and a common point to 8 u scale, before they are rounded. Each number
    * is computed in double, within these bounds, and then rounded to float once. Bounds on computed numbers use u =
    * 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An
-   * aspect ratio is longer over shorter size. "Right to x": the error is <= x. Cost: 100 to 200 ns for disjoint shapes,
-   * 500 ns for the thinnest ellipses; 50 ns if a shape holds the other's centre; 0.3 to 3 us for shapes that cross,
-   * near-ties and magnitudes above 2^40 or below 2^-40; at worst 45 us. Since: 0.1.
+   * aspect ratio is longer over shorter size. "Right to x": the error is <= x. Cost: 100 to 250 ns for disjoint shapes,
+   * 450 ns for a point and an ellipse, 500 ns for the thinnest ellipses; 50 ns if a shape holds the other's centre; 0.3
+   * to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below 2^-40; at worst 45 us. Since: 0.1.
    */
   vesica_nearest_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
   /**
@@ -890,7 +891,7 @@ export interface C {
    * double, within these bounds, and then rounded to float once. Bounds on computed numbers use u = 2^-53. The scale of
    * two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is
    * longer over shorter size. "Right to x": the error is <= x. Cost: about 150 ns for points, segments and boxes; 0.5
-   * us with an ellipse, for a few 1 us more; up to 5 us if only exact arithmetic can tell the depth from 0; at worst 25
+   * us with an ellipse, for a few 1 us more; up to 5 us if only exact arithmetic can tell the depth from 0; at worst 30
    * us. Since: 0.1.
    */
   vesica_depth_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
@@ -920,7 +921,7 @@ export interface C {
    * float once. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
    * between their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the
    * error is <= x. Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10
-   * us if outlines nearly touch or coincide, or if one shape is far larger; at worst 45 us. Since: 0.1.
+   * us if outlines nearly touch or coincide, or if one shape is far larger; at worst 80 us. Since: 0.1.
    */
   vesica_area_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
   /**
@@ -952,7 +953,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_point_point_f32(a: number, b: number): number;
@@ -962,7 +963,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_point_segment_f32(a: number, b: number): number;
@@ -972,7 +973,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_point_circle_f32(a: number, b: number): number;
@@ -982,7 +983,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_point_aabb_f32(a: number, b: number): number;
@@ -992,7 +993,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_point_rect_f32(a: number, b: number): number;
@@ -1002,7 +1003,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_point_ellipse_f32(a: number, b: number): number;
@@ -1012,7 +1013,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_segment_segment_f32(a: number, b: number): number;
@@ -1022,7 +1023,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_segment_circle_f32(a: number, b: number): number;
@@ -1032,7 +1033,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_segment_aabb_f32(a: number, b: number): number;
@@ -1042,7 +1043,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_segment_rect_f32(a: number, b: number): number;
@@ -1052,7 +1053,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_segment_ellipse_f32(a: number, b: number): number;
@@ -1062,7 +1063,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_circle_circle_f32(a: number, b: number): number;
@@ -1072,7 +1073,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_circle_aabb_f32(a: number, b: number): number;
@@ -1082,7 +1083,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_circle_rect_f32(a: number, b: number): number;
@@ -1092,7 +1093,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_circle_ellipse_f32(a: number, b: number): number;
@@ -1102,7 +1103,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_aabb_aabb_f32(a: number, b: number): number;
@@ -1112,7 +1113,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_aabb_rect_f32(a: number, b: number): number;
@@ -1122,7 +1123,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_aabb_ellipse_f32(a: number, b: number): number;
@@ -1132,7 +1133,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_rect_rect_f32(a: number, b: number): number;
@@ -1142,7 +1143,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_rect_ellipse_f32(a: number, b: number): number;
@@ -1152,7 +1153,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_ellipse_ellipse_f32(a: number, b: number): number;
@@ -2295,7 +2296,7 @@ export interface C {
    * between their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the
    * error is <= x. Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and
    * two ellipses, see the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly
-   * unlike exponents most take 10 to 30 us; the dearest that searches found took 0.2 ms (AMD EPYC, Zen 4). Since: 0.1.
+   * unlike exponents most take 10 to 30 us; the dearest that searches found took 0.4 ms (AMD EPYC, Zen 4). Since: 0.1.
    */
   vesica_cast_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, vx: number, vy: number,
     t_end: number, out: number): number;
@@ -2475,7 +2476,7 @@ export interface C {
    * between their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the
    * error is <= x. Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and
    * two ellipses, see the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly
-   * unlike exponents most take 10 to 30 us; the dearest that searches found took 0.2 ms (AMD EPYC, Zen 4). Since: 0.1.
+   * unlike exponents most take 10 to 30 us; the dearest that searches found took 0.4 ms (AMD EPYC, Zen 4). Since: 0.1.
    */
   vesica_cast_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, vx: number, vy: number,
     t_end: number, out: number): number;
@@ -2634,7 +2635,7 @@ export interface C {
    * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
    * Accuracy: exact.
    * Cost: that of vesica_relation_f64; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel. At
-   * extreme magnitudes searches found up to 25 us (AMD EPYC, Zen 4).
+   * extreme magnitudes searches found up to 80 us (AMD EPYC, Zen 4).
    * Since: 0.1.
    */
   vesica_de9im_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, matrix: number): number;
@@ -2685,7 +2686,7 @@ export interface C {
    * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
    * Accuracy: exact.
    * Cost: that of vesica_relation_f32; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel. At
-   * extreme magnitudes searches found up to 25 us (AMD EPYC, Zen 4).
+   * extreme magnitudes searches found up to 80 us (AMD EPYC, Zen 4).
    * Since: 0.1.
    */
   vesica_de9im_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, matrix: number): number;

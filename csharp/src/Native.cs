@@ -115,7 +115,7 @@ namespace Vesica
         /// describe them.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.</para>
         /// <para>Accuracy: exact.</para>
-        /// <para>Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 25
+        /// <para>Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 70
         /// us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -150,7 +150,7 @@ namespace Vesica
         /// order or be equal. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx|
         /// and |dy| between their centres and of their half lengths. An aspect ratio is longer over shorter size.
         /// "Right to x": the error is &lt;= x.</para>
-        /// <para>Cost: 1 to 10 us; at worst 40 us.</para>
+        /// <para>Cost: 1 to 10 us; at worst 90 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -170,9 +170,9 @@ namespace Vesica
         /// common point to 8 u scale, before they are rounded. Bounds on computed numbers use u = 2^-53. The scale of
         /// two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio
         /// is longer over shorter size. "Right to x": the error is &lt;= x.</para>
-        /// <para>Cost: 100 to 200 ns for disjoint shapes, 500 ns for the thinnest ellipses; 50 ns if a shape holds the
-        /// other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below 2^-40; at
-        /// worst 45 us.</para>
+        /// <para>Cost: 100 to 250 ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest
+        /// ellipses; 50 ns if a shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and
+        /// magnitudes above 2^40 or below 2^-40; at worst 45 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -220,7 +220,7 @@ namespace Vesica
         /// |dx| and |dy| between their centres and of their half lengths. An aspect ratio is longer over shorter size.
         /// "Right to x": the error is &lt;= x.</para>
         /// <para>Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to
-        /// 5 us if only exact arithmetic can tell the depth from 0; at worst 25 us.</para>
+        /// 5 us if only exact arithmetic can tell the depth from 0; at worst 30 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -253,7 +253,7 @@ namespace Vesica
         /// numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
         /// their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.</para>
         /// <para>Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us
-        /// if outlines nearly touch or coincide, or if one shape is far larger; at worst 45 us.</para>
+        /// if outlines nearly touch or coincide, or if one shape is far larger; at worst 80 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -719,7 +719,7 @@ namespace Vesica
         /// describe them.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.</para>
         /// <para>Accuracy: exact.</para>
-        /// <para>Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 25
+        /// <para>Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 70
         /// us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -755,7 +755,7 @@ namespace Vesica
         /// Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between
         /// their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the
         /// error is &lt;= x.</para>
-        /// <para>Cost: 1 to 10 us; at worst 40 us.</para>
+        /// <para>Cost: 1 to 10 us; at worst 90 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -776,9 +776,9 @@ namespace Vesica
         /// and then rounded to float once. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the
         /// largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is longer over
         /// shorter size. "Right to x": the error is &lt;= x.</para>
-        /// <para>Cost: 100 to 200 ns for disjoint shapes, 500 ns for the thinnest ellipses; 50 ns if a shape holds the
-        /// other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below 2^-40; at
-        /// worst 45 us.</para>
+        /// <para>Cost: 100 to 250 ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest
+        /// ellipses; 50 ns if a shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and
+        /// magnitudes above 2^40 or below 2^-40; at worst 45 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -828,7 +828,7 @@ namespace Vesica
         /// between their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x":
         /// the error is &lt;= x.</para>
         /// <para>Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to
-        /// 5 us if only exact arithmetic can tell the depth from 0; at worst 25 us.</para>
+        /// 5 us if only exact arithmetic can tell the depth from 0; at worst 30 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -862,7 +862,7 @@ namespace Vesica
         /// 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
         /// lengths. An aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.</para>
         /// <para>Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us
-        /// if outlines nearly touch or coincide, or if one shape is far larger; at worst 45 us.</para>
+        /// if outlines nearly touch or coincide, or if one shape is far larger; at worst 80 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2282,7 +2282,7 @@ namespace Vesica
         /// aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.</para>
         /// <para>Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two
         /// ellipses, see the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly
-        /// unlike exponents most take 10 to 30 us; the dearest that searches found took 0.2 ms (AMD EPYC, Zen
+        /// unlike exponents most take 10 to 30 us; the dearest that searches found took 0.4 ms (AMD EPYC, Zen
         /// 4).</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -2526,7 +2526,7 @@ namespace Vesica
         /// aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.</para>
         /// <para>Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two
         /// ellipses, see the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly
-        /// unlike exponents most take 10 to 30 us; the dearest that searches found took 0.2 ms (AMD EPYC, Zen
+        /// unlike exponents most take 10 to 30 us; the dearest that searches found took 0.4 ms (AMD EPYC, Zen
         /// 4).</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -2744,7 +2744,7 @@ namespace Vesica
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.</para>
         /// <para>Accuracy: exact.</para>
         /// <para>Cost: that of vesica_relation_f64; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are
-        /// parallel. At extreme magnitudes searches found up to 25 us (AMD EPYC, Zen 4).</para>
+        /// parallel. At extreme magnitudes searches found up to 80 us (AMD EPYC, Zen 4).</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2800,7 +2800,7 @@ namespace Vesica
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.</para>
         /// <para>Accuracy: exact.</para>
         /// <para>Cost: that of vesica_relation_f32; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are
-        /// parallel. At extreme magnitudes searches found up to 25 us (AMD EPYC, Zen 4).</para>
+        /// parallel. At extreme magnitudes searches found up to 80 us (AMD EPYC, Zen 4).</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

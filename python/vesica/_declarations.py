@@ -469,7 +469,7 @@ gives the converse relation.
 
 Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe
 them. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE. Accuracy: exact. Cost: up to twice that of
-vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 25 us. Since: 0.1.""",
+vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 70 us. Since: 0.1.""",
     ),
     "vesica_contains_f64": (
         c_int32,
@@ -504,7 +504,7 @@ Accuracy: the number is exact. A place is right to 4 u times the largest coordin
 even where the outlines nearly coincide. Places closer to one another than that may come in either order or
 be equal. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
 between their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x":
-the error is <= x. Cost: 1 to 10 us; at worst 40 us. Since: 0.1.""",
+the error is <= x. Cost: 1 to 10 us; at worst 90 us. Since: 0.1.""",
     ),
     "vesica_nearest_f64": (
         c_int32,
@@ -523,9 +523,9 @@ the thinnest ellipses. Its relative error is at most 2 u above 1e-10 scale (aspe
 1e-14 scale (up to 1000). Closest points are right to 4 u scale, and a common point to 8 u scale, before
 they are rounded. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx|
 and |dy| between their centres and of their half lengths. An aspect ratio is longer over shorter size.
-"Right to x": the error is <= x. Cost: 100 to 200 ns for disjoint shapes, 500 ns for the thinnest ellipses;
-50 ns if a shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above
-2^40 or below 2^-40; at worst 45 us. Since: 0.1.""",
+"Right to x": the error is <= x. Cost: 100 to 250 ns for disjoint shapes, 450 ns for a point and an ellipse,
+500 ns for the thinnest ellipses; 50 ns if a shape holds the other's centre; 0.3 to 3 us for shapes that
+cross, near-ties and magnitudes above 2^40 or below 2^-40; at worst 45 us. Since: 0.1.""",
     ),
     "vesica_boundary_distance_f64": (
         c_int32,
@@ -571,7 +571,7 @@ is 1 to 3 u. After the move at most 8 u scale of overlap is left. Whether the de
 computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their
 centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is
 <= x. Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to
-5 us if only exact arithmetic can tell the depth from 0; at worst 25 us. Since: 0.1.""",
+5 us if only exact arithmetic can tell the depth from 0; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_shape_area_f64": (
         c_int32,
@@ -603,7 +603,7 @@ outlines nearly touch or coincide and whatever the sizes are. Bounds on computed
 scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An
 aspect ratio is longer over shorter size. "Right to x": the error is <= x. Cost: about 50 ns for two boxes,
 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines nearly touch or coincide,
-or if one shape is far larger; at worst 45 us. Since: 0.1.""",
+or if one shape is far larger; at worst 80 us. Since: 0.1.""",
     ),
     "vesica_iou_f64": (
         c_int32,
@@ -643,7 +643,7 @@ Are the two points the same?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_segment_f64": (
         c_int32,
@@ -654,7 +654,7 @@ Does the point lie on the segment? End points count.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_circle_f64": (
         c_int32,
@@ -665,7 +665,7 @@ Does the point lie in the disc or on its rim?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_aabb_f64": (
         c_int32,
@@ -676,7 +676,7 @@ Does the point lie in the box or on its outline?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_rect_f64": (
         c_int32,
@@ -687,7 +687,7 @@ Does the point lie in the rectangle or on its outline?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_ellipse_f64": (
         c_int32,
@@ -698,7 +698,7 @@ Does the point lie in the ellipse or on its outline?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_segment_segment_f64": (
         c_int32,
@@ -709,7 +709,7 @@ Do the segments share a point? End points count, and so do stretches along one l
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_segment_circle_f64": (
         c_int32,
@@ -720,7 +720,7 @@ Does the segment meet the disc? A tangent segment does.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_segment_aabb_f64": (
         c_int32,
@@ -731,7 +731,7 @@ Does the segment meet the box? A segment inside it does.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_segment_rect_f64": (
         c_int32,
@@ -742,7 +742,7 @@ Does the segment meet the rectangle? A segment inside it does.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_segment_ellipse_f64": (
         c_int32,
@@ -753,7 +753,7 @@ Does the segment meet the ellipse? A tangent segment does.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_circle_circle_f64": (
         c_int32,
@@ -764,7 +764,7 @@ Do the discs share a point? Discs that touch from outside do.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_circle_aabb_f64": (
         c_int32,
@@ -775,7 +775,7 @@ Do the disc and the box share a point?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_circle_rect_f64": (
         c_int32,
@@ -786,7 +786,7 @@ Do the disc and the rectangle share a point?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_circle_ellipse_f64": (
         c_int32,
@@ -797,7 +797,7 @@ Do the disc and the ellipse share a point?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_aabb_aabb_f64": (
         c_int32,
@@ -808,7 +808,7 @@ Do the boxes share a point? Boxes that share an edge or a corner do.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_aabb_rect_f64": (
         c_int32,
@@ -819,7 +819,7 @@ Do the box and the rectangle share a point?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_aabb_ellipse_f64": (
         c_int32,
@@ -830,7 +830,7 @@ Do the box and the ellipse share a point?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_rect_rect_f64": (
         c_int32,
@@ -841,7 +841,7 @@ Do the rectangles share a point? Rectangles that share an edge or a corner do.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_rect_ellipse_f64": (
         c_int32,
@@ -852,7 +852,7 @@ Do the rectangle and the ellipse share a point? They do if one is inside the oth
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_ellipse_ellipse_f64": (
         c_int32,
@@ -863,7 +863,7 @@ Do the ellipses share a point? They do if one is inside the other.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_aabb_from_corners_f64": (
         c_int32,
@@ -1290,7 +1290,7 @@ gives the converse relation.
 
 Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe
 them. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE. Accuracy: exact. Cost: up to twice that of
-vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 25 us. Since: 0.1.""",
+vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 70 us. Since: 0.1.""",
     ),
     "vesica_contains_f32": (
         c_int32,
@@ -1326,7 +1326,7 @@ even where the outlines nearly coincide. Places closer to one another than that 
 be equal. Each number is computed in double, within these bounds, and then rounded to float once. Bounds on
 computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their
 centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is
-<= x. Cost: 1 to 10 us; at worst 40 us. Since: 0.1.""",
+<= x. Cost: 1 to 10 us; at worst 90 us. Since: 0.1.""",
     ),
     "vesica_nearest_f32": (
         c_int32,
@@ -1346,9 +1346,9 @@ the thinnest ellipses. Its relative error is at most 2 u above 1e-10 scale (aspe
 they are rounded. Each number is computed in double, within these bounds, and then rounded to float once.
 Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between
 their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the
-error is <= x. Cost: 100 to 200 ns for disjoint shapes, 500 ns for the thinnest ellipses; 50 ns if a shape
-holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below
-2^-40; at worst 45 us. Since: 0.1.""",
+error is <= x. Cost: 100 to 250 ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the
+thinnest ellipses; 50 ns if a shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties
+and magnitudes above 2^40 or below 2^-40; at worst 45 us. Since: 0.1.""",
     ),
     "vesica_boundary_distance_f32": (
         c_int32,
@@ -1396,7 +1396,7 @@ number is computed in double, within these bounds, and then rounded to float onc
 numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
 their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is <= x. Cost:
 about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to 5 us if only
-exact arithmetic can tell the depth from 0; at worst 25 us. Since: 0.1.""",
+exact arithmetic can tell the depth from 0; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_shape_area_f32": (
         c_int32,
@@ -1429,7 +1429,7 @@ these bounds, and then rounded to float once. Bounds on computed numbers use u =
 shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is
 longer over shorter size. "Right to x": the error is <= x. Cost: about 50 ns for two boxes, 150 ns for an
 ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines nearly touch or coincide, or if one
-shape is far larger; at worst 45 us. Since: 0.1.""",
+shape is far larger; at worst 80 us. Since: 0.1.""",
     ),
     "vesica_iou_f32": (
         c_int32,
@@ -1470,7 +1470,7 @@ Are the two points the same?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_segment_f32": (
         c_int32,
@@ -1481,7 +1481,7 @@ Does the point lie on the segment? End points count.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_circle_f32": (
         c_int32,
@@ -1492,7 +1492,7 @@ Does the point lie in the disc or on its rim?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_aabb_f32": (
         c_int32,
@@ -1503,7 +1503,7 @@ Does the point lie in the box or on its outline?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_rect_f32": (
         c_int32,
@@ -1514,7 +1514,7 @@ Does the point lie in the rectangle or on its outline?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_ellipse_f32": (
         c_int32,
@@ -1525,7 +1525,7 @@ Does the point lie in the ellipse or on its outline?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_segment_segment_f32": (
         c_int32,
@@ -1536,7 +1536,7 @@ Do the segments share a point? End points count, and so do stretches along one l
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_segment_circle_f32": (
         c_int32,
@@ -1547,7 +1547,7 @@ Does the segment meet the disc? A tangent segment does.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_segment_aabb_f32": (
         c_int32,
@@ -1558,7 +1558,7 @@ Does the segment meet the box? A segment inside it does.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_segment_rect_f32": (
         c_int32,
@@ -1569,7 +1569,7 @@ Does the segment meet the rectangle? A segment inside it does.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_segment_ellipse_f32": (
         c_int32,
@@ -1580,7 +1580,7 @@ Does the segment meet the ellipse? A tangent segment does.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_circle_circle_f32": (
         c_int32,
@@ -1591,7 +1591,7 @@ Do the discs share a point? Discs that touch from outside do.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_circle_aabb_f32": (
         c_int32,
@@ -1602,7 +1602,7 @@ Do the disc and the box share a point?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_circle_rect_f32": (
         c_int32,
@@ -1613,7 +1613,7 @@ Do the disc and the rectangle share a point?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_circle_ellipse_f32": (
         c_int32,
@@ -1624,7 +1624,7 @@ Do the disc and the ellipse share a point?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_aabb_aabb_f32": (
         c_int32,
@@ -1635,7 +1635,7 @@ Do the boxes share a point? Boxes that share an edge or a corner do.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_aabb_rect_f32": (
         c_int32,
@@ -1646,7 +1646,7 @@ Do the box and the rectangle share a point?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_aabb_ellipse_f32": (
         c_int32,
@@ -1657,7 +1657,7 @@ Do the box and the ellipse share a point?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_rect_rect_f32": (
         c_int32,
@@ -1668,7 +1668,7 @@ Do the rectangles share a point? Rectangles that share an edge or a corner do.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_rect_ellipse_f32": (
         c_int32,
@@ -1679,7 +1679,7 @@ Do the rectangle and the ellipse share a point? They do if one is inside the oth
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_ellipse_ellipse_f32": (
         c_int32,
@@ -1690,7 +1690,7 @@ Do the ellipses share a point? They do if one is inside the other.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
-decide; at worst 20 us. Since: 0.1.""",
+decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_aabb_from_corners_f32": (
         c_int32,
@@ -3068,7 +3068,7 @@ numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| b
 their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is <= x. Cost: 30
 to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two ellipses, see
 the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly unlike
-exponents most take 10 to 30 us; the dearest that searches found took 0.2 ms (AMD EPYC, Zen 4). Since: 0.1.""",
+exponents most take 10 to 30 us; the dearest that searches found took 0.4 ms (AMD EPYC, Zen 4). Since: 0.1.""",
     ),
     "vesica_cast_many_f64": (
         c_int64,
@@ -3293,7 +3293,7 @@ numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| b
 their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is <= x. Cost: 30
 to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two ellipses, see
 the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly unlike
-exponents most take 10 to 30 us; the dearest that searches found took 0.2 ms (AMD EPYC, Zen 4). Since: 0.1.""",
+exponents most take 10 to 30 us; the dearest that searches found took 0.4 ms (AMD EPYC, Zen 4). Since: 0.1.""",
     ),
     "vesica_cast_many_f32": (
         c_int64,
@@ -3493,7 +3493,7 @@ Exchanging the shapes exchanges rows and columns.
 Requires: matrix with room for VESICA_DE9IM_SIZE characters. Returns: 0, and nine characters and a final NUL
 in matrix. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE. Accuracy: exact. Cost: that of
 vesica_relation_f64; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel. At
-extreme magnitudes searches found up to 25 us (AMD EPYC, Zen 4). Since: 0.1.""",
+extreme magnitudes searches found up to 80 us (AMD EPYC, Zen 4). Since: 0.1.""",
     ),
     "vesica_de9im_match": (
         c_int32,
@@ -3550,7 +3550,7 @@ Exchanging the shapes exchanges rows and columns.
 Requires: matrix with room for VESICA_DE9IM_SIZE characters. Returns: 0, and nine characters and a final NUL
 in matrix. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE. Accuracy: exact. Cost: that of
 vesica_relation_f32; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel. At
-extreme magnitudes searches found up to 25 us (AMD EPYC, Zen 4). Since: 0.1.""",
+extreme magnitudes searches found up to 80 us (AMD EPYC, Zen 4). Since: 0.1.""",
     ),
     "vesica_intersection_f32": (
         c_int32,

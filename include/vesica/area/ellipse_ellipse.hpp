@@ -145,8 +145,8 @@ inline double between(double low, double high) noexcept {
   return low < 0.5 ? between_magnitudes(low, high) : 1 - between_magnitudes(1 - high, 1 - low);
 }
 
-/// The search for a sign change of the value between two places at which its signs differ, step by step from the secant's
-/// zero. The interval is halved where a step would leave it or does not shrink.
+/// The search for a sign change of the value between two places at which its signs differ, step by step from the
+/// secant's zero. The interval is halved where a step would leave it or does not shrink.
 template <class V>
 class Search {
  public:
@@ -237,8 +237,8 @@ struct Cuts {
   }
 };
 
-/// The search for where a slope is 0 between two places at which its signs differ: by secants, where the slope of an end
-/// that stays twice counts half (the Illinois rule). The interval is halved where three of them do not narrow it.
+/// The search for where a slope is 0 between two places at which its signs differ: by secants, where the slope of an
+/// end that stays twice counts half (the Illinois rule). The interval is halved where three of them do not narrow it.
 class LevelSearch {
  public:
   LevelSearch(double from, double slope_from, double to, double slope_to) noexcept
@@ -326,8 +326,8 @@ Upper upper_half(const Against<V>& f) noexcept {
   return {root < 1 ? std::sqrt((1 - root) * (1 + root)) : 0, least};
 }
 
-/// Crossings along a half circle, from the first of n places on to the last. At those between them the bend changes. The
-/// extreme value is likely near -guess on the first part, and near guess on the last.
+/// Crossings along a half circle, from the first of n places on to the last. At those between them the bend changes.
+/// The extreme value is likely near -guess on the first part, and near guess on the last.
 template <class V>
 void add_crossings(const HalfCircle<V>& half, const double* x, int n, double bend, double guess,
                    Searches<V>& crossings) noexcept {

@@ -69,9 +69,9 @@ constexpr bool are_worth_while(int columns, const Span& a, const Span& b) noexce
   return columns <= always || 2 * columns * columns < a.size * b.size;
 }
 
-/// a b - c^2, of numbers of at most 1024 limbs, down to the column `last` of the grid. False where so many digits cancel
-/// that the columns do not tell its sign. What the columns below add to either product is less than 1024 * 2^64 at a
-/// column: so a sum that is not small decides, and one that is has room for the next column.
+/// a b - c^2, of numbers of at most 1024 limbs, down to the column `last` of the grid. False where so many digits
+/// cancel that the columns do not tell its sign. What the columns below add to either product is less than 1024 * 2^64
+/// at a column: so a sum that is not small decides, and one that is has room for the next column.
 constexpr bool columns_tell(ColumnSum& sum, int& last, const Span& a, const Span& b, const Span& c) noexcept {
   const int top_of_product = a.low + a.size + b.low + b.size, top_of_square = 2 * (c.low + c.size);
   const int bottom = a.low + b.low < 2 * c.low ? a.low + b.low : 2 * c.low;

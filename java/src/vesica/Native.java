@@ -117,7 +117,7 @@ final class Native {
    *
    * <p>Accuracy: exact.
    *
-   * <p>Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 25 us.
+   * <p>Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 70 us.
    *
    * <p>Since: 0.1.
    */
@@ -158,7 +158,7 @@ final class Native {
    * their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is
    * &lt;= x.
    *
-   * <p>Cost: 1 to 10 us; at worst 40 us.
+   * <p>Cost: 1 to 10 us; at worst 90 us.
    *
    * <p>Since: 0.1.
    */
@@ -182,8 +182,9 @@ final class Native {
    * between their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the
    * error is &lt;= x.
    *
-   * <p>Cost: 100 to 200 ns for disjoint shapes, 500 ns for the thinnest ellipses; 50 ns if a shape holds the other's
-   * centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below 2^-40; at worst 45 us.
+   * <p>Cost: 100 to 250 ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest ellipses; 50
+   * ns if a shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or
+   * below 2^-40; at worst 45 us.
    *
    * <p>Since: 0.1.
    */
@@ -236,7 +237,7 @@ final class Native {
    * &lt;= x.
    *
    * <p>Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to 5 us if
-   * only exact arithmetic can tell the depth from 0; at worst 25 us.
+   * only exact arithmetic can tell the depth from 0; at worst 30 us.
    *
    * <p>Since: 0.1.
    */
@@ -276,7 +277,7 @@ final class Native {
    * aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.
    *
    * <p>Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if
-   * outlines nearly touch or coincide, or if one shape is far larger; at worst 45 us.
+   * outlines nearly touch or coincide, or if one shape is far larger; at worst 80 us.
    *
    * <p>Since: 0.1.
    */
@@ -841,7 +842,7 @@ final class Native {
    *
    * <p>Accuracy: exact.
    *
-   * <p>Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 25 us.
+   * <p>Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 70 us.
    *
    * <p>Since: 0.1.
    */
@@ -882,7 +883,7 @@ final class Native {
    * numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their
    * half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.
    *
-   * <p>Cost: 1 to 10 us; at worst 40 us.
+   * <p>Cost: 1 to 10 us; at worst 90 us.
    *
    * <p>Since: 0.1.
    */
@@ -906,8 +907,9 @@ final class Native {
    * computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and
    * of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.
    *
-   * <p>Cost: 100 to 200 ns for disjoint shapes, 500 ns for the thinnest ellipses; 50 ns if a shape holds the other's
-   * centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below 2^-40; at worst 45 us.
+   * <p>Cost: 100 to 250 ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest ellipses; 50
+   * ns if a shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or
+   * below 2^-40; at worst 45 us.
    *
    * <p>Since: 0.1.
    */
@@ -960,7 +962,7 @@ final class Native {
    * half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.
    *
    * <p>Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to 5 us if
-   * only exact arithmetic can tell the depth from 0; at worst 25 us.
+   * only exact arithmetic can tell the depth from 0; at worst 30 us.
    *
    * <p>Since: 0.1.
    */
@@ -1002,7 +1004,7 @@ final class Native {
    * over shorter size. "Right to x": the error is &lt;= x.
    *
    * <p>Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if
-   * outlines nearly touch or coincide, or if one shape is far larger; at worst 45 us.
+   * outlines nearly touch or coincide, or if one shape is far larger; at worst 80 us.
    *
    * <p>Since: 0.1.
    */
@@ -2725,7 +2727,7 @@ final class Native {
    *
    * <p>Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two ellipses,
    * see the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly unlike exponents
-   * most take 10 to 30 us; the dearest that searches found took 0.2 ms (AMD EPYC, Zen 4).
+   * most take 10 to 30 us; the dearest that searches found took 0.4 ms (AMD EPYC, Zen 4).
    *
    * <p>Since: 0.1.
    */
@@ -3026,7 +3028,7 @@ final class Native {
    *
    * <p>Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two ellipses,
    * see the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly unlike exponents
-   * most take 10 to 30 us; the dearest that searches found took 0.2 ms (AMD EPYC, Zen 4).
+   * most take 10 to 30 us; the dearest that searches found took 0.4 ms (AMD EPYC, Zen 4).
    *
    * <p>Since: 0.1.
    */
@@ -3297,7 +3299,7 @@ final class Native {
    * <p>Accuracy: exact.
    *
    * <p>Cost: that of vesica_relation_f64; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel.
-   * At extreme magnitudes searches found up to 25 us (AMD EPYC, Zen 4).
+   * At extreme magnitudes searches found up to 80 us (AMD EPYC, Zen 4).
    *
    * <p>Since: 0.1.
    */
@@ -3365,7 +3367,7 @@ final class Native {
    * <p>Accuracy: exact.
    *
    * <p>Cost: that of vesica_relation_f32; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel.
-   * At extreme magnitudes searches found up to 25 us (AMD EPYC, Zen 4).
+   * At extreme magnitudes searches found up to 80 us (AMD EPYC, Zen 4).
    *
    * <p>Since: 0.1.
    */

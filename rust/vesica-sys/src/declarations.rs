@@ -380,7 +380,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 25 us.
+    /// Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 70 us.
     ///
     /// Since: 0.1.
     pub fn vesica_relation_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64) -> i32;
@@ -415,7 +415,7 @@ extern "C" {
     /// their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is
     /// \<= x.
     ///
-    /// Cost: 1 to 10 us; at worst 40 us.
+    /// Cost: 1 to 10 us; at worst 90 us.
     ///
     /// Since: 0.1.
     pub fn vesica_crossings_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
@@ -437,8 +437,9 @@ extern "C" {
     /// |dx| and |dy| between their centres and of their half lengths. An aspect ratio is longer over shorter size.
     /// "Right to x": the error is \<= x.
     ///
-    /// Cost: 100 to 200 ns for disjoint shapes, 500 ns for the thinnest ellipses; 50 ns if a shape holds the other's
-    /// centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below 2^-40; at worst 45 us.
+    /// Cost: 100 to 250 ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest ellipses; 50
+    /// ns if a shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40
+    /// or below 2^-40; at worst 45 us.
     ///
     /// Since: 0.1.
     pub fn vesica_nearest_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
@@ -488,7 +489,7 @@ extern "C" {
     /// \<= x.
     ///
     /// Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to 5 us if
-    /// only exact arithmetic can tell the depth from 0; at worst 25 us.
+    /// only exact arithmetic can tell the depth from 0; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_depth_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
@@ -523,7 +524,7 @@ extern "C" {
     /// lengths. An aspect ratio is longer over shorter size. "Right to x": the error is \<= x.
     ///
     /// Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if
-    /// outlines nearly touch or coincide, or if one shape is far larger; at worst 45 us.
+    /// outlines nearly touch or coincide, or if one shape is far larger; at worst 80 us.
     ///
     /// Since: 0.1.
     pub fn vesica_area_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
@@ -564,7 +565,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_point_f64(a: *const Point<f64>, b: *const Point<f64>) -> i32;
@@ -576,7 +577,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_segment_f64(a: *const Point<f64>, b: *const Segment<f64>) -> i32;
@@ -588,7 +589,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_circle_f64(a: *const Point<f64>, b: *const Circle<f64>) -> i32;
@@ -600,7 +601,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_aabb_f64(a: *const Point<f64>, b: *const Aabb<f64>) -> i32;
@@ -612,7 +613,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_rect_f64(a: *const Point<f64>, b: *const Rect<f64>) -> i32;
@@ -624,7 +625,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_ellipse_f64(a: *const Point<f64>, b: *const Ellipse<f64>) -> i32;
@@ -636,7 +637,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_segment_f64(a: *const Segment<f64>, b: *const Segment<f64>) -> i32;
@@ -648,7 +649,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_circle_f64(a: *const Segment<f64>, b: *const Circle<f64>) -> i32;
@@ -660,7 +661,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_aabb_f64(a: *const Segment<f64>, b: *const Aabb<f64>) -> i32;
@@ -672,7 +673,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_rect_f64(a: *const Segment<f64>, b: *const Rect<f64>) -> i32;
@@ -684,7 +685,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_ellipse_f64(a: *const Segment<f64>, b: *const Ellipse<f64>) -> i32;
@@ -696,7 +697,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_circle_circle_f64(a: *const Circle<f64>, b: *const Circle<f64>) -> i32;
@@ -708,7 +709,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_circle_aabb_f64(a: *const Circle<f64>, b: *const Aabb<f64>) -> i32;
@@ -720,7 +721,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_circle_rect_f64(a: *const Circle<f64>, b: *const Rect<f64>) -> i32;
@@ -732,7 +733,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_circle_ellipse_f64(a: *const Circle<f64>, b: *const Ellipse<f64>) -> i32;
@@ -744,7 +745,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_aabb_aabb_f64(a: *const Aabb<f64>, b: *const Aabb<f64>) -> i32;
@@ -756,7 +757,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_aabb_rect_f64(a: *const Aabb<f64>, b: *const Rect<f64>) -> i32;
@@ -768,7 +769,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_aabb_ellipse_f64(a: *const Aabb<f64>, b: *const Ellipse<f64>) -> i32;
@@ -780,7 +781,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_rect_rect_f64(a: *const Rect<f64>, b: *const Rect<f64>) -> i32;
@@ -792,7 +793,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_rect_ellipse_f64(a: *const Rect<f64>, b: *const Ellipse<f64>) -> i32;
@@ -804,7 +805,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_ellipse_ellipse_f64(a: *const Ellipse<f64>, b: *const Ellipse<f64>) -> i32;
@@ -1268,7 +1269,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 25 us.
+    /// Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 70 us.
     ///
     /// Since: 0.1.
     pub fn vesica_relation_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32) -> i32;
@@ -1303,7 +1304,7 @@ extern "C" {
     /// computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres
     /// and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is \<= x.
     ///
-    /// Cost: 1 to 10 us; at worst 40 us.
+    /// Cost: 1 to 10 us; at worst 90 us.
     ///
     /// Since: 0.1.
     pub fn vesica_crossings_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
@@ -1326,8 +1327,9 @@ extern "C" {
     /// centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is \<=
     /// x.
     ///
-    /// Cost: 100 to 200 ns for disjoint shapes, 500 ns for the thinnest ellipses; 50 ns if a shape holds the other's
-    /// centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below 2^-40; at worst 45 us.
+    /// Cost: 100 to 250 ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest ellipses; 50
+    /// ns if a shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40
+    /// or below 2^-40; at worst 45 us.
     ///
     /// Since: 0.1.
     pub fn vesica_nearest_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
@@ -1377,7 +1379,7 @@ extern "C" {
     /// and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is \<= x.
     ///
     /// Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to 5 us if
-    /// only exact arithmetic can tell the depth from 0; at worst 25 us.
+    /// only exact arithmetic can tell the depth from 0; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_depth_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
@@ -1414,7 +1416,7 @@ extern "C" {
     /// is longer over shorter size. "Right to x": the error is \<= x.
     ///
     /// Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if
-    /// outlines nearly touch or coincide, or if one shape is far larger; at worst 45 us.
+    /// outlines nearly touch or coincide, or if one shape is far larger; at worst 80 us.
     ///
     /// Since: 0.1.
     pub fn vesica_area_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
@@ -1456,7 +1458,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_point_f32(a: *const Point<f32>, b: *const Point<f32>) -> i32;
@@ -1468,7 +1470,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_segment_f32(a: *const Point<f32>, b: *const Segment<f32>) -> i32;
@@ -1480,7 +1482,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_circle_f32(a: *const Point<f32>, b: *const Circle<f32>) -> i32;
@@ -1492,7 +1494,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_aabb_f32(a: *const Point<f32>, b: *const Aabb<f32>) -> i32;
@@ -1504,7 +1506,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_rect_f32(a: *const Point<f32>, b: *const Rect<f32>) -> i32;
@@ -1516,7 +1518,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_ellipse_f32(a: *const Point<f32>, b: *const Ellipse<f32>) -> i32;
@@ -1528,7 +1530,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_segment_f32(a: *const Segment<f32>, b: *const Segment<f32>) -> i32;
@@ -1540,7 +1542,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_circle_f32(a: *const Segment<f32>, b: *const Circle<f32>) -> i32;
@@ -1552,7 +1554,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_aabb_f32(a: *const Segment<f32>, b: *const Aabb<f32>) -> i32;
@@ -1564,7 +1566,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_rect_f32(a: *const Segment<f32>, b: *const Rect<f32>) -> i32;
@@ -1576,7 +1578,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_ellipse_f32(a: *const Segment<f32>, b: *const Ellipse<f32>) -> i32;
@@ -1588,7 +1590,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_circle_circle_f32(a: *const Circle<f32>, b: *const Circle<f32>) -> i32;
@@ -1600,7 +1602,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_circle_aabb_f32(a: *const Circle<f32>, b: *const Aabb<f32>) -> i32;
@@ -1612,7 +1614,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_circle_rect_f32(a: *const Circle<f32>, b: *const Rect<f32>) -> i32;
@@ -1624,7 +1626,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_circle_ellipse_f32(a: *const Circle<f32>, b: *const Ellipse<f32>) -> i32;
@@ -1636,7 +1638,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_aabb_aabb_f32(a: *const Aabb<f32>, b: *const Aabb<f32>) -> i32;
@@ -1648,7 +1650,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_aabb_rect_f32(a: *const Aabb<f32>, b: *const Rect<f32>) -> i32;
@@ -1660,7 +1662,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_aabb_ellipse_f32(a: *const Aabb<f32>, b: *const Ellipse<f32>) -> i32;
@@ -1672,7 +1674,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_rect_rect_f32(a: *const Rect<f32>, b: *const Rect<f32>) -> i32;
@@ -1684,7 +1686,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_rect_ellipse_f32(a: *const Rect<f32>, b: *const Ellipse<f32>) -> i32;
@@ -1696,7 +1698,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 20 us.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_ellipse_ellipse_f32(a: *const Ellipse<f32>, b: *const Ellipse<f32>) -> i32;
@@ -3178,7 +3180,7 @@ extern "C" {
     ///
     /// Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two ellipses,
     /// see the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly unlike
-    /// exponents most take 10 to 30 us; the dearest that searches found took 0.2 ms (AMD EPYC, Zen 4).
+    /// exponents most take 10 to 30 us; the dearest that searches found took 0.4 ms (AMD EPYC, Zen 4).
     ///
     /// Since: 0.1.
     pub fn vesica_cast_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64, vx: f64, vy: f64,
@@ -3440,7 +3442,7 @@ extern "C" {
     ///
     /// Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two ellipses,
     /// see the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly unlike
-    /// exponents most take 10 to 30 us; the dearest that searches found took 0.2 ms (AMD EPYC, Zen 4).
+    /// exponents most take 10 to 30 us; the dearest that searches found took 0.4 ms (AMD EPYC, Zen 4).
     ///
     /// Since: 0.1.
     pub fn vesica_cast_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32, vx: f32, vy: f32,
@@ -3671,7 +3673,7 @@ extern "C" {
     /// Accuracy: exact.
     ///
     /// Cost: that of vesica_relation_f64; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel.
-    /// At extreme magnitudes searches found up to 25 us (AMD EPYC, Zen 4).
+    /// At extreme magnitudes searches found up to 80 us (AMD EPYC, Zen 4).
     ///
     /// Since: 0.1.
     pub fn vesica_de9im_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
@@ -3732,7 +3734,7 @@ extern "C" {
     /// Accuracy: exact.
     ///
     /// Cost: that of vesica_relation_f32; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel.
-    /// At extreme magnitudes searches found up to 25 us (AMD EPYC, Zen 4).
+    /// At extreme magnitudes searches found up to 80 us (AMD EPYC, Zen 4).
     ///
     /// Since: 0.1.
     pub fn vesica_de9im_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
