@@ -122,8 +122,8 @@ struct HalfCircle {
     const double z0 = q * rounded(p.z0), z1 = q * rounded(p.z1), x0 = flat * at, y0 = flat * height;
     const double here = value < 0x1p1000 ? value * q * q : z0 * z0 + z1 * z1;
     const double slope = z1 * at - z0 * y0, bend = at * at + y0 * y0 - (z0 * x0 + z1 * height);
-    const double newton = -0.5 * here / slope, defect = 1 + 2 * newton * (bend / slope);
-    return {at, height, value, 2 * newton / (1 + (defect > 0 ? std::sqrt(defect) : 0))};
+    const double newton = -0.5 * here / slope, discriminant = 1 + 2 * newton * (bend / slope);  // over slope^2
+    return {at, height, value, 2 * newton / (1 + (discriminant > 0 ? std::sqrt(discriminant) : 0))};
   }
 };
 
@@ -256,15 +256,15 @@ class LevelSearch {
     const bool after = (slope < 0) == (slope_to_ < 0);
     (after ? to_ : from_) = x;
     (after ? slope_to_ : slope_from_) = slope;
-    if (stays_[!after]) (after ? slope_from_ : slope_to_) *= 0.5;
-    stays_[!after] = true;
-    stays_[after] = false;
+    const int moved = after ? 1 : -1;
+    if (moved == moved_) (after ? slope_from_ : slope_to_) *= 0.5;
+    moved_ = moved;
   }
 
  private:
   double from_, to_, slope_from_, slope_to_, width_;
   int steps_ = 0;
-  bool stays_[2] = {false, false};
+  int moved_ = 0;  ///< the end that the last place replaced: -1 the first, 1 the other
 
   /// A little off an end that it all but meets.
   double zero_of_secant() const noexcept {

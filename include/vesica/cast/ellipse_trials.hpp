@@ -196,7 +196,8 @@ class EllipseTrials {
     if (trial.known) (trial.after ? first_after_ : latest_before_) = t;
     return trial;
   }
-  /// The least power of two at which the place is within exact numbers, below which there are ever more digits.
+  /// The least power of two at which the place is within exact numbers, 2^1023 where it is at none. The less the time,
+  /// the more digits has the place, but where terms cancel.
   double least_held() const noexcept {
     const auto is_held = [this](int exponent) { return pair_.holds_place(arithmetic::scale_far(1, exponent)); };
     int no = -1075, yes = is_held(no + 1) ? no + 1 : 1023;
@@ -206,6 +207,7 @@ class EllipseTrials {
     }
     return arithmetic::scale_far(1, yes);
   }
+  /// Not known where the place is beyond exact numbers.
   Trial find(double t) noexcept {
     const int left = to_witness(t);
     if (left < 0) return {true, true};

@@ -253,6 +253,7 @@ constexpr Leading<few_limbs> product_less_square(const Number<A>& a, const Numbe
   const Limb limb[] = {size.low, size.middle, size.high};
   Few out;
   out.set(sum.sign(), {limb, last, 3});
+  if (!sum.is_small()) out.error = std::int64_t{64} * last + 74;  // the columns below add less
   return out;
 }
 
