@@ -40,7 +40,7 @@ PART = re.compile(r"^(" + "|".join(PARTS) + "): ", re.M)
 HEADING = re.compile(r"/\* ---- (?P<title>.*?) ----(?P<parts>.*?)\*/", re.S)
 REFERENCE = re.compile(r"As (vesica_\w+_f64)(, rounded to float)?\.")
 ROUNDED = "\nEach number is computed in double, within these bounds, and then rounded to float once."
-DEFINITION = re.compile(r"^ - (Bounds on computed numbers use u.*?)(?=^ - |\Z)", re.M | re.S)
+DEFINITION = re.compile(r"^ - (In bounds on errors u is.*?)(?=^ - |\Z)", re.M | re.S)
 CONSTANT = re.compile(r"#define (?P<name>[A-Z]\w*) +\(?(?P<value>-?\d+)\)?(?: */\*\*<(?P<comment>.*?)\*/)?\n", re.S)
 STRUCT = re.compile(r"typedef struct \{(?P<body>[^{}]*)\} (?P<name>\w+);")
 FUNCTION = re.compile(r"VESICA_API (?P<returns>[\w ]+?)(?P<stars>[ *]*)\b(?P<name>\w+)\((?P<parameters>[^()]*)\);")

@@ -16,6 +16,9 @@ inline bool aligned(const void* p) noexcept {
   return reinterpret_cast<std::uintptr_t>(p) % static_cast<std::uintptr_t>(index::alignment) == 0;
 }
 
+/// Whether shapes of this kind can be suppressed: their areas are compared.
+inline bool has_area(int32_t kind) noexcept { return kind >= VESICA_CIRCLE && has_form(kind); }
+
 template <class T>
 index::Set set_of(const CShapesOf<T>& shapes, int64_t first) noexcept {
   index::Set set{shapes.kind, first, shapes.count, shapes.stride, {}};
@@ -34,6 +37,7 @@ int32_t view_sets(const CShapesOf<T>* sets, int32_t set_count, index::Sets& out)
   int32_t worst = 0;
   for (int32_t s = 0; s < set_count; ++s) {
     int32_t error = check_array(sets[s]);
+    if (error == 0 && !has_form(sets[s].kind)) error = VESICA_E_KIND;
     if (error == 0 && sets[s].count > 0 && has_null(sets[s])) error = VESICA_E_NULL;
     if (error == 0 && sets[s].count > index::most_items - out.items) error = VESICA_E_ARGUMENT;
     if (error == 0 && sets[s].count > 0 && out.count == index::most_sets) error = VESICA_E_ARGUMENT;

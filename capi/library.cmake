@@ -23,12 +23,11 @@ function(vesica_library name)
   string(REGEX REPLACE "^vesica_" "" alias ${name})
   string(REPLACE "_" "-" output ${name})
   add_library(${name} ${arg_SOURCES})
+  set(headers $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(${name}
     PRIVATE $<BUILD_INTERFACE:vesica_core> $<BUILD_INTERFACE:vesica_flags> ${arg_LINK} m
     INTERFACE ${arg_HAND_ON})
-  target_include_directories(${name}
-    PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
-    PRIVATE ${PROJECT_SOURCE_DIR}/src)
+  target_include_directories(${name} PUBLIC ${headers} PRIVATE ${PROJECT_SOURCE_DIR}/src)
   target_compile_definitions(${name} PRIVATE VESICA_BUILDING)
   target_compile_options(${name} PRIVATE -fno-exceptions -fno-rtti -fno-threadsafe-statics)
   # Linked by the C driver, so that nothing of libstdc++ can slip in: an undefined symbol of it fails the link.
@@ -61,12 +60,16 @@ function(vesica_library name)
     add_library(vesica::${alias} ALIAS ${name})
   else()
     # Whoever links an archive of C++ is linked by the C++ driver and with its runtime, which this one does not need.
-    # So it is handed on as a file.
-    add_library(${name}_archive INTERFACE)
-    add_dependencies(${name}_archive ${name})
-    target_include_directories(${name}_archive INTERFACE $<TARGET_PROPERTY:${name},INTERFACE_INCLUDE_DIRECTORIES>)
-    list(TRANSFORM arg_HAND_ON APPEND _archive)
-    target_link_libraries(${name}_archive INTERFACE $<TARGET_FILE:${name}> ${arg_LINK} ${arg_HAND_ON} m)
-    add_library(vesica::${alias} ALIAS ${name}_archive)
+    # So it is handed on as a file, by a target that is installed as vesica::${alias} too: what a parent installs may
+    # then name it. The installed archive is vesica::${alias}_archive, and vesica-config.cmake says its language.
+    add_library(${name}_interface INTERFACE)
+    add_dependencies(${name}_interface ${name})
+    target_include_directories(${name}_interface INTERFACE ${headers})
+    list(TRANSFORM arg_HAND_ON APPEND _interface)
+    target_link_libraries(${name}_interface INTERFACE
+      $<BUILD_INTERFACE:$<TARGET_FILE:${name}>> $<INSTALL_INTERFACE:${name}> ${arg_LINK} ${arg_HAND_ON} m)
+    set_target_properties(${name} PROPERTIES EXPORT_NAME ${alias}_archive)
+    set_target_properties(${name}_interface PROPERTIES EXPORT_NAME ${alias})
+    add_library(vesica::${alias} ALIAS ${name}_interface)
   endif()
 endfunction()

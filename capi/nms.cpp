@@ -18,7 +18,7 @@ constexpr int64_t few = 8;
 /// The ratio of a shape with shape i of others.
 template <class T>
 T ratio_at(vesica::Ratio ratio, int32_t kind, const void* const* one, const void* const* others, int64_t i) noexcept {
-  double a[index::most_fields], b[index::most_fields], result = 0;
+  double a[vesica::max_fields], b[vesica::max_fields], result = 0;
   for (int k = 0; k < index::fields_of[kind]; ++k) {
     a[k] = static_cast<double>(static_cast<const T*>(one[k])[0]);
     b[k] = static_cast<double>(static_cast<const T*>(others[k])[i]);
@@ -64,7 +64,7 @@ int32_t suppress(const CShapesOf<T>* shapes, const T* scores, const Choice<T>& c
   if (anything && (scores == nullptr || scratch == nullptr || keep == nullptr)) return VESICA_E_NULL;
   const int32_t error = check_array(*shapes);
   if (error != 0) return error;
-  if (shapes->kind < VESICA_CIRCLE) return VESICA_E_KIND;
+  if (!has_area(shapes->kind)) return VESICA_E_KIND;
   if (anything && has_null(*shapes)) return VESICA_E_NULL;
   const int64_t needed = vesica_nms_scratch(shapes->count);
   if (!choice.is_sound() || needed < 0) return VESICA_E_ARGUMENT;

@@ -14,7 +14,7 @@ namespace index = vesica::index;
 
 void ratios(int32_t ratio, int32_t kind, const double* const* one, const double* const* others, int64_t n,
             double* out) noexcept {
-  const void *first[index::most_fields], *second[index::most_fields];
+  const void *first[vesica::max_fields], *second[vesica::max_fields];
   for (int k = 0; k < index::fields_of[kind]; ++k) {
     first[k] = one[k];
     second[k] = others[k];
@@ -45,7 +45,7 @@ int32_t suppress_soft(const CShapesOf<T>* shapes, const T* scores, const int32_t
   if (anything && !has_all) return VESICA_E_NULL;
   const int32_t error = check_array(*shapes);
   if (error != 0) return error;
-  if (shapes->kind < VESICA_CIRCLE) return VESICA_E_KIND;
+  if (!has_area(shapes->kind)) return VESICA_E_KIND;
   if (anything && has_null(*shapes)) return VESICA_E_NULL;
   const int64_t needed = vesica_suppress_soft_scratch(shapes->count);
   const bool sound = vesica::queries::is_symmetric(ratio) && is_decay(decay, static_cast<double>(parameter));

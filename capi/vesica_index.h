@@ -52,7 +52,7 @@ VESICA_API int64_t vesica_index_size(int64_t count);
 
 /**
  * How many bytes of scratch does building an index of `count` shapes need?
- * Returns: about 18 bytes a shape, and a constant.
+ * Returns: about 17 bytes a shape and 0.3 MiB.
  * Errors: VESICA_E_ARGUMENT (count is negative or above 2^31 - 1).
  */
 VESICA_API int64_t vesica_index_scratch(int64_t count);
@@ -72,7 +72,7 @@ VESICA_API int64_t vesica_join_scratch(void);
  * Are these bytes an index that is safe to read?
  *
  * Call it once for bytes that you did not just build: they may be cut off, damaged, something else, or from a machine
- * of the other byte order.
+ * of the other byte order. What passes is safe to read; damage of single shapes' places may pass and change answers.
  * Requires: size, the number of readable bytes. The index may be shorter.
  * Returns: 0 if they are.
  * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned), VESICA_E_INDEX (they are not).
@@ -109,6 +109,7 @@ VESICA_API int32_t vesica_index_bounds(const void *index, vesica_aabb_f64 *out);
  * Requires: out has room for `capacity` items. It may be NULL if that is 0.
  * Returns: how many items there are, without the invalid shapes. The first `capacity` of them are written.
  * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned, capacity < 0), VESICA_E_INDEX.
+ * Cost: a few ns an item.
  */
 VESICA_API int64_t vesica_index_order(const void *index, int64_t *out, int64_t capacity);
 
@@ -138,7 +139,8 @@ VESICA_API int64_t vesica_index_build_f64(const vesica_shapes_f64 *sets, int32_t
  * Requires: 0 <= step <= 4 and 0 <= part < parts; parts is 1 in steps 0 and 4. The rest is as for the build.
  * Returns: 0; at step 4 what vesica_index_build_f64 returns.
  * Errors: those of vesica_index_build_f64. VESICA_E_ARGUMENT also if step, part or parts is out of range, or if the
- * scratch is not that of step 0.
+ * scratch is not that of step 0 of a build that has not ended.
+ * Cost: steps 0 and 4 are short; the work is in the others, about evenly.
  */
 VESICA_API int64_t vesica_index_step_f64(int32_t step, int64_t part, int64_t parts, const vesica_shapes_f64 *sets,
                                          int32_t set_count, void *index, int64_t index_size, void *scratch,
@@ -158,6 +160,7 @@ VESICA_API int64_t vesica_index_step_f64(int32_t step, int64_t part, int64_t par
  * one, an array of count 1. out has room for `capacity` items. With capacity 0, out and state may be NULL.
  * Returns: the number of items written; with capacity 0, how many there are.
  * Accuracy: exact, if there are sets.
+ * Cost: about 2 us, and up to 50 ns a shape that is found.
  */
 VESICA_API int64_t vesica_index_select_f64(const void *index, const vesica_shapes_f64 *sets, int32_t set_count,
                                            const vesica_shapes_f64 *one, int64_t *out, int64_t capacity,
@@ -211,6 +214,7 @@ VESICA_API int64_t vesica_join_within_f64(const void *index_a, const vesica_shap
  * With k = 0 they may be NULL. within, the largest distance to look for, >= 0 or infinity.
  * Returns: how many items were found and written; with k = 0, how many there are within the distance.
  * Accuracy: distances are those of vesica_nearest_f64, bit for bit.
+ * Cost: 3 to 5 us for 10 of a million AABBs near a point; mostly that of vesica_nearest_f64 for some 10 more than k.
  */
 VESICA_API int64_t vesica_index_nearest_f64(const void *index, const vesica_shapes_f64 *sets, int32_t set_count,
                                             const vesica_shapes_f64 *one, int64_t k, double within, int64_t *out,
@@ -227,6 +231,7 @@ VESICA_API int64_t vesica_index_nearest_f64(const void *index, const vesica_shap
  * within, the largest distance to look for, >= 0 or infinity.
  * Returns: how many items were found in all rows of the part.
  * Accuracy: distances are those of vesica_nearest_f64, bit for bit.
+ * Cost: that of vesica_index_nearest_f64 for each item.
  */
 VESICA_API int64_t vesica_join_nearest_f64(const vesica_shapes_f64 *sets_a, int32_t set_count_a, const void *index_b,
                                            const vesica_shapes_f64 *sets_b, int32_t set_count_b, int64_t k,

@@ -141,7 +141,7 @@ class Index {
     return {static_cast<const std::byte*>(data()), size};
   }
   std::int64_t count() const { return vesica_index_count(data()); }
-  bool has_invalid() const { return invalid_; }
+  bool has_invalid() const { return vesica_index_order(data(), nullptr, 0) < count(); }
   const Shapes* sets() const { return sets_.data(); }
   std::int32_t set_count() const { return static_cast<std::int32_t>(sets_.size()); }
 
@@ -172,6 +172,7 @@ class Index {
     const auto n = index_face::checked(
         index_face::Functions<T>::nearest(data(), sets(), set_count(), &one, k, within, items.data(), distance.data()));
     std::vector<std::pair<std::int64_t, T>> found;
+    if (k == 0) return found;  // n is how many there are
     for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) found.emplace_back(items[i], distance[i]);
     return found;
   }
@@ -184,12 +185,10 @@ class Index {
     const index_face::Memory scratch(index_face::checked(vesica_index_scratch(items)));
     const auto result = index_face::Functions<T>::build(sets.data(), static_cast<std::int32_t>(sets.size()),
                                                         memory.data(), memory.size(), scratch.data(), scratch.size());
-    invalid_ = result == VESICA_E_SHAPE;
-    if (!invalid_) index_face::checked(result);
+    if (result != VESICA_E_SHAPE) index_face::checked(result);
     return memory;
   }
 
-  bool invalid_ = false;
   std::vector<Shapes> sets_;
   index_face::Memory memory_;
 };

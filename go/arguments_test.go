@@ -59,6 +59,7 @@ func TestArguments(t *testing.T) {
 	refused(t, err, ErrArgument, "out overlaps an input")
 	_, err = DepthMany(three, own, PenetrationColumns[float64]{X: numbers[6:]})
 	refused(t, err, ErrArgument, "out overlaps an input")
+	sharedColumns(t, three)
 	_, err = NMS(three, []float64{1}, 0.5)
 	refused(t, err, ErrArgument, "3 shapes need as many scores, not 1")
 	_, err = IndexFromBytes(make([]byte, 640), three)
@@ -70,6 +71,29 @@ func TestArguments(t *testing.T) {
 	refused(t, err, ErrArgument, "float32")
 	_, err = index.JoinPart(index, JoinOverlap, 2, 2)
 	refused(t, err, ErrArgument, "")
+}
+
+// Columns of one slice are results as any others, unless they share numbers.
+func sharedColumns(t *testing.T, three Array[float64]) {
+	t.Helper()
+	const words = "overlaps an input or another output"
+	all := make([]float64, 7)
+	beside, within := all[3:], all[2:]
+	_, err := NearestMany(three, three, ClosestPointsColumns[float64]{Distance: all, AX: all})
+	refused(t, err, ErrArgument, words)
+	_, err = NearestMany(three, three, ClosestPointsColumns[float64]{Distance: all, BY: within})
+	refused(t, err, ErrArgument, words)
+	_, err = BoundaryDistanceMany(three, three, ClosestPointsColumns[float64]{AX: within, BY: all})
+	refused(t, err, ErrArgument, words)
+	_, err = DepthMany(three, three, PenetrationColumns[float64]{Depth: all, Y: within})
+	refused(t, err, ErrArgument, words)
+	still := make([]float64, 1)
+	_, err = CastMany(three, three, still, still, 1, ImpactColumns[float64]{T: all, NY: within})
+	refused(t, err, ErrArgument, words)
+	n, err := DepthMany(three, three, PenetrationColumns[float64]{Depth: all, Y: beside})
+	if n != 3 || err != nil || all[2] != 2 || all[3]*all[3] > 1 {
+		t.Error(n, err, all)
+	}
 }
 
 func TestAnOlderLibraryIsRefused(t *testing.T) {

@@ -107,43 +107,45 @@ func inStep[T Float](a, b Array[T]) (int, error) {
 		ErrArgument)
 }
 
-// extent is where the numbers of an array lie: from an address up to another.
-func (a Array[T]) extent() (from, to uintptr) {
+// extent is where memory lies: from an address up to another.
+type extent struct{ from, to uintptr }
+
+func extentOf[E any](slice []E) extent {
+	if len(slice) == 0 {
+		return extent{}
+	}
+	from := uintptr(first(slice))
+	return extent{from, from + uintptr(len(slice))*unsafe.Sizeof(slice[0])}
+}
+
+// extent is where the numbers of an array lie, with what is between them.
+func (a Array[T]) extent() (all extent) {
 	if a.Len() == 0 {
-		return 0, 0
+		return extent{}
 	}
 	last := uintptr(a.view.count-1) * uintptr(a.view.stride)
-	from = uintptr(a.view.field[0])
+	all.from = uintptr(a.view.field[0])
 	for _, field := range a.view.field[:Kind(a.view.kind).Fields()] {
-		if start := uintptr(field); start < from {
-			from = start
+		if start := uintptr(field); start < all.from {
+			all.from = start
 		}
-		if end := uintptr(field) + last + unsafe.Sizeof(T(0)); end > to {
-			to = end
+		if end := uintptr(field) + last + unsafe.Sizeof(T(0)); end > all.to {
+			all.to = end
 		}
 	}
-	return from, to
+	return all
 }
 
-// output says what is wrong with memory for so many results.
-func output[T Float, R any](out []R, needed int, inputs ...Array[T]) error {
-	if err := room("out", len(out), needed); err != nil || needed == 0 {
+// output says what is wrong with memory for so many results, which must not be where something else is taken.
+func output[R any](out []R, needed int, taken ...extent) error {
+	if err := room("out", len(out), needed); err != nil {
 		return err
 	}
-	for _, input := range inputs {
-		from, to := input.extent()
-		if err := apart(out[:needed], from, to); err != nil {
-			return err
+	own := extentOf(out[:needed])
+	for _, other := range taken {
+		if own.from < other.to && other.from < own.to {
+			return fmt.Errorf("out overlaps an input or another output, results need memory of their own: %w", ErrArgument)
 		}
-	}
-	return nil
-}
-
-// apart says whether memory for results, of which there are some, overlaps an input.
-func apart[R any](out []R, from, to uintptr) error {
-	start := uintptr(first(out))
-	if end := start + uintptr(len(out))*unsafe.Sizeof(out[0]); start < to && from < end {
-		return fmt.Errorf("out overlaps an input, results need memory of their own: %w", ErrArgument)
 	}
 	return nil
 }
@@ -152,7 +154,7 @@ func many[T Float, R any](function func(bool, C.vesica_go_view, C.vesica_go_view
 	a, b Array[T], out []R) (int, error) {
 	n, err := inStep(a, b)
 	if err == nil {
-		err = output(out, n, a, b)
+		err = output(out, n, a.extent(), b.extent())
 	}
 	if err != nil {
 		return 0, err
@@ -190,13 +192,17 @@ type ClosestPointsColumns[T Float] struct{ Distance, AX, AY, BX, BY []T }
 // PenetrationColumns are for results; nil columns are not written, but one must be.
 type PenetrationColumns[T Float] struct{ Depth, X, Y []T }
 
-func outputs[T Float](a, b Array[T], needed int, columns ...[]T) error {
+// outputs says what is wrong with columns for so many results each, of which nil ones are not written.
+func outputs[T Float](needed int, inputs []extent, columns ...[]T) error {
+	taken := append(make([]extent, 0, 9), inputs...)
 	for _, column := range columns {
-		if column != nil {
-			if err := output(column, needed, a, b); err != nil {
-				return err
-			}
+		if column == nil {
+			continue
 		}
+		if err := output(column, needed, taken...); err != nil {
+			return err
+		}
+		taken = append(taken, extentOf(column[:needed]))
 	}
 	return nil
 }
@@ -207,7 +213,7 @@ type closest = func(bool, C.vesica_go_view, C.vesica_go_view, unsafe.Pointer, un
 func closestMany[T Float](function closest, a, b Array[T], out ClosestPointsColumns[T]) (int, error) {
 	n, err := inStep(a, b)
 	if err == nil {
-		err = outputs(a, b, n, out.Distance, out.AX, out.AY, out.BX, out.BY)
+		err = outputs(n, []extent{a.extent(), b.extent()}, out.Distance, out.AX, out.AY, out.BX, out.BY)
 	}
 	if err != nil {
 		return 0, err
@@ -230,7 +236,7 @@ func BoundaryDistanceMany[T Float](a, b Array[T], out ClosestPointsColumns[T]) (
 func DepthMany[T Float](a, b Array[T], out PenetrationColumns[T]) (int, error) {
 	n, err := inStep(a, b)
 	if err == nil {
-		err = outputs(a, b, n, out.Depth, out.X, out.Y)
+		err = outputs(n, []extent{a.extent(), b.extent()}, out.Depth, out.X, out.Y)
 	}
 	if err != nil {
 		return 0, err
@@ -241,7 +247,7 @@ func DepthMany[T Float](a, b Array[T], out PenetrationColumns[T]) (int, error) {
 func matrix[T Float, R any](
 	function func(bool, C.vesica_go_view, C.vesica_go_view, unsafe.Pointer, C.ptrdiff_t) C.int64_t,
 	a, b Array[T], out []R) (int, error) {
-	if err := output(out, a.Len()*b.Len(), a, b); err != nil {
+	if err := output(out, a.Len()*b.Len(), a.extent(), b.extent()); err != nil {
 		return 0, err
 	}
 	return count(function(isWide[T](), a.view, b.view, first(out), C.ptrdiff_t(b.Len())))

@@ -98,14 +98,10 @@ func shapesFromBoxes[T Float, S any](function fromBoxes, boxes []T, step int, an
 		return fmt.Errorf("%d numbers are no rows of %d, of which 5 are a box's: %w", len(boxes), step, ErrArgument)
 	}
 	n := len(boxes) / step
-	err := room("out", len(out), n)
-	if from := uintptr(first(boxes)); err == nil && n > 0 {
-		err = apart(out[:n], from, from+uintptr(len(boxes))*unsafe.Sizeof(boxes[0]))
-	}
-	if err != nil {
+	if err := output(out, n, extentOf(boxes)); err != nil {
 		return err
 	}
-	_, err = count(function(isWide[T](), first(boxes), C.int64_t(n), C.ptrdiff_t(uintptr(step)*unsafe.Sizeof(T(0))),
+	_, err := count(function(isWide[T](), first(boxes), C.int64_t(n), C.ptrdiff_t(uintptr(step)*unsafe.Sizeof(T(0))),
 		C.int32_t(angle), first(out)))
 	return err
 }
@@ -123,7 +119,7 @@ func EllipsesFromBoxes[T Float](boxes []T, step int, angle Angle, out []Ellipse[
 
 // BoxesFromShapes is the way back: the boxes of rectangles, or about ellipses.
 func BoxesFromShapes[T Float](shapes Array[T], angle Angle, out [][5]T) error {
-	if err := output(out, shapes.Len(), shapes); err != nil {
+	if err := output(out, shapes.Len(), shapes.extent()); err != nil {
 		return err
 	}
 	_, err := count(cBoxesFromShapes(isWide[T](), shapes.view, C.int32_t(angle), first(out)))
@@ -132,7 +128,7 @@ func BoxesFromShapes[T Float](shapes Array[T], angle Angle, out [][5]T) error {
 
 // CornersOf has the corners x0 y0 ... x3 y3 of rectangles, or of the boxes about ellipses.
 func CornersOf[T Float](shapes Array[T], out [][8]T) error {
-	if err := output(out, shapes.Len(), shapes); err != nil {
+	if err := output(out, shapes.Len(), shapes.extent()); err != nil {
 		return err
 	}
 	_, err := count(cCornersOfShapes(isWide[T](), shapes.view, first(out)))
@@ -141,7 +137,7 @@ func CornersOf[T Float](shapes Array[T], out [][8]T) error {
 
 // BoundsMany has the smallest boxes of representable numbers that contain shapes.
 func BoundsMany[T Float](shapes Array[T], out []AABB[T]) error {
-	if err := output(out, shapes.Len(), shapes); err != nil {
+	if err := output(out, shapes.Len(), shapes.extent()); err != nil {
 		return err
 	}
 	_, err := count(cBoundsMany(isWide[T](), shapes.view, first(out)))

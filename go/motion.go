@@ -76,7 +76,8 @@ type ImpactColumns[T Float] struct{ T, X, Y, NX, NY []T }
 func CastMany[T Float](a, b Array[T], vx, vy []T, end T, out ImpactColumns[T]) (int, error) {
 	n, err := inStep(a, b)
 	if err == nil {
-		err = outputs(a, b, n, out.T, out.X, out.Y, out.NX, out.NY)
+		inputs := []extent{a.extent(), b.extent(), extentOf(vx), extentOf(vy)}
+		err = outputs(n, inputs, out.T, out.X, out.Y, out.NX, out.NY)
 	}
 	if err == nil && (len(vx) != len(vy) || (len(vx) != n && len(vx) != 1)) {
 		err = fmt.Errorf("%d and %d velocities, 1 or %d are needed: %w", len(vx), len(vy), n, ErrArgument)

@@ -40,6 +40,18 @@ func TestCasts(t *testing.T) {
 	if err != ErrArgument || times[0] != 9.5 || times[1] != forever || !math.IsNaN(times[2]) {
 		t.Error(times, err)
 	}
+	// Times that are written over velocities are none; beside them they are.
+	all, one := []float64{2, 2, 2, 0, 0, 0, 0}, Circles([]Circle[float64]{disc})
+	for _, out := range []ImpactColumns[float64]{{T: all[1:]}, {T: times, NY: all[2:]}} {
+		_, err = CastMany(walls, one, all[:3], make([]float64, 3), 99, out)
+		refused(t, err, ErrArgument, "out overlaps an input")
+		_, err = CastMany(walls, one, make([]float64, 3), all[:3], 99, out)
+		refused(t, err, ErrArgument, "out overlaps an input")
+	}
+	_, err = CastMany(walls, one, all[:3], make([]float64, 3), 99, ImpactColumns[float64]{T: all[3:]})
+	if err != nil || all[3] != 9.5 || all[4] != 4.5 || all[5] != 4.5 {
+		t.Error(all, err)
+	}
 	box := must(SweepBounds(disc, Motion{3, 0, 2}))
 	if !must(Contains(box, AABB[float64]{-1, -1, 7, 1})) {
 		t.Error(box)

@@ -12,9 +12,10 @@ const queries = {
 };
 const pairsACall = 1 << 14;
 
-function checkSets(sets, scalar) {
+function checkSets(sets, scalar, memory) {
   for (const set of sets) {
     if (!(set instanceof ShapeArray)) throw new TypeError('an index is of arrays of shapes, as shapes() makes them');
+    set.addressIn(memory);
     if (set.scalar !== scalar) throw new TypeError('the arrays of an index are all f64 or all f32');
   }
 }
@@ -30,7 +31,7 @@ export class Index {
 
   constructor(vesica, sets, bytes = undefined) {
     if (sets.length === 0) throw new TypeError('an index is of one array of shapes or more; an array may be empty');
-    checkSets(sets, sets[0]?.scalar);
+    checkSets(sets, sets[0]?.scalar, vesica.memory);
     this.#vesica = vesica;
     this.#sets = sets;
     this.scalar = sets[0].scalar;
@@ -52,6 +53,18 @@ export class Index {
     const address = this.#vesica.memory.take(size);
     this.#blocks.push([address, size]);
     return address;
+  }
+
+  /** Where the index is. */
+  get #address() {
+    if (this.#index === 0) throw new TypeError('an index was freed');
+    return this.#index;
+  }
+
+  /** The arguments for the index and its arrays, which a call reads too. */
+  #operands() {
+    for (const set of this.#sets) set.addressIn(this.#vesica.memory, 'an array of an index');
+    return [this.#address, this.#struct, this.#sets.length];
   }
 
   /** The structs of some arrays, side by side. */
@@ -88,8 +101,8 @@ export class Index {
 
   /** The index of the arrays as they are now, in the place of this one: from the second time on no memory is taken. */
   rebuild() {
+    this.#operands();
     const vesica = this.#vesica, size = vesica.check(vesica.c.vesica_index_size(BigInt(this.length)));
-    if (this.#blocks.length === 0) throw new TypeError('this index was freed');
     if (this.#size < size) {
       const [, block] = this.#blocks, place = vesica.memory.take(size);
       vesica.memory.give(...block);
@@ -102,10 +115,9 @@ export class Index {
 
   #read(bytes) {
     const vesica = this.#vesica;
-    this.#size = bytes.byteLength;
+    this.#size = bytes.length;
     this.#index = this.#take(this.#size);
-    const given = ArrayBuffer.isView(bytes) ? bytes : new Uint8Array(bytes);
-    new Uint8Array(vesica.memory.buffer, this.#index, this.#size).set(given);
+    new Uint8Array(vesica.memory.buffer, this.#index, this.#size).set(bytes);
     vesica.check(vesica.c.vesica_index_check(this.#index, BigInt(this.#size)));
     const built = vesica.check(vesica.c.vesica_index_count(this.#index));
     if (built !== this.length) throw new RangeError(`an index of ${built} shapes cannot be that of ${this.length}`);
@@ -113,11 +125,11 @@ export class Index {
 
   /** A copy of the bytes, to be saved or sent. */
   get bytes() {
-    const size = this.#vesica.check(this.#vesica.c.vesica_index_bytes(this.#index));
-    return new Uint8Array(this.#vesica.memory.buffer, this.#index, size).slice();
+    const address = this.#address, size = this.#vesica.check(this.#vesica.c.vesica_index_bytes(address));
+    return new Uint8Array(this.#vesica.memory.buffer, address, size).slice();
   }
 
-  /** Gives the memory back now, not when it is collected. It must not be used again. */
+  /** Gives the memory back now, not when it is collected. Whatever uses it afterwards throws a TypeError. */
   free() {
     this.#vesica.release(this, this.#blocks);
     this.#blocks = [];
@@ -127,7 +139,7 @@ export class Index {
   order() {
     return this.#vesica.inRoom((room) => {
       const out = room.take(8 * this.length);
-      const count = this.#vesica.check(this.#vesica.c.vesica_index_order(this.#index, out, BigInt(this.length)));
+      const count = this.#vesica.check(this.#vesica.c.vesica_index_order(this.#address, out, BigInt(this.length)));
       return Array.from(new BigInt64Array(this.#vesica.memory.buffer, out, count), Number);
     });
   }
@@ -135,7 +147,7 @@ export class Index {
   bounds() {
     return this.#vesica.inRoom((room) => {
       const out = room.take(32);
-      this.#vesica.check(this.#vesica.c.vesica_index_bounds(this.#index, out));
+      this.#vesica.check(this.#vesica.c.vesica_index_bounds(this.#address, out));
       return aabb(...new Float64Array(this.#vesica.memory.buffer, out, 4));
     });
   }
@@ -160,8 +172,8 @@ export class Index {
     if (typeof distance !== 'number') throw new TypeError('a distance is a number, which may be Infinity');
     const pairs = { a: [], b: [] };
     this.#vesica.inRoom((room) => {
-      const ask = this.#vesica.c[`vesica_join_within_${this.scalar}`], indexes = this.#both(other);
-      const call = (...output) => ask(...indexes, distance, BigInt(part), BigInt(parts), ...output);
+      const ask = this.#vesica.c[`vesica_join_within_${this.scalar}`];
+      const call = (...output) => ask(...this.#both(other), distance, BigInt(part), BigInt(parts), ...output);
       this.#eachPair(call, room, (a, b) => {
         pairs.a.push(a);
         pairs.b.push(b);
@@ -170,7 +182,10 @@ export class Index {
     return pairs;
   }
 
-  /** found(a, b) for each pair that a join writes in as many calls as it takes. */
+  /**
+   * found(a, b) for each pair that a join writes in as many calls as it takes. As `found` may free what is joined, each
+   * call makes sure that it is there.
+   */
   #eachPair(call, room, found) {
     const { memory } = this.#vesica;
     const [a, b, state] = [8 * pairsACall, 8 * pairsACall, 32].map((size) => room.take(size));
@@ -191,7 +206,8 @@ export class Index {
     if (other.scalar !== this.scalar) {
       throw new TypeError(`this index is of ${this.scalar}, the other of ${other.scalar}`);
     }
-    return [this, other].flatMap((index) => [index.#index, index.#struct, index.#sets.length]);
+    if (other.#vesica !== this.#vesica) throw new TypeError('the other index is of another load()');
+    return [this, other].flatMap((index) => index.#operands());
   }
 
   joinCount({ with: other = this, query = 'overlap', part = 0, parts = 1 } = {}) {
@@ -200,11 +216,11 @@ export class Index {
   }
 
   #joining(other, query, part, parts, room) {
-    const indexes = this.#both(other);
-    if (!(query in queries)) throw new TypeError(`query is one of ${Object.keys(queries).join(', ')}`);
+    if (!Object.hasOwn(queries, query)) throw new TypeError(`query is one of ${Object.keys(queries).join(', ')}`);
     const vesica = this.#vesica, size = vesica.check(vesica.c.vesica_join_scratch()), scratch = room.take(size);
     const how = [BigInt(part), BigInt(parts), scratch, BigInt(size)];
-    return (...output) => vesica.c[`vesica_join_${this.scalar}`](queries[query], ...indexes, ...how, ...output);
+    const ask = vesica.c[`vesica_join_${this.scalar}`];
+    return (...output) => ask(queries[query], ...this.#both(other), ...how, ...output);
   }
 
   select(shape) {
@@ -217,19 +233,18 @@ export class Index {
 
   castFirst(shape, velocity, options) {
     const motion = motionOf(velocity, options);
-    return this.#ofShape(shape, (one, room) => {
+    return this.#ofShape(shape, (operands, room) => {
       const call = this.#vesica.c[`vesica_index_cast_first_${this.scalar}`];
-      const ask = (out) => call(this.#index, this.#struct, this.#sets.length, one, ...motion, out);
+      const ask = (out) => call(...operands, ...motion, out);
       return indexCastFirst(this.#vesica, this.scalar, room, this.length, ask);
     });
   }
 
   /** All items of a question, which is put twice: how many, and which. */
   #items(name, shape, ...asked) {
-    return this.#ofShape(shape, (one, room) => {
+    return this.#ofShape(shape, (operands, room) => {
       const call = this.#vesica.c[`vesica_index_${name}_${this.scalar}`];
-      const ask = (...output) =>
-        this.#vesica.check(call(this.#index, this.#struct, this.#sets.length, one, ...asked, ...output));
+      const ask = (...output) => this.#vesica.check(call(...operands, ...asked, ...output));
       const count = ask(0, 0n, 0), out = room.take(8 * count), state = room.take(32);
       new BigInt64Array(this.#vesica.memory.buffer, state, 4).fill(0n);
       if (count > 0) ask(out, BigInt(count), state);
@@ -239,12 +254,11 @@ export class Index {
 
   nearest(shape, { k = 1, within = Infinity } = {}) {
     if (!(Number.isInteger(k) && k >= 0)) throw new RangeError(`k is a whole number, not ${k}`);
-    return this.#ofShape(shape, (one, room) => {
+    return this.#ofShape(shape, (operands, room) => {
       if (k === 0) return { items: [], distances: [] };
       const Numbers = scalars[this.scalar], out = room.take(8 * k), distance = room.take(8 * k);
       const call = this.#vesica.c[`vesica_index_nearest_${this.scalar}`];
-      const asked = [this.#index, this.#struct, this.#sets.length, one];
-      const found = this.#vesica.check(call(...asked, BigInt(k), within, out, distance));
+      const found = this.#vesica.check(call(...operands, BigInt(k), within, out, distance));
       return {
         items: Array.from(new BigInt64Array(this.#vesica.memory.buffer, out, found), Number),
         distances: Array.from(new Numbers(this.#vesica.memory.buffer, distance, found)),
@@ -254,13 +268,13 @@ export class Index {
 
   nearestOfEach(sets, { k = 1, within = Infinity } = {}) {
     if (!(Number.isInteger(k) && k >= 1)) throw new RangeError(`k is a whole number from 1 on, not ${k}`);
-    checkSets(sets, this.scalar);
+    checkSets(sets, this.scalar, this.#vesica.memory);
     return this.#vesica.inRoom((room) => {
       const Numbers = scalars[this.scalar], count = k * sets.reduce((sum, set) => sum + set.length, 0);
       const asked = room.take(sets.length * shapesSize), out = room.take(8 * count), distance = room.take(8 * count);
       this.#writeStructs(sets, asked);
       const code = this.#vesica.c[`vesica_join_nearest_${this.scalar}`](
-        ...[asked, sets.length, this.#index, this.#struct, this.#sets.length],
+        ...[asked, sets.length, ...this.#operands()],
         ...[BigInt(k), within, 0n, 1n, out, distance],
       );
       return this.#vesica.finish(Number(code), {
@@ -270,11 +284,11 @@ export class Index {
     });
   }
 
-  /** call(address of the shape's struct, room). */
+  /** call(arguments for the index and the shape, room). */
   #ofShape(shape, call) {
     const one = this.#vesica.shapes(shape?.kind, [shape], { scalar: this.scalar });
     try {
-      return this.#vesica.inRoom((room) => call(one.address, room));
+      return this.#vesica.inRoom((room) => call([...this.#operands(), one.address], room));
     } finally {
       one.free();
     }

@@ -31,7 +31,8 @@ function boxRows(source) {
 
 export function shapesFromBoxes(vesica, kind, source, options = {}) {
   if (kind !== 'rect' && kind !== 'ellipse') throw new TypeError(`boxes give 'rect' or 'ellipse', not ${String(kind)}`);
-  const rows = boxRows(source), scalar = options.scalar ?? 'f64', count = rows.length / 5, angle = angleUnit(options);
+  const rows = vesica.memory.apart(boxRows(source)), count = rows.length / 5;
+  const scalar = options.scalar ?? 'f64', angle = angleUnit(options);
   const shapes = vesica.shapes(kind, count, { scalar });
   const Numbers = scalars[scalar], width = Numbers.BYTES_PER_ELEMENT;
   const code = vesica.inRoom((room) => {
@@ -64,22 +65,36 @@ export function oneEach(name, values, boxes) {
   throw new RangeError(`${boxes.length} boxes need as many ${name}, not ${values?.length}`);
 }
 
+/** Numbers in place of labels, equal where those are: not every label fits into the 32 bits that the library has. */
+export function labelNumbers(labels, boxes) {
+  if (labels === undefined) return undefined;
+  oneEach('labels', labels, boxes);
+  const numbers = new Map();
+  return Int32Array.from({ length: boxes.length }, (_, i) => {
+    const label = labels[i];
+    if (!Number.isSafeInteger(label)) throw new TypeError(`a label is a whole number, not ${String(label)}`);
+    if (!numbers.has(label)) numbers.set(label, numbers.size);
+    return numbers.get(label);
+  });
+}
+
 export function nms(vesica, boxes, scores, threshold = 0.5, options = {}) {
-  const { labels, ratio = 'over_union', leastScore = -Infinity, most = boxes?.length } = options;
+  const { ratio = 'over_union', leastScore = -Infinity, most = boxes?.length } = options;
   if (!(boxes instanceof ShapeArray)) throw new TypeError('boxes are an array of shapes, as shapes() makes it');
   const n = boxes.length, Scores = scalars[boxes.scalar], which = ratioNumber(ratio);
+  const shapes = boxes.addressIn(vesica.memory, 'the array of boxes');
   oneEach('scores', scores, boxes);
-  if (labels !== undefined) oneEach('labels', labels, boxes);
+  const given = vesica.memory.apart(scores), labels = labelNumbers(options.labels, boxes);
   if (!(Number.isInteger(most) && most >= 0)) throw new RangeError(`most is a whole number, not ${String(most)}`);
   return vesica.inRoom((room) => {
     const size = vesica.check(vesica.c.vesica_nms_scratch(BigInt(n))), { memory } = vesica;
     const [at, labelsAt, scratch, keep, kept] = [n * Scores.BYTES_PER_ELEMENT, 4 * n, size, 8 * n, 8].map((bytes) =>
       room.take(bytes));
-    new Scores(memory.buffer, at, n).set(scores);
+    new Scores(memory.buffer, at, n).set(given);
     if (labels !== undefined) new Int32Array(memory.buffer, labelsAt, n).set(labels);
     new BigInt64Array(memory.buffer, kept, 1)[0] = 0n;
     const code = vesica.c[`vesica_suppress_${boxes.scalar}`](
-      ...[boxes.address, at, labels === undefined ? 0 : labelsAt, which, threshold, leastScore],
+      ...[shapes, at, labels === undefined ? 0 : labelsAt, which, threshold, leastScore],
       ...[BigInt(Math.min(most, n)), scratch, BigInt(size), keep, kept],
     );
     const count = Number(new BigInt64Array(memory.buffer, kept, 1)[0]);

@@ -7,6 +7,15 @@ const scratchSize = 4096; // for the operands and results of calls about single 
 
 const rounded = (size) => Math.ceil(Math.max(size, 1) / alignment) * alignment;
 
+const { slice } = Object.getPrototypeOf(Uint8Array).prototype; // of every typed array: Buffer's own copies nothing
+
+/** The bytes of a buffer or of any view, as they are in memory. */
+export function bytesOf(given) {
+  if (ArrayBuffer.isView(given)) return new Uint8Array(given.buffer, given.byteOffset, given.byteLength);
+  if (typeof given?.byteLength === 'number') return new Uint8Array(given);
+  throw new TypeError('bytes are an ArrayBuffer or a Uint8Array');
+}
+
 /** Blocks of a module's memory: the first that is large enough, else new pages at the end. */
 export class Memory {
   #memory;
@@ -23,6 +32,14 @@ export class Memory {
   /** It changes when the memory grows: a view of it is made anew for every use. */
   get buffer() {
     return this.#memory.buffer;
+  }
+
+  /**
+   * What a call is to copy here, before it takes anything, a room included: a view of this memory would be detached if
+   * it grows, so of that a copy.
+   */
+  apart(source) {
+    return source?.buffer === this.buffer ? slice.call(source) : source;
   }
 
   /** All of it as doubles, for as long as nothing is taken. */

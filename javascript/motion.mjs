@@ -40,7 +40,7 @@ export function cast(vesica, a, b, velocity, { tEnd = Infinity } = {}) {
 }
 
 export function impactTime(vesica, a, turnA, b, turnB, tolerance) {
-  const turns = [turnA, turnB].map((turn) => named('turn', turn, ['vx', 'vy', 'angle']));
+  const turns = [turnA, turnB].map((turn) => vesica.memory.apart(named('turn', turn, ['vx', 'vy', 'angle'])));
   if (typeof tolerance !== 'number') throw new TypeError('a tolerance is a number above 0');
   return vesica.inRoom((room) => {
     const moving = [a, b].map((shape, i) => {
@@ -55,8 +55,8 @@ export function impactTime(vesica, a, turnA, b, turnB, tolerance) {
 }
 
 /** The addresses of vx and vy, and the bytes from one velocity to the next. */
-function velocities(vesica, velocity, Numbers, count, room) {
-  const [vx, vy] = velocity ?? [], width = Numbers.BYTES_PER_ELEMENT;
+function velocities(vesica, [vx, vy], Numbers, count, room) {
+  const width = Numbers.BYTES_PER_ELEMENT;
   const single = typeof vx === 'number' && typeof vy === 'number', length = single ? 1 : count;
   if (!single && !(vx?.length === count && vy?.length === count)) {
     throw new TypeError(`a velocity is two numbers, or two arrays of ${count} numbers`);
@@ -71,10 +71,11 @@ function velocities(vesica, velocity, Numbers, count, room) {
 
 function castMany(vesica, a, b, velocity, tEnd) {
   if (!(tEnd >= 0)) throw new RangeError(`tEnd is ${tEnd}, not 0 or more`);
+  const [vx, vy] = velocity ?? [], given = [vx, vy].map((numbers) => vesica.memory.apart(numbers));
   return vesica.inRoom((room) => {
     const { scalar, a: first, b: second, counts } = vesica.operands(a, b, room);
     const Numbers = scalars[scalar], count = vesica.inStep(counts);
-    const moving = velocities(vesica, velocity, Numbers, count, room);
+    const moving = velocities(vesica, given, Numbers, count, room);
     const columns = impactFields.map(() => room.take(count * Numbers.BYTES_PER_ELEMENT));
     const code = Number(vesica.c[`vesica_cast_many_${scalar}`](first, second, ...moving, tEnd, ...columns));
     const arrays = columns.map((address) => new Numbers(vesica.memory.buffer, address, count).slice());

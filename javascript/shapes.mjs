@@ -31,7 +31,10 @@ export const aabb = (min_x, min_y, max_x, max_y) => ({ kind: 'aabb', min_x, min_
 
 export function rect(cx, cy, width, height, angle = 0, { degrees = false } = {}) {
   const [ux, uy] = axis(angle, degrees);
-  return { kind: 'rect', cx, cy, ux, uy, hx: width / 2, hy: height / 2 };
+  // An odd multiple of the smallest number cannot be halved; the axis, a unit of length, can.
+  const halves = 2 * (width / 2) === width && 2 * (height / 2) === height;
+  if (halves) return { kind: 'rect', cx, cy, ux, uy, hx: width / 2, hy: height / 2 };
+  return { kind: 'rect', cx, cy, ux: ux / 2, uy: uy / 2, hx: width, hy: height };
 }
 
 export function ellipse(cx, cy, a, b, angle = 0, { degrees = false } = {}) {
@@ -46,24 +49,39 @@ export function kindNumber(kind) {
   return number;
 }
 
-/** The numbers of a shape that is a plain object. */
-export function numbersOf(shape) {
+const isHalvedInFloat = (number) => 2 * Math.fround(number / 2) === number;
+
+/**
+ * The numbers of a rectangle that are to be stored as floats. As rect() does in double: where a whole size, rounded to
+ * float, cannot be halved, the axis is, unless that cannot be halved either.
+ */
+function rectInFloat(numbers) {
+  const [cx, cy, ux, uy, hx, hy] = numbers, sizes = [Math.fround(2 * hx), Math.fround(2 * hy)];
+  if (sizes.every(isHalvedInFloat) || !sizes.every(Number.isFinite)) return numbers;
+  const unit = Math.fround(Math.max(Math.abs(ux), Math.abs(uy)));
+  return isHalvedInFloat(unit) ? [cx, cy, ux / 2, uy / 2, ...sizes] : numbers;
+}
+
+/** The numbers of a shape that is a plain object, for an array of a scalar type. */
+export function numbersOf(shape, scalar = 'f64') {
   const names = fields[kinds[kindNumber(shape?.kind)]];
   const numbers = names.map((name) => shape[name]);
-  if (numbers.every((number) => typeof number === 'number')) return numbers;
+  if (numbers.every((number) => typeof number === 'number')) {
+    return scalar === 'f32' && shape.kind === 'rect' ? rectInFloat(numbers) : numbers;
+  }
   const missing = names.filter((_, i) => typeof numbers[i] !== 'number');
   throw new TypeError(`a ${shape.kind} has numbers ${names.join(', ')}; missing: ${missing.join(', ')}`);
 }
 
-/** All numbers of some shapes, one after the other, from any way to give them. */
-export function flat(kind, source) {
+/** All numbers of some shapes, one after the other, from any way to give them, for an array of a scalar type. */
+export function flat(kind, source, scalar) {
   const count = fields[kinds[kindNumber(kind)]].length;
   if (ArrayBuffer.isView(source) || typeof source[0] === 'number' || source.length === 0) {
     if (source.length % count === 0) return source;
     throw new RangeError(`${kind} shapes have ${count} numbers each; ${source.length} is no multiple of that`);
   }
   return source.flatMap((shape) => {
-    if (shape?.kind === kind) return numbersOf(shape);
+    if (shape?.kind === kind) return numbersOf(shape, scalar);
     if (Array.isArray(shape) && shape.length === count) return shape;
     const wanted = `${count} numbers (${fields[kind].join(', ')})`;
     throw new TypeError(`a ${kind} is an object of that kind or an array of ${wanted}`);
@@ -89,20 +107,29 @@ export class ShapeArray {
     this.address = address; // of the vesica_shapes struct
   }
 
+  /** The address of its struct, for a call of the module whose memory is given. */
+  addressIn(memory, name = 'an array of shapes') {
+    if (this.address === 0) throw new TypeError(`${name} was freed`);
+    // In another module's memory the address would be that of something else.
+    if (this.#memory !== memory) throw new TypeError(`${name} is of another load()`);
+    return this.address;
+  }
+
   get numbers() {
+    if (this.address === 0) throw new TypeError('an array of shapes was freed');
     return new scalars[this.scalar](this.#memory.buffer, this.base, this.length * fields[this.kind].length);
   }
 
   /** Shape i as a plain object: a copy. */
   at(i) {
-    const names = fields[this.kind], index = i < 0 ? this.length + i : i;
+    const all = this.numbers, names = fields[this.kind], index = i < 0 ? this.length + i : i;
     const isThere = Number.isInteger(index) && index >= 0 && index < this.length;
     if (!isThere) throw new RangeError(`shape ${i} of ${this.length}`);
-    const numbers = this.numbers.subarray(index * names.length, (index + 1) * names.length);
+    const numbers = all.subarray(index * names.length, (index + 1) * names.length);
     return { kind: this.kind, ...Object.fromEntries(names.map((name, k) => [name, numbers[k]])) };
   }
 
-  /** Gives the memory back now, not when it is collected. It must not be used again. */
+  /** Gives the memory back now, not when it is collected. Whatever uses it afterwards throws a TypeError. */
   free() {
     this.length = 0;
     this.address = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // How the parts of two single shapes meet, and soft suppression. For Vesica, whose methods these are.
 import * as constants from './constants.mjs';
-import { oneEach, ratioNumber } from './measures.mjs';
+import { labelNumbers, oneEach, ratioNumber } from './measures.mjs';
 import { scalars, ShapeArray } from './shapes.mjs';
 
 /** Names of what `within` answers, by the numbers that arrays have. */
@@ -47,23 +47,24 @@ export function intersection(vesica, a, b) {
 const decays = { linear: constants.DECAY_LINEAR, gaussian: constants.DECAY_GAUSSIAN };
 
 export function nmsSoft(vesica, boxes, scores, parameter = 0.5, options = {}) {
-  const { decay = 'linear', labels, ratio = 'over_union', leastScore = 0, most = boxes?.length } = options;
+  const { decay = 'linear', ratio = 'over_union', leastScore = 0, most = boxes?.length } = options;
   if (!(boxes instanceof ShapeArray)) throw new TypeError('boxes are an array of shapes, as shapes() makes it');
   if (!Object.hasOwn(decays, decay)) throw new TypeError(`decay is one of ${Object.keys(decays).join(', ')}`);
   const n = boxes.length, Scores = scalars[boxes.scalar], which = ratioNumber(ratio);
+  const shapes = boxes.addressIn(vesica.memory, 'the array of boxes');
   oneEach('scores', scores, boxes);
-  if (labels !== undefined) oneEach('labels', labels, boxes);
+  const given = vesica.memory.apart(scores), labels = labelNumbers(options.labels, boxes);
   if (!(Number.isInteger(most) && most >= 0)) throw new RangeError(`most is a whole number, not ${String(most)}`);
   return vesica.inRoom((room) => {
     const size = vesica.check(vesica.c.vesica_suppress_soft_scratch(BigInt(n))), { memory } = vesica;
     const width = n * Scores.BYTES_PER_ELEMENT;
     const sizes = [width, 4 * n, size, 8 * n, width, 8];
     const [at, labelsAt, scratch, keep, left, kept] = sizes.map((bytes) => room.take(bytes));
-    new Scores(memory.buffer, at, n).set(scores);
+    new Scores(memory.buffer, at, n).set(given);
     if (labels !== undefined) new Int32Array(memory.buffer, labelsAt, n).set(labels);
     new BigInt64Array(memory.buffer, kept, 1)[0] = 0n;
     const code = vesica.c[`vesica_suppress_soft_${boxes.scalar}`](
-      ...[boxes.address, at, labels === undefined ? 0 : labelsAt, which, decays[decay], parameter, leastScore],
+      ...[shapes, at, labels === undefined ? 0 : labelsAt, which, decays[decay], parameter, leastScore],
       ...[BigInt(Math.min(most, n)), scratch, BigInt(size), keep, left, kept],
     );
     const count = Number(new BigInt64Array(memory.buffer, kept, 1)[0]);

@@ -28,7 +28,10 @@ export function point(x: number, y: number): Point;
 export function segment(x0: number, y0: number, x1: number, y1: number): Segment;
 export function circle(cx: number, cy: number, r: number): Circle;
 export function aabb(min_x: number, min_y: number, max_x: number, max_y: number): Aabb;
-/** From centre, whole width and height, and the angle of the width. */
+/**
+ * From centre, whole width and height, and the angle of the width. Sizes are exact: if halving one would round, as of
+ * odd multiples of the smallest number, the axis is halved instead, and hx and hy are the whole sizes.
+ */
 export function rect(cx: number, cy: number, width: number, height: number, angle?: number, options?: Angle): Rect;
 /** From centre, half axes, and the angle of a. */
 export function ellipse(cx: number, cy: number, a: number, b: number, angle?: number, options?: Angle): Ellipse;
@@ -50,7 +53,10 @@ export class VesicaError extends Error {
   readonly result?: unknown;
 }
 
-/** Shapes of one kind in the module's memory. */
+/**
+ * Shapes of one kind in the module's memory. Passing them to what another load() made is a TypeError, as is any use
+ * once they are freed.
+ */
 export class ShapeArray<T extends Float64Array | Float32Array = Float64Array | Float32Array> {
   private constructor();
   readonly kind: Kind;
@@ -63,7 +69,10 @@ export class ShapeArray<T extends Float64Array | Float32Array = Float64Array | F
   readonly numbers: T;
   /** Shape i, or -i from the end, as a plain object: a copy. */
   at(i: number): Shape;
-  /** Gives the memory back now, not when it is collected. */
+  /**
+   * Gives the memory back now, not when it is collected. Any use of the array afterwards is a TypeError, also by an
+   * index over it. Views of its numbers made before are of memory that others use.
+   */
   free(): void;
 }
 
@@ -92,7 +101,10 @@ export interface Angles {
 }
 
 export interface Suppression {
-  /** A whole number each: only shapes of the same label suppress one another. */
+  /**
+   * A whole number each, from Number.MIN_SAFE_INTEGER to Number.MAX_SAFE_INTEGER; any other is a TypeError. Only shapes
+   * of the same label suppress one another.
+   */
   labels?: ArrayLike<number>;
   /** Any but 'over_first' and 'over_second'; 'over_union' if left out. */
   ratio?: Ratio;
@@ -122,14 +134,17 @@ export interface FirstImpact extends Impact<number> { item: number }
 
 export type Query = 'overlap' | 'bounds' | 'contains' | 'inside';
 export interface Joining {
-  /** Another index, of the same scalar type; this one if left out: then pairs are a < b. */
+  /** Another index, of the same scalar type and load(); this one if left out: then pairs are a < b. */
   with?: Index;
   query?: Query;
   part?: number;
   parts?: number;
 }
 
-/** An index over arrays of shapes, laid end to end: item i is shape i of the first array, and so on. */
+/**
+ * An index over arrays of shapes, laid end to end: item i is shape i of the first array, and so on. All but `bytes`,
+ * `order` and `bounds` read the arrays too, and throw a TypeError once one of them is freed.
+ */
 export class Index {
   private constructor();
   readonly scalar: Scalar;
@@ -167,13 +182,15 @@ export class Index {
   order(): number[];
   /** A box around all valid shapes. */
   bounds(): Aabb;
+  /** Gives the memory back now, not when it is collected. Any use of the index afterwards is a TypeError. */
   free(): void;
 }
 
 /**
  * The library. Two plain objects give one answer, in double; if one operand is an array, an array of answers comes, in
  * step, with one shape repeated. Touching counts as overlap. Yes or no, relations and counts are exact for every valid
- * input. An invalid shape is a VesicaError.
+ * input. An invalid shape is a VesicaError. What is given to be read, such as numbers or scores, may be a view of the
+ * module's memory.
  */
 export class Vesica {
   private constructor();
@@ -183,7 +200,11 @@ export class Vesica {
   /** What batches run on: 'simd128' or 'portable'. Answers never depend on it. */
   readonly isa: string;
 
-  /** An array from numbers one after the other, from plain objects of that kind, or of a count, with all numbers 0. */
+  /**
+   * An array from numbers one after the other, from plain objects of that kind, or of a count, with all numbers 0. Of a
+   * plain rectangle in float32 the whole sizes are rounded to float32; if halving one would round again, the axis is
+   * halved instead, as by rect().
+   */
   shapes(
     kind: Kind,
     source: ArrayLike<number> | readonly (Shape | readonly number[])[] | number,
@@ -317,8 +338,8 @@ export class Vesica {
 
 /**
  * Loads the library: vesica-simd.wasm beside this file, or vesica.wasm where the engine has no vectors or `simd` is
- * false; or `module`, bytes or a compiled module from elsewhere. With `only: 'overlap'` it is vesica-overlap-simd.wasm or
- * vesica-overlap.wasm, of little more than a third of the size: `overlap`, `relation`, `contains`, their matrices,
+ * false; or `module`, bytes or a compiled module from elsewhere. With `only: 'overlap'` it is vesica-overlap-simd.wasm
+ * or vesica-overlap.wasm, of little more than a third of the size: `overlap`, `relation`, `contains`, their matrices,
  * `overlapSelect`, `bounds`, `boundsMany`, and an index with `join` and `select`. All else then throws an Error.
  */
 export function load(options?: {

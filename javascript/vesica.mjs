@@ -3,7 +3,7 @@
 import * as constants from './constants.mjs';
 import { Index } from './index.mjs';
 import * as measures from './measures.mjs';
-import { Memory, Room } from './memory.mjs';
+import { bytesOf, Memory, Room } from './memory.mjs';
 import * as motion from './motion.mjs';
 import { fields, flat, kindNumber, kinds, numbersOf, scalars, ShapeArray, shapesSize } from './shapes.mjs';
 import { aabb, circle, ellipse, point, rect, segment } from './shapes.mjs';
@@ -98,8 +98,9 @@ export class Vesica {
   // ---- Shapes ----
 
   shapes(kind, source, { scalar = 'f64' } = {}) {
-    if (!(scalar in scalars)) throw new TypeError(`scalar is 'f64' or 'f32', not ${JSON.stringify(scalar)}`);
-    const numbers = typeof source === 'number' ? null : flat(kind, source);
+    const isScalar = scalar === 'f64' || scalar === 'f32';
+    if (!isScalar) throw new TypeError(`scalar is 'f64' or 'f32', not ${JSON.stringify(scalar)}`);
+    const numbers = typeof source === 'number' ? null : this.#memory.apart(flat(kind, source, scalar));
     const width = fields[kinds[kindNumber(kind)]].length;
     const count = numbers === null ? source : numbers.length / width;
     if (!(Number.isInteger(count) && count >= 0)) throw new RangeError(`a count is a whole number, not ${source}`);
@@ -112,7 +113,8 @@ export class Vesica {
     const free = () => this.release(made, blocks);
     const made = new ShapeArray(this.#memory, kind, scalar, count, address, base, free);
     this.own(made, blocks);
-    if (numbers !== null) made.numbers.set(numbers);
+    if (numbers === null) made.numbers.fill(0); // memory that was given back has what was there
+    else made.numbers.set(numbers);
     return made;
   }
 
@@ -270,7 +272,7 @@ export class Vesica {
   }
 
   indexFromBytes(bytes, ...sets) {
-    return new Index(this, sets, bytes);
+    return new Index(this, sets, this.#memory.apart(bytesOf(bytes)));
   }
 
   // ---- For this module and its index: memory and errors ----
@@ -334,12 +336,11 @@ export class Vesica {
 
   /** Two operands of a batch, one of which may be a plain object. */
   operands(a, b, room) {
-    const scalar = (isArray(a) ? a : b).scalar ?? 'f64';
+    const scalar = [a, b].find(isArray)?.scalar ?? 'f64';
     const address = (shape, name) => {
       if (!isArray(shape)) return this.#struct(shape, scalar, room);
       if (shape.scalar !== scalar) throw new TypeError(`a is of ${a.scalar} and b of ${b.scalar}: they must be alike`);
-      if (shape.address === 0) throw new TypeError(`${name} was freed`);
-      return shape.address;
+      return shape.addressIn(this.#memory, name);
     };
     const count = [a, b].map((shape) => (isArray(shape) ? shape.length : 1));
     const operands = { scalar, a: address(a, 'a'), b: address(b, 'b'), counts: count };
@@ -347,7 +348,7 @@ export class Vesica {
   }
 
   #struct(shape, scalar, room) {
-    const numbers = numbersOf(shape), Numbers = scalars[scalar];
+    const numbers = numbersOf(shape, scalar), Numbers = scalars[scalar];
     const base = room.take(8 * numbers.length), address = room.take(shapesSize);
     new Numbers(this.#memory.buffer, base, numbers.length).set(numbers);
     const stride = numbers.length * Numbers.BYTES_PER_ELEMENT;

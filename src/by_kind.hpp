@@ -66,4 +66,17 @@ constexpr std::int32_t field_count(std::int32_t kind) noexcept {
   }
 }
 
+/// Whether shapes of this kind have a form.
+constexpr bool has_form(std::int32_t kind) noexcept {
+  switch (kind) {
+#define VESICA_CASE(name, Name)               \
+  case static_cast<std::int32_t>(Kind::name): \
+    return HasForm<Name<double>>;
+    VESICA_EACH_SHAPE(VESICA_CASE)
+#undef VESICA_CASE
+    default:
+      return false;
+  }
+}
+
 }  // namespace vesica

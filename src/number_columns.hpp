@@ -37,15 +37,11 @@ class NumberColumns {
   void set(const Shapes<T>& shapes, std::int64_t begin, std::int32_t n, const Query& query,
            const KernelTable& kernels) noexcept {
     const Known known = query.asked().known;
-    const ShapeArea shape_area = query.shape_area;
     if (shapes.stride == 0) n = 1;
     // The rest of the columns is set too, since overlap_block() reads whole columns.
     const std::int32_t end = shapes.stride == 0 && known == Known::overlap ? query_block : whole_vectors(n);
     set_numbers(shapes, begin, n, end, kernels);
-    if (shape_area != nullptr) set_areas(n, end, shape_area);
-    if (known == Known::reach && kind_ == static_cast<std::int32_t>(Kind::rect)) {
-      set_reaches(end, shape_area != nullptr);
-    }
+    if (known == Known::reach && Kind{kind_} == Kind::rect) set_reaches(query.shape_area != nullptr);
   }
 
   /// The numbers alone.
@@ -55,22 +51,36 @@ class NumberColumns {
     set_numbers(shapes, begin, n, whole_vectors(n), kernels);
   }
 
+  /// Computes the areas, unless they are known.
+  void find_areas(ShapeArea shape_area) noexcept {
+    if (has_areas_) return;
+    has_areas_ = true;
+    for (std::int32_t i = 0; i < n_; ++i) {
+      double numbers[max_fields];
+      element(i, numbers);
+      area_[i] = shape_area(kind_, numbers);
+    }
+    for (std::int32_t i = n_; i < end_; ++i) area_[i] = area_[0];
+  }
+
   /// n > 0 elements of another.
   void gather(const NumberColumns& from, const std::int32_t* list, std::int32_t n) noexcept {
     kind_ = from.kind_;
     repeated_ = false;
+    n_ = n;
+    end_ = whole_vectors(n);
+    has_areas_ = from.has_areas_;
     const auto pick = [&](const double* source, double(&to)[query_block]) {
-      for (std::int32_t i = 0; i < whole_vectors(n); ++i) to[i] = source[list[i < n ? i : 0]];
+      for (std::int32_t i = 0; i < end_; ++i) to[i] = source[list[i < n ? i : 0]];
     };
     for (int k = 0; k < field_count(kind_); ++k) {
       pick(from.number_[k], copy_[k]);
       number_[k] = copy_[k];
     }
-    pick(from.area_, area_);
+    if (has_areas_) pick(from.area_, area_);
     pick(from.reach_, reach_);
   }
 
-  const double* area() const noexcept { return area_; }
   const double* const* numbers() const noexcept { return number_; }
 
   QueryOperand operand() const noexcept {
@@ -87,15 +97,15 @@ class NumberColumns {
     }
   }
 
-  /// The same with its area, where the query asked for areas.
+  /// The same with its area, once areas were computed.
   ShapeOfKind shape(std::int32_t i, double (&numbers)[max_fields]) const noexcept {
     element(i, numbers);
     return {kind_, numbers, area_[repeated_ ? 0 : i]};
   }
 
  private:
-  std::int32_t kind_;
-  bool repeated_;
+  std::int32_t kind_, n_, end_;  // end_: n_ in whole vectors
+  bool repeated_, has_areas_;
   const double* number_[max_fields] = {};
   double copy_[max_fields][query_block];
   double area_[query_block] = {};
@@ -106,6 +116,9 @@ class NumberColumns {
                    const KernelTable& kernels) noexcept {
     kind_ = shapes.kind;
     repeated_ = shapes.stride == 0;
+    n_ = n;
+    end_ = end;
+    has_areas_ = false;
     if (!read_in_place(shapes, begin, n, end)) {
       if (n < widest_vector) {
         read_few(shapes, begin, n);
@@ -158,21 +171,14 @@ class NumberColumns {
     }
   }
 
-  void set_areas(std::int32_t n, std::int32_t end, ShapeArea shape_area) noexcept {
-    for (std::int32_t i = 0; i < n; ++i) {
-      double numbers[max_fields];
-      element(i, numbers);
-      area_[i] = shape_area(kind_, numbers);
-    }
-    for (std::int32_t i = n; i < end; ++i) area_[i] = area_[0];
-  }
-
-  void set_reaches(std::int32_t n, bool with_areas) noexcept {
-    for (std::int32_t i = 0; i < n; ++i) {
-      reach_[i] = reach_of(number_[0][i], number_[1][i], number_[2][i], number_[3][i], number_[4][i], number_[5][i]);
-      // Where areas are asked for, one of 0 is an error for some pairs, and one of odd magnitude needs the scalar care.
-      const bool usual = (area_[i] >= 0x1p-700) & (area_[i] <= 0x1p700);
-      if (with_areas && !usual) reach_[i] = std::numeric_limits<double>::quiet_NaN();
+  void set_reaches(bool by_area) noexcept {
+    for (std::int32_t i = 0; i < end_; ++i) {
+      const double ux = number_[2][i], uy = number_[3][i], hx = number_[4][i], hy = number_[5][i];
+      reach_[i] = reach_of(number_[0][i], number_[1][i], ux, uy, hx, hy);
+      // Where areas are compared, one of 0 is an error for some pairs, and one of odd magnitude needs the scalar care.
+      const double area = hx * hy * (ux * ux + uy * uy);
+      const bool usual = (area >= 0x1p-700) & (area <= 0x1p700);
+      if (by_area && !usual) reach_[i] = std::numeric_limits<double>::quiet_NaN();
     }
   }
 };

@@ -20,8 +20,13 @@ struct Pairs {
   std::int32_t n;
 
   bool reversed() const noexcept { return a.kind() > b.kind(); }
-  const NumberColumns& first() const noexcept { return reversed() ? b : a; }
-  const NumberColumns& second() const noexcept { return reversed() ? a : b; }
+  NumberColumns& first() noexcept { return reversed() ? b : a; }
+  NumberColumns& second() noexcept { return reversed() ? a : b; }
+  void find_areas(const Query& query) noexcept {
+    if (query.shape_area == nullptr) return;
+    a.find_areas(query.shape_area);
+    b.find_areas(query.shape_area);
+  }
 };
 
 /// Kernel results of (second, first) as those of (first, second). Points were exchanged as the kernel wrote them.
@@ -46,7 +51,7 @@ class Engine {
 
   /// Results of all pairs as Out; for an error NaN, or code 0.
   template <class Out>
-  void answer(const Pairs& pairs, Stored<Out>& out) noexcept {
+  void answer(Pairs& pairs, Stored<Out>& out) noexcept {
     Results results;
     answer(query_, pairs, results);
     note(store(query_, pairs.n, results, out));
@@ -60,7 +65,7 @@ class Engine {
   std::int32_t error_ = 0;
   NumberColumns first_near_, second_near_;
 
-  void answer(const Query& query, const Pairs& pairs, Results& results) noexcept {
+  void answer(const Query& query, Pairs& pairs, Results& results) noexcept {
     if (query.derive != nullptr) return derive(query, pairs, results);
     if (query.from_code != nullptr) {
       answer(*query.asked_instead, pairs, results);
@@ -73,10 +78,11 @@ class Engine {
   }
 
   /// A pair that is an error of the other query is answered by this query's scalar function.
-  void derive(const Query& query, const Pairs& pairs, Results& results) noexcept {
+  void derive(const Query& query, Pairs& pairs, Results& results) noexcept {
     const std::int32_t error = error_;
     answer(*query.asked_instead, pairs, results);
     error_ = error;
+    pairs.find_areas(query);
     for (std::int32_t i = 0; i < pairs.n; ++i) {
       double a[max_fields], b[max_fields], number = std::numeric_limits<double>::quiet_NaN();
       note(query.derive(results[0][i], pairs.a.shape(i, a), pairs.b.shape(i, b), number));
@@ -89,15 +95,16 @@ class Engine {
   }
 
   /// Returns whether that answered all pairs.
-  bool ask_kernel(QueryKernel kernel, const Query& query, const Pairs& pairs, Results& results) noexcept {
+  bool ask_kernel(QueryKernel kernel, const Query& query, Pairs& pairs, Results& results) noexcept {
     double known[query_block];
     const QueryColumns asked{pairs.first().operand(), pairs.second().operand(), known};
     tell(query, pairs, asked, known);
     if (query.known == Known::reach) {
       std::int32_t near[query_block];
       const std::int32_t count = find_near(asked, pairs.n, near);
-      if (2 * count <= pairs.n) return ask_kernel_of(near, count, kernel, pairs, results);
+      if (2 * count <= pairs.n) return ask_kernel_of(near, count, kernel, query, pairs, results);
     }
+    pairs.find_areas(query);
     double* columns[max_results] = {results[0], results[1], results[2], results[3], results[4]};
     if (pairs.reversed() && query.reversal == Reversal::points) {
       std::swap(columns[1], columns[3]);
@@ -121,12 +128,13 @@ class Engine {
   }
 
   /// Answers only the listed pairs, copied side by side; the others are apart and share nothing: 0.
-  bool ask_kernel_of(const std::int32_t* list, std::int32_t count, QueryKernel kernel, const Pairs& pairs,
+  bool ask_kernel_of(const std::int32_t* list, std::int32_t count, QueryKernel kernel, const Query& query, Pairs& pairs,
                      Results& results) noexcept {
     for (std::int32_t i = 0; i < pairs.n; ++i) results[0][i] = 0;
     if (count == 0) return true;
-    const QueryColumns asked{gathered(pairs.first(), list, count, first_near_),
-                             gathered(pairs.second(), list, count, second_near_), first_near_.area()};
+    double known[query_block];
+    const QueryColumns asked{gathered(pairs.first(), list, count, query, first_near_),
+                             gathered(pairs.second(), list, count, query, second_near_), known};
     double found[query_block];
     double* columns[max_results] = {found};
     const bool all_settled = kernel(asked, whole_vectors(count), columns);
@@ -134,15 +142,16 @@ class Engine {
     return all_settled;
   }
 
-  static QueryOperand gathered(const NumberColumns& from, const std::int32_t* list, std::int32_t count,
+  static QueryOperand gathered(NumberColumns& from, const std::int32_t* list, std::int32_t count, const Query& query,
                                NumberColumns& room) noexcept {
-    if (from.repeated()) return from.operand();
-    room.gather(from, list, count);
-    return room.operand();
+    if (!from.repeated()) room.gather(from, list, count);
+    NumberColumns& out = from.repeated() ? from : room;
+    if (query.shape_area != nullptr) out.find_areas(query.shape_area);
+    return out.operand();
   }
 
   /// Whether the pairs overlap. Errors are found again by the scalar function.
-  void tell(const Query& query, const Pairs& pairs, const QueryColumns& asked, double (&known)[query_block]) noexcept {
+  void tell(const Query& query, Pairs& pairs, const QueryColumns& asked, double (&known)[query_block]) noexcept {
     if (query.known == Known::overlap) {
       std::uint8_t bytes[query_block];
       const std::int32_t n = whole_vectors(pairs.n);
@@ -157,7 +166,7 @@ class Engine {
   }
 
   /// Calls the scalar function for all pairs, or only for those that a kernel left open by a NaN.
-  void ask_scalar(const Query& query, const Pairs& pairs, bool all, Results& results) noexcept {
+  void ask_scalar(const Query& query, Pairs& pairs, bool all, Results& results) noexcept {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     const PairFunction answer_pair = query.doubles.of[pairs.a.kind()][pairs.b.kind()];
     for (std::int32_t i = 0; i < pairs.n; ++i) {
@@ -218,6 +227,7 @@ QueryTally query_matrix(const Query& query, const KernelTable& kernels, const Sh
   for (std::int64_t begin = 0; begin < b.count; begin += query_block) {
     pairs.n = block_length(b.count - begin, query_block);
     pairs.b.set(b, begin, pairs.n, query, kernels);
+    if (a.count > 1 && query.shape_area != nullptr) pairs.b.find_areas(query.shape_area);  // once for all rows
     for (std::int64_t row = 0; row < a.count; ++row) {
       pairs.a.set(element(a, row), 0, pairs.n, query, kernels);
       engine.answer<Out>(pairs, results);

@@ -293,16 +293,12 @@ namespace Vesica
             Span<byte> ay, Span<byte> bx, Span<byte> by)
         {
             Numbers(a, wide);
-            long n = InStep(a, b);
             fixed (byte* d = &distance.GetPinnableReference(), px = &ax.GetPinnableReference())
             fixed (byte* py = &ay.GetPinnableReference(), qx = &bx.GetPinnableReference())
             fixed (byte* qy = &by.GetPinnableReference())
             {
-                Column(a, b, d, distance.Length, n, wide);
-                Column(a, b, px, ax.Length, n, wide);
-                Column(a, b, py, ay.Length, n, wide);
-                Column(a, b, qx, bx.Length, n, wide);
-                Column(a, b, qy, by.Length, n, wide);
+                Columns(a, b, wide, new Column(d, distance), new Column(px, ax), new Column(py, ay), new Column(qx, bx),
+                    new Column(qy, by));
                 void* v1 = px, v2 = py, v3 = qx, v4 = qy;
                 return Ask((isDouble, x, y, z) => function(isDouble, x, y, z, v1, v2, v3, v4), a, b, d);
             }
@@ -311,13 +307,10 @@ namespace Vesica
         private static long Deep(Shapes a, Shapes b, bool wide, Span<byte> depth, Span<byte> x, Span<byte> y)
         {
             Numbers(a, wide);
-            long n = InStep(a, b);
             fixed (byte* d = &depth.GetPinnableReference(), px = &x.GetPinnableReference())
             fixed (byte* py = &y.GetPinnableReference())
             {
-                Column(a, b, d, depth.Length, n, wide);
-                Column(a, b, px, x.Length, n, wide);
-                Column(a, b, py, y.Length, n, wide);
+                Columns(a, b, wide, new Column(d, depth), new Column(px, x), new Column(py, y));
                 void* v1 = px, v2 = py;
                 return Ask((isDouble, p, q, z) => Native.DepthMany(isDouble, p, q, z, v1, v2), a, b, d);
             }
@@ -331,9 +324,32 @@ namespace Vesica
                 throw new ArgumentException("the shapes have " + numbers + " numbers: the output must have them too");
         }
 
-        private static void Column(Shapes a, Shapes b, void* output, long bytes, long needed, bool wide)
+        /// <summary>Memory for a column of results, which is not written if it is empty.</summary>
+        private struct Column
         {
-            if (bytes > 0) Room(a, b, output, bytes / Size(wide), needed, Size(wide));
+            internal readonly byte* Start;
+            internal readonly long Bytes;
+
+            internal Column(byte* start, Span<byte> bytes)
+            {
+                Start = start;
+                Bytes = bytes.Length;
+            }
+        }
+
+        /// <summary>Refuses columns that are too short, or that share memory with the shapes or with one
+        /// another.</summary>
+        private static void Columns(Shapes a, Shapes b, bool wide, params Column[] columns)
+        {
+            long needed = InStep(a, b), bytes = needed * Size(wide);
+            for (int i = 0; i < columns.Length; ++i)
+            {
+                if (columns[i].Bytes == 0) continue;
+                Room(a, b, columns[i].Start, columns[i].Bytes / Size(wide), needed, Size(wide));
+                for (int k = 0; k < i; ++k)
+                    if (columns[k].Bytes > 0 && Math.Abs(columns[i].Start - columns[k].Start) < bytes)
+                        throw new ArgumentException("output overlaps another one: results need memory of their own");
+            }
         }
 
         /// <summary>The indices of those of many that overlap one, in ascending order.</summary>

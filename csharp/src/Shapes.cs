@@ -101,15 +101,27 @@ namespace Vesica
             return isDouble ? sizeof(double) : sizeof(float);
         }
 
-        /// <summary>An array of structs.</summary>
+        /// <summary>An array of structs: Rect and the like, or others that are just the numbers of a shape, in the
+        /// order of its kind.</summary>
         public static Shapes Of<S>(S[] shapes) where S : struct, IShape
         {
             if (shapes == null) throw new ArgumentNullException("shapes");
             if (typeof(S) == typeof(AnyShape))
                 throw new ArgumentException("an array is of shapes of one kind, as Rect[]");
             S one = default(S);
-            int size = Size(one.IsDouble), stride = Fields(one.Kind) * size;
-            return new Shapes(one.Kind, one.IsDouble, shapes.Length, stride, size, shapes, IntPtr.Zero);
+            Kind kind = one.Kind;
+            bool isDouble = one.IsDouble;
+            int size = Size(isDouble), stride = Fields(kind) * size, given = BytesOf<S>();
+            if (given != stride)
+                throw new ArgumentException(typeof(S).Name + " has " + given + " bytes, where the numbers of a " + kind
+                    + " have " + stride);
+            return new Shapes(kind, isDouble, shapes.Length, stride, size, shapes, IntPtr.Zero);
+        }
+
+        /// <summary>How large a struct is in an array; an exception if it has references.</summary>
+        private static int BytesOf<S>() where S : struct
+        {
+            return MemoryMarshal.AsBytes(new Span<S>(new S[1])).Length;
         }
 
         /// <summary>Shapes whose numbers follow one another, or records of so many numbers, of which the first are a
@@ -170,17 +182,18 @@ namespace Vesica
         /// <summary>Whether numbers of this array lie where so many bytes of output do.</summary>
         internal unsafe bool Meets(void* output, long bytes)
         {
-            if (array == null || array.Length == 0 || bytes == 0) return false;
-            int size = Size(IsDouble) * (array is double[] || array is float[] ? 1 : Fields(Kind));
-            GCHandle handle = GCHandle.Alloc(array, GCHandleType.Pinned);
+            if (Count == 0 || bytes == 0) return false;
+            View view;
+            GCHandle handle = Pin(out view);
             try
             {
-                var start = (byte*)handle.AddrOfPinnedObject();
-                return output < start + (long)array.Length * size && start < (byte*)output + bytes;
+                long last = (Count - 1) * stride, number = (Fields(Kind) - 1) * step + Size(IsDouble);
+                byte* from = view.Field0 + Math.Min(last, 0), to = view.Field0 + Math.Max(last, 0) + number;
+                return output < to && from < (byte*)output + bytes;
             }
             finally
             {
-                handle.Free();
+                if (handle.IsAllocated) handle.Free();
             }
         }
 

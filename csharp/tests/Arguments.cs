@@ -80,6 +80,121 @@ internal static unsafe class Arguments
         Check(new ShapeIndex(none).Join(new ShapeIndex(none)).Length == 0, "empty indexes");
     }
 
+    /// <summary>One shape of it is as good as any, but an array has too few numbers.</summary>
+    private struct Tiny : IShape
+    {
+        internal double X;
+
+        public Kind Kind { get { return Kind.Rect; } }
+
+        public bool IsDouble { get { return true; } }
+
+        public void Write(void* numbers)
+        {
+            for (int i = 0; i < 6; ++i) ((double*)numbers)[i] = i == 2 ? 1 : X;
+        }
+    }
+
+    /// <summary>In an array something lies between the numbers of its shapes.</summary>
+    private struct Tagged : IShape
+    {
+        internal Circle Shape;
+        internal long Tag;
+
+        public Kind Kind { get { return Shape.Kind; } }
+
+        public bool IsDouble { get { return true; } }
+
+        public void Write(void* numbers)
+        {
+            ((IShape)Shape).Write(numbers);
+        }
+    }
+
+    /// <summary>As large as a point, but not its numbers.</summary>
+    private struct Named : IShape
+    {
+        internal string Name;
+        internal double Y;
+
+        public Kind Kind { get { return Kind.Point; } }
+
+        public bool IsDouble { get { return true; } }
+
+        public void Write(void* numbers)
+        {
+            ((double*)numbers)[0] = ((double*)numbers)[1] = Y;
+        }
+    }
+
+    /// <summary>Just the numbers of a circle.</summary>
+    private struct Whole : IShape
+    {
+        internal CircleF Shape;
+
+        public Kind Kind { get { return Kind.Circle; } }
+
+        public bool IsDouble { get { return false; } }
+
+        public void Write(void* numbers)
+        {
+            ((IShape)Shape).Write(numbers);
+        }
+    }
+
+    /// <summary>Nothing is read beyond an array of structs that are not of this assembly.</summary>
+    private static void OwnStructs()
+    {
+        var yes = new bool[1 << 20];
+        Refused<ArgumentException>("Tiny has 8 bytes, where the numbers of a Rect have 48", () =>
+            Query.OverlapMany(Shapes.Of(new Tiny[1 << 20]), Shapes.Of(new Tiny[1]), yes));
+        Refused<ArgumentException>("Tagged has 32 bytes, where the numbers of a Circle have 24", () =>
+            Shapes.Of(new Tagged[0]));
+        Refused<ArgumentException>("", () => Shapes.Of(new Named[1]));
+        Shapes own = Shapes.Of(new[] { new Whole { Shape = new CircleF(5, 0, 1) }, new Whole() });
+        Shapes origin = Shapes.Of(new[] { new PointF(0, 0) });
+        Check(Query.OverlapMany(own, origin, yes) == 1 && yes[1], "structs of one's own");
+        Check(Query.Overlap(new Tiny { X = 1 }, Disc), "a struct of one's own");
+    }
+
+    /// <summary>Columns of one array are results as any others, unless they share numbers.</summary>
+    private static void ColumnsOfOneArray()
+    {
+        var all = new double[7];
+        double[] still = new double[1];
+        const string Words = "output overlaps another one";
+        Refused<ArgumentException>(Words, () => Query.NearestMany(Three, Three, all, all, null, null, null));
+        Refused<ArgumentException>(Words, () =>
+            Query.NearestMany(Three, Three, all, null, null, null, all.AsSpan(2)));
+        Refused<ArgumentException>(Words, () =>
+            Query.BoundaryDistanceMany(Three, Three, null, all.AsSpan(2, 3), null, null, all));
+        Refused<ArgumentException>(Words, () => Query.DepthMany(Three, Three, all, null, all.AsSpan(2)));
+        Refused<ArgumentException>(Words, () =>
+            Motion.CastMany(Three, Three, still, still, 1, all, null, null, all.AsSpan(2), null));
+        Check(Query.DepthMany(Three, Three, all, null, all.AsSpan(3)) == 3 && all[2] == 2, "columns side by side");
+    }
+
+    /// <summary>Results are not written over shapes in memory of the caller's, whichever way they follow one
+    /// another.</summary>
+    private static void OverMemory()
+    {
+        var circles = new double[9];
+        fixed (double* p = circles)
+        {
+            var start = (IntPtr)p;
+            foreach (Shapes there in new[]
+                { Shapes.At(Kind.Circle, true, start, 3, 24), Shapes.At(Kind.Circle, true, start + 48, 3, -24) })
+            {
+                Refused<ArgumentException>("output overlaps an input", () =>
+                    Query.AreaMany(there, Three, circles.AsSpan(6)));
+                Refused<ArgumentException>("output overlaps an input", () =>
+                    Query.AreaMany(Three, there, circles.AsSpan(0, 3)));
+            }
+            Shapes last = Shapes.At(Kind.Circle, true, start + 48, 1, 24);
+            Check(Query.AreaMany(Three, last, circles.AsSpan(3, 3)) == 0, "results beside memory of the caller's");
+        }
+    }
+
     private static void Cast(ReadOnlySpan<double> vx, ReadOnlySpan<double> vy, Span<double> t)
     {
         var none = default(Span<double>);
@@ -356,6 +471,9 @@ internal static unsafe class Arguments
         }
         Calls.Test(arguments[0]);
         Refusals();
+        OwnStructs();
+        ColumnsOfOneArray();
+        OverMemory();
         Layouts();
         MeasuresAndBoxes();
         Motions();

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-/// area(a, b): the area of the intersection of two shapes. iou(a, b): that over the area of their union.
+/// area(a, b): the area of the intersection of two shapes.
 ///
 /// relation() decides exactly whether the shapes are disjoint, nested, equal or crossing; only the area of a crossing
 /// pair is computed here. Laws, each tested, without a tolerance: area(a, b) == area(b, a);
 /// 0 for shapes that are disjoint, touch, or have no area; shape_area() of the inner one where one contains the other;
-/// never more than the area of either; more than 0 where insides meet, unless that underflows; 0 <= iou <= 1, and 1 for
-/// equal shapes; times 4^k, or unchanged for iou, when both shapes are scaled by 2^k without leaving the format.
+/// never more than the area of either; more than 0 where insides meet, unless that underflows; times 4^k when both
+/// shapes are scaled by 2^k without leaving the format.
 ///
 /// Accuracy: within 64u times the smaller shape's area times the larger aspect ratio (longer size over shorter), u =
 /// 2^-53, for aspect ratios up to 10^4, even where the outlines nearly touch or coincide.

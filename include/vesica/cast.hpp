@@ -119,16 +119,18 @@ int sweep_bounds(const Shape<T>& s, std::type_identity_t<T> vx, std::type_identi
   Aabb<T> box;
   const int error = bounds(s, box);
   if (error != 0) return error;
+  using detail::all_finite, detail::arithmetic::next_above;
   // Each of the two roundings is less than a step between numbers of its size, or than the least number above 0.
   const auto sweep = [t_end](T v, T& low, T& high) {
     if (v == 0 || t_end == 0) return;
-    const T infinity = std::numeric_limits<T>::infinity();
+    const auto outward = [v](T x) { return v > 0 ? next_above(x) : -next_above(-x); };
     T& side = v > 0 ? high : low;
-    side = std::nextafter(side + std::nextafter(v * t_end, v * infinity), v * infinity);
+    const T way = v * t_end;
+    side = all_finite(way) ? outward(side + outward(way)) : way;
   };
   sweep(vx, box.min_x, box.max_x);
   sweep(vy, box.min_y, box.max_y);
-  if (!detail::all_finite(box.min_x, box.min_y, box.max_x, box.max_y)) return error_range;
+  if (!all_finite(box.min_x, box.min_y, box.max_x, box.max_y)) return error_range;
   out = box;
   return 0;
 }

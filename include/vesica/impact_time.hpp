@@ -11,8 +11,8 @@
 ///   - a start: the shapes overlap as they are stored. This is exact.
 ///
 /// The gap is at most the tolerance, except in two cases: the tolerance is below what rounding can resolve, which is
-/// (120 + 4 |angles|) u times the sum of all lengths, the motion's included, u = 2^-53; or the search stopped after 256
-/// directions or 4096 poses.
+/// (300 + 10 |angles|) u times the sum of all lengths, the motion's included, u = 2^-53; or the search stopped after
+/// 256 directions or 4096 poses.
 #pragma once
 
 #include <type_traits>

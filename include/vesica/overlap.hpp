@@ -98,12 +98,6 @@ VESICA_INLINE constexpr std::int32_t decide_longest_tie(const A& a, const B& b) 
     return -1;
   }
 }
-template <class A, class B>
-VESICA_INLINE constexpr std::int32_t decide_without_errors(const A& a, const B& b) noexcept {
-  std::int32_t answer = decide_short_tie(a, b);
-  if (answer < 0) answer = decide_long_tie(a, b);
-  return answer >= 0 ? answer : decide_longest_tie(a, b);
-}
 
 /// A function of its own, as the next one: the registers that it saves would cost shorter ties time.
 template <class A, class B>

@@ -89,8 +89,8 @@ inline double distance_share(const Facts& a, const Facts& b) noexcept {
     h.dy = arithmetic::scale_far(h.dy, -less), h.height = arithmetic::scale_far(h.height, -less);
   }
   const double diagonal = h.width * h.width + h.height * h.height;
-  const double near = std::fmax(0x1p-500, 0x1p-400 * std::fmax(h.width, h.height));
-  if (std::fmax(std::fabs(h.dx), std::fabs(h.dy)) >= near) return (h.dx * h.dx + h.dy * h.dy) / diagonal;
+  const double least = std::fmax(0x1p-500, 0x1p-400 * std::fmax(h.width, h.height));
+  if (std::fmax(std::fabs(h.dx), std::fabs(h.dy)) >= least) return (h.dx * h.dx + h.dy * h.dy) / diagonal;
   // Squares would underflow, and lose digits that they keep at another scale.
   const double dx = h.dx * 0x1p500, dy = h.dy * 0x1p500;
   return (dx * dx + dy * dy) / diagonal * 0x1p-500 * 0x1p-500;

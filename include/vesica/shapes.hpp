@@ -53,6 +53,9 @@ enum class Kind : std::int32_t { point = 0, segment = 1, circle = 2, aabb = 3, r
 
 inline constexpr int kind_count = 6;
 
+/// The most numbers that a shape has.
+inline constexpr int max_fields = 6;
+
 /// Result codes, as the C face returns them.
 enum Error : std::int32_t {
   error_null = -1,

@@ -67,6 +67,27 @@ test('ratios and suppression', () => {
   assert.deepEqual(vesica.nms(boxes, scores, 0.5, { leastScore: 2, most: 1 }), [0]);
 });
 
+test('labels are equal or not, however large', () => {
+  const boxes = vesica.shapes('aabb', [[0, 0, 4, 4], [0, 0, 4, 4]]), scores = [2, 1];
+  const kept = (labels) => {
+    const { indices } = vesica.nmsSoft(boxes, scores, 0.5, { labels, leastScore: 0.5 });
+    assert.deepEqual(vesica.nms(boxes, scores, 0.5, { labels }), indices);
+    return indices.length;
+  };
+  const [least, most] = [Number.MIN_SAFE_INTEGER, Number.MAX_SAFE_INTEGER];
+  for (const labels of [[1, 2 ** 32 + 1], [0, 2 ** 32], [-1, 2 ** 32 - 1], [least, most], [0, -(2 ** 31)]]) {
+    assert.equal(kept(labels), 2, `${labels}`);
+  }
+  for (const labels of [[0, -0], [most, most], [2 ** 32 + 1, 2 ** 32 + 1], new Uint8Array([7, 7])]) {
+    assert.equal(kept(labels), 1, `${labels}`);
+  }
+  const noNumbers = [['car', 'person'], ['1', '1'], [1n, 1n], [1, undefined]];
+  for (const labels of [[1, 1.5], [1, NaN], [1, Infinity], [1, 2 ** 53], ...noNumbers]) {
+    assert.throws(() => vesica.nms(boxes, scores, 0.5, { labels }), /a label is a whole number/);
+    assert.throws(() => vesica.nmsSoft(boxes, scores, 0.5, { labels }), TypeError);
+  }
+});
+
 test('near, deep, and how they meet', () => {
   const a = aabb(0, 0, 2, 2), b = aabb(1, 1, 3, 3), disc = circle(6, 1, 1);
   assert.equal(vesica.within(a, disc, 3), 'yes');

@@ -43,6 +43,8 @@ const wrong: boolean = vesica.overlap(cars, car);
 
 // @ts-expect-error: no such ratio
 vesica.ratio('iou', car, car);
+// @ts-expect-error: a label is a number
+vesica.nms(cars, [1, 2], 0.5, { labels: ['car', 'person'] });
 // @ts-expect-error: a velocity has two numbers
 vesica.cast(car, car, 1);
 // @ts-expect-error: a turn has three numbers

@@ -73,6 +73,45 @@ test('quarter turns in degrees are exact', () => {
   assert.ok(Math.abs(rect(0, 0, 4, 2, 30, { degrees: true }).uy - 0.5) < 1e-15);
 });
 
+const smallest = { f64: 5e-324, f32: 2 ** -149 };
+
+test('sizes that cannot be halved are kept', () => {
+  assert.deepEqual(rect(1, 2, 5e-324, 3), { kind: 'rect', cx: 1, cy: 2, ux: 0.5, uy: 0, hx: 5e-324, hy: 3 });
+  assert.deepEqual(rect(1, 2, 1e-323, 3), { kind: 'rect', cx: 1, cy: 2, ux: 1, uy: 0, hx: 5e-324, hy: 1.5 });
+  const thrice = 3 * smallest.f32, largest = 2 ** 127 * (2 - 2 ** -23); // of floats
+  for (const scalar of ['f64', 'f32']) {
+    const tiny = smallest[scalar], halved = [[tiny, 1], [1, tiny], [2 * tiny, 3 * tiny], [0, tiny], [thrice, largest]];
+    for (const [width, height] of [...halved, [2 * tiny, 1], [4, 2], [0, 0]]) {
+      const made = vesica.shapes('rect', [rect(1, 2, width, height)], { scalar });
+      assert.deepEqual(made.numbers, rectInC(scalar, 1, 2, 0, width, height), `${scalar} ${width} ${height}`);
+    }
+  }
+});
+
+function rectInC(scalar, ...given) {
+  const Numbers = scalar === 'f64' ? Float64Array : Float32Array;
+  return vesica.inRoom((room) => {
+    const out = room.take(48);
+    vesica.check(vesica.c[`vesica_rect_from_angle_${scalar}`](...given, out));
+    return new Numbers(vesica.c.memory.buffer, out, 6).slice();
+  });
+}
+
+test('a rectangle with a size that floats cannot halve', () => {
+  const thin = rect(0, 0, smallest.f32, 2), many = vesica.shapes('point', [0, 0.5], { scalar: 'f32' });
+  const half = { kind: 'rect', cx: 0, cy: 0, ux: 0.5, uy: 0, hx: smallest.f32, hy: 2 };
+  const lines = [thin, half].map((shape) => vesica.shapes('rect', [shape], { scalar: 'f32' }));
+  assert.deepEqual(lines[0].at(0), half);
+  assert.equal(relations[vesica.relation(...lines)[0]], 'equal');
+  assert.equal(relations[vesica.relation(thin, lines[1])[0]], 'equal'); // one that a call takes in
+  assert.equal(relations[vesica.relation(many, thin)[0]], 'inside');
+  // What is no such size, and an axis that cannot be halved, stay as they are.
+  for (const shape of [{ ...thin, hx: 0.25 }, { ...thin, ux: smallest.f32 }, { ...thin, hy: 2 ** 127 }]) {
+    const [cx, cy, ux, uy, hx, hy] = vesica.shapes('rect', [shape], { scalar: 'f32' }).numbers;
+    assert.deepEqual({ kind: 'rect', cx, cy, ux, uy, hx, hy }, { ...shape, hx: Math.fround(shape.hx) });
+  }
+});
+
 test('arrays say what single shapes say', () => {
   for (const kindA of kinds) {
     for (const kindB of kinds) {
@@ -119,6 +158,11 @@ test('arrays: sources, views, scalars, outputs', () => {
   assert.throws(() => vesica.overlap(flat, vesica.shapes('point', 3)), RangeError);
 });
 
+test('a count gives zeros, in memory that was used too', () => {
+  vesica.shapes('circle', new Float64Array(300).fill(7)).free();
+  assert.ok(vesica.shapes('circle', 100).numbers.every((number) => number === 0));
+});
+
 test('what is refused says why', () => {
   assert.throws(() => vesica.overlap({ kind: 'square' }, a), /kind is one of point/);
   assert.throws(() => vesica.overlap({ kind: 'circle', cx: 1 }, a), /missing: cy, r/);
@@ -126,7 +170,10 @@ test('what is refused says why', () => {
   assert.throws(() => vesica.shapes('rect', [1, 2, 3]), /6 numbers each/);
   assert.throws(() => vesica.shapes('rect', [[1, 2]]), /array of 6 numbers \(cx, cy/);
   assert.throws(() => vesica.shapes('rect', [circle(0, 0, 1)]), /a rect is/);
-  assert.throws(() => vesica.shapes('rect', 1, { scalar: 'f16' }), TypeError);
+  for (const scalar of ['f16', 'toString', ['f64']]) {
+    assert.throws(() => vesica.shapes('rect', 1, { scalar }), /scalar is 'f64' or 'f32', not ["[]/);
+    assert.throws(() => vesica.shapesFromBoxes('rect', [1, 2, 3, 4, 5], { scalar }), TypeError);
+  }
   assert.throws(() => vesica.overlap(circle(NaN, 0, 1), a), { name: 'VesicaError', code: -2 });
   assert.match(vesica.invalidity(circle(0, 0, -1)), /negative/);
   assert.equal(vesica.invalidity(a), null);
@@ -169,7 +216,14 @@ test('index and join', () => {
   damaged[100] ^= 1;
   assert.throws(() => vesica.indexFromBytes(damaged, ...sets), { name: 'VesicaError', code: -10 });
   assert.throws(() => vesica.indexFromBytes(index.bytes, sets[0]), RangeError);
-  assert.throws(() => index.join({ query: 'near' }), TypeError);
+  for (const query of ['near', 'toString', '__proto__']) {
+    assert.throws(() => index.join({ query }), TypeError);
+    assert.throws(() => index.joinCount({ query }), TypeError);
+    assert.throws(() => index.forEachPair(() => {}, { query }), TypeError);
+  }
+  for (const bytes of [undefined, null, 5, 'bytes']) {
+    assert.throws(() => vesica.indexFromBytes(bytes, ...sets), TypeError);
+  }
   assert.throws(() => vesica.index(), TypeError);
   assert.throws(() => index.nearest(far, { within: -1 }), VesicaError);
   const more = vesica.shapes('circle', Array.from({ length: 300 }, () => circle(1, 1, 1)));

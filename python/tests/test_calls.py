@@ -151,7 +151,7 @@ class Call:
             return len(pairs), pairs.ravel()
         ratio, decay, parameter, least, most = self.numbers(2)
         labels = numpy.array(self.numbers(3), "i4") if len(self.arguments) > 3 else None
-        how = {"labels": labels, "ratio": ratio, "least_score": least, "most": most}
+        how = {"labels": labels, "ratio": ratio, "least_score": least, "most": int(most)}
         decay = ("linear", "gaussian")[int(decay)]
         return 0, flat(vesica.nms_soft(self.shapes(self.arguments[0]), self.numbers(1), parameter, decay=decay, **how))
 
@@ -167,7 +167,7 @@ class Call:
         ratio, threshold, least, most = self.numbers(2)
         if len(self.arguments) > 3:
             labels = numpy.array(self.numbers(3), "i4")
-        how = {"labels": labels, "ratio": ratio, "least_score": least, "most": most}
+        how = {"labels": labels, "ratio": ratio, "least_score": least, "most": int(most)}
         return vesica.nms(boxes, self.numbers(1), threshold, **how)
 
     def of_one_or_two(self):

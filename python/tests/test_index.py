@@ -110,6 +110,13 @@ class Index(unittest.TestCase):
     def test_refused(self):
         circles = vesica.circles([[0, 0, 1]])
         index = vesica.Index(circles)
+        wrong_parts = (
+            (vesica.VesicaError, {"parts": 2**64 + 1}),
+            (vesica.VesicaError, {"part": 2**64}),
+            (vesica.VesicaError, {"part": -1, "parts": 2}),
+            (TypeError, {"part": 0.9}),
+            (TypeError, {"parts": 1.5}),
+        )
         for error, call in (
             (TypeError, lambda: vesica.Index([[0, 0, 1]])),
             (ValueError, lambda: vesica.Index()),
@@ -117,6 +124,9 @@ class Index(unittest.TestCase):
             (TypeError, lambda: index.join(vesica.Index(circles.astype("f4")))),
             (ValueError, lambda: index.join(query="near")),
             (vesica.VesicaError, lambda: index.join(part=2, parts=2)),
+            *((error, lambda how=how: index.join(**how)) for error, how in wrong_parts),
+            *((error, lambda how=how: index.join_within(1, **how)) for error, how in wrong_parts),
+            *((error, lambda how=how: index.join_count(**how)) for error, how in wrong_parts),
             (TypeError, lambda: index.select([0, 0, 1])),
             (vesica.VesicaError, lambda: index.nearest(circles[0], 1, -1)),
             (ValueError, lambda: index.nearest(circles[0], -1)),

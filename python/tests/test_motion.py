@@ -36,6 +36,24 @@ class Motion(unittest.TestCase):
         self.assertEqual(caught.exception.result.t[[0, 2]].tolist(), [19, 9])
         self.assertTrue(math.isnan(caught.exception.result.t[1]))
 
+    def test_outputs_apart_from_velocities(self):
+        numbers = numpy.ones((3, 7), order="F")
+        columns = list(numbers.T)
+        for wrong in (columns[1:6], columns[:5]):
+            with self.assertRaisesRegex(ValueError, "out overlaps an input"):
+                vesica.cast(WALLS, DISC, numbers[:, :2], out=wrong)
+        one = numpy.array([2.0, 0])
+        with self.assertRaisesRegex(ValueError, "out overlaps an input"):
+            vesica.cast(WALL, vesica.circles([[0, 0, 1]]), one, out=[one[:1], None, None, None, None])
+        self.assertEqual(vesica.cast(WALLS, DISC, numbers[:, :2] * [2, 0], out=columns[2:]).t.tolist(), [9.5, 4.5, 4.5])
+
+    def test_velocities_that_are_not_numbers(self):
+        hidden = numpy.ma.masked_equal([1.0, 0], 1)
+        for error, wrong in ((ValueError, hidden), (TypeError, ["1", "0"]), (TypeError, [1j, 0])):
+            for a in (WALL, WALLS):
+                with self.assertRaises(error):
+                    vesica.cast(a, DISC, wrong)
+
     def test_many(self):
         self.assertEqual(vesica.cast_first(DISC, WALLS, (2, 0)), (1, (4.5, 10, 0, -1, 0)))
         self.assertIsNone(vesica.cast_first(DISC, WALLS, (-2, 0)))

@@ -151,6 +151,78 @@ class Known(unittest.TestCase):
             with self.assertRaises(vesica.VesicaError):
                 vesica.nms(boxes, scores, ratio=ratio)
 
+    def test_labels_of_any_size(self):
+        boxes = vesica.aabbs([[0, 0, 2, 2]] * 3)
+        unlike = (
+            ([1, 2**32 + 1, 2**33 + 1], [0, 1, 2]),
+            ([-(2**31), 2**31, -(2**31)], [0, 1]),
+            (numpy.array([2**64 - 1, 2**32 - 1, 2**64 - 1], "u8"), [0, 1]),
+            (numpy.array([7, 0, 7, 0, 8, 0], "i2")[::2], [0, 2]),
+            ([True, False, True], [0, 1]),
+        )
+        for labels, kept in unlike:
+            self.assertEqual(vesica.nms(boxes, [0.9, 0.8, 0.7], labels=labels).tolist(), kept)
+            soft = vesica.nms_soft(boxes, [0.9, 0.8, 0.7], 0.1, labels=labels, least_score=0.5)
+            self.assertEqual(soft[0].tolist(), kept)
+        self.assertEqual(vesica.nms(boxes[:0], [], labels=[]).tolist(), [])
+        for wrong in ([1.0, 2, 3], ["1", "2", "3"], [2**64, 0, 1], [None, 1, 2], [1j, 2, 3]):
+            for call in (vesica.nms, vesica.nms_soft):
+                with self.assertRaisesRegex(TypeError, "labels are whole numbers"):
+                    call(boxes, [3, 2, 1], labels=wrong)
+        with self.assertRaisesRegex(ValueError, "labels: .*masked"):
+            vesica.nms(boxes, [3, 2, 1], labels=numpy.ma.masked_equal([1, 2, 3], 2))
+
+    def test_scores_keep_their_order(self):
+        boxes = vesica.aabbs([[0, 0, 2, 2]] * 2)
+        narrow, scores = boxes.astype("f4"), numpy.array([0.9, 0.9 + 1e-12])
+        self.assertEqual(vesica.nms(boxes, scores).tolist(), [1])
+        for unequal in (scores, [2**24, 2**24 + 1], [0.0, 1e300]):
+            self.assertEqual(vesica.nms(narrow, unequal).tolist(), [1])
+            self.assertEqual(vesica.nms(narrow, unequal, least_score=unequal[1]).tolist(), [1])
+            self.assertEqual(vesica.nms(narrow, unequal[::-1]).tolist(), [0])
+            self.assertEqual(vesica.nms(narrow, unequal, 1, least_score=unequal[1]).tolist(), [1])
+            self.assertEqual(len(vesica.nms_soft(narrow, unequal)[0]), 2)
+        self.assertEqual(vesica.nms(boxes, [2**53, 2**53 + 1]).tolist(), [1])
+        self.assertEqual(vesica.nms(narrow, scores, least_score=2).tolist(), [])
+        with self.assertRaises(vesica.VesicaError):
+            vesica.nms(narrow, [0.9, numpy.nan])
+        for call in (vesica.nms, vesica.nms_soft):
+            for wrong in (["1", "2"], [1j, 2], [None, 1]):
+                with self.assertRaisesRegex(TypeError, "scores are numbers"):
+                    call(boxes, wrong)
+            with self.assertRaisesRegex(ValueError, "scores: .*masked"):
+                call(boxes, numpy.ma.masked_equal([1.0, 2], 1))
+        from_float32 = numpy.array([0.1, 0.9], "f4").tolist()
+        for exact in ([0.25, 0.5], [1, 2], from_float32, numpy.array([1, 2], "f2"), [False, True]):
+            self.assertEqual(vesica.nms(narrow, exact).tolist(), [1])
+        with self.assertRaises(TypeError):
+            vesica.nms(boxes, scores, most=0.9)
+
+    def test_scores_that_are_not_aligned(self):
+        boxes, bytes_of_scores = vesica.aabbs([[0, 0, 2, 2]] * 2), numpy.zeros(17, numpy.uint8)
+        scores = bytes_of_scores[1:].view("f8")
+        scores[:] = 1, 2
+        self.assertEqual(vesica.nms(boxes, scores).tolist(), [1])
+
+    def test_results_of_refused_arguments(self):
+        boxes = vesica.aabbs([[0, 0, 2, 2], [1, 1, 3, 3]])
+        points = vesica.points([[0, 0], [1, 1]])
+        for call in (
+            lambda: vesica.within(boxes, boxes, -1.0),
+            lambda: vesica.within_matrix(boxes, boxes, math.nan),
+            lambda: vesica.nms(boxes, [1, 2], threshold=5),
+            lambda: vesica.nms_soft(boxes, [1, 2], least_score=-1),
+            lambda: vesica.overlap_select(boxes, boxes),
+        ):
+            with self.assertRaises(vesica.VesicaError) as caught:
+                call()
+            self.assertIsNone(caught.exception.result)
+        for call in (vesica.iou, vesica.iou_matrix, lambda a, b: vesica.ratio(Ratio.OVER_UNION, a, b),
+                     lambda a, b: vesica.ratio_matrix(Ratio.OVER_UNION, a, b)):
+            with self.assertRaises(vesica.VesicaError) as caught:
+                call(points, points)
+            self.assertTrue(numpy.isnan(caught.exception.result).all())
+
     def test_ratios(self):
         wanted = [1 / 7, 1 / 4, 1 / 4, 1 / 4, 1 / 7 - 2 / 9, 1 / 7 - 1 / 9, 1 / 7 - 1 / 9]
         for which, number in zip(Ratio, wanted):

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What arrays are taken, that they are taken where they lie, and what is said of others."""
+import copy
 import math
+import pickle
 import tracemalloc
 import unittest
 
@@ -49,6 +51,33 @@ class Layouts(unittest.TestCase):
         array[0, 0] = 4
         self.assertTrue(vesica.overlap(shapes, DISC)[0])
 
+    def test_single_shapes_see_changes_too(self):
+        point, points = vesica.points([50.0, 0]), vesica.points([[50.0, 0]])
+        names = vesica.FIELDS[Kind.CIRCLE]
+        padded = {"names": names, "formats": ["f8"] * 3, "offsets": [1, 12, 30], "itemsize": 40}
+        records, odd = numpy.zeros(3, [(name, "f8") for name in names]), numpy.zeros(3, padded)
+        rows, columns, wide = numpy.zeros((3, 3)), numpy.zeros((3, 3), order="F"), numpy.zeros((3, 6))
+        makers = {
+            "a row": (vesica.circles(rows[1]), lambda x: rows.__setitem__((1, 0), x)),
+            "of rows": (vesica.circles(rows)[1], lambda x: rows.__setitem__((1, 0), x)),
+            "of columns": (vesica.circles(columns)[1], lambda x: columns.__setitem__((1, 0), x)),
+            "with gaps": (vesica.circles(wide[::-1, ::-2])[1], lambda x: wide.__setitem__((1, 5), x)),
+            "a record": (vesica.shapes(Kind.CIRCLE, records[1]), lambda x: records["cx"].__setitem__(1, x)),
+            "unaligned": (vesica.shapes(Kind.CIRCLE, odd)[1], lambda x: odd["cx"].__setitem__(1, x)),
+        }
+        for name, (disc, move) in makers.items():
+            for x in (0, 50, 49, 50):
+                move(x)
+                self.assertIs(vesica.overlap(disc, point), x == 50, name)
+                self.assertEqual(vesica.overlap(disc, points).tolist(), [x == 50], name)
+                self.assertEqual(vesica.nearest(disc, point).ax, x, name)
+                self.assertIn(f"cx={x},", repr(disc))
+            move(0)
+
+    def test_single_shapes_of_float32_columns(self):
+        rects = vesica.shapes(Kind.RECT, numpy.asfortranarray(RECTS, "f4"))
+        self.assertEqual([vesica.overlap(rect, DISC.astype("f4")) for rect in rects], [False, True, False])
+
     def test_no_copy(self):
         array = numpy.zeros((200_000, 6))
         array[:, 2] = 1
@@ -71,6 +100,25 @@ class Layouts(unittest.TestCase):
                 shapes[index]
         with self.assertRaises(TypeError):
             len(shapes[0])
+
+    def test_numbers_as_indexes(self):
+        shapes = vesica.shapes(Kind.RECT, RECTS)
+        for index in (1, numpy.int8(1), numpy.uint64(1), numpy.array(1), numpy.array(-2), (1,), (numpy.int64(-2),)):
+            self.assertTrue(shapes[index].single)
+            self.assertIs(vesica.overlap(shapes[index], DISC), True)
+        for index in (numpy.array([2, 1]), ([2, 1],), numpy.nonzero([False, True, True]), ..., ()):
+            self.assertIn(True, vesica.overlap(shapes[index], DISC).tolist())
+        with self.assertRaisesRegex(IndexError, "shape 3 of 3"):
+            shapes[numpy.array(3)]
+
+    def test_indexes_of_other_dimensions(self):
+        shapes = vesica.shapes(Kind.RECT, RECTS)
+        for index in (numpy.array([[0, 1], [2, 0]]), [[0, 1]], None, (..., None), (..., 0), numpy.array(True)):
+            with self.assertRaisesRegex(ValueError, "one dimension, not the shape"):
+                shapes[index]
+        for index in (True, numpy.True_, numpy.False_):
+            with self.assertRaisesRegex(TypeError, "a bool is not the number"):
+                shapes[index]
 
     def test_empty(self):
         empty = vesica.circles([])
@@ -120,6 +168,18 @@ class Constructors(unittest.TestCase):
         huge = 1.7e308
         self.assertEqual(vesica.ellipses([0, 0, huge, 1, 0]).numbers.tolist(), [0, 0, 1, 0, huge, 1])
 
+    def test_half_axes_that_cannot_be_halved(self):
+        for dtype, least in (("f8", 5e-324), ("f4", 1e-45)):
+            a, b = numpy.array([least, 7 * least], dtype)
+            for row in ([0, 0, a, 1, 0], [0, 0, 1, b, 0], [0, 0, b, a, 0], [0, 0, a, 0, 0]):
+                made = vesica.ellipses(numpy.array([row], dtype)).numbers[0].tolist()
+                self.assertEqual(made, [0, 0, 1, 0, float(row[2]), float(row[3])])
+        rows = numpy.array([[1, 2, 3, 5e-324, 0], [0, 0, -1, 1, 0], [0, 0, math.nan, 1, 0], [0, 0, 1, math.inf, 0]])
+        with self.assertRaisesRegex(vesica.VesicaError, "3 invalid rows, the first is number 1") as caught:
+            vesica.ellipses(rows)
+        self.assertEqual(caught.exception.result[0].numbers.tolist(), [1, 2, 1, 0, 3, 5e-324])
+        self.assertEqual(rows[0, 2], 3)
+
     def test_invalid_rows(self):
         with self.assertRaisesRegex(vesica.VesicaError, "1 invalid rows, the first is number 1") as caught:
             vesica.rects([[1, 2, 6, 4, 0], [1, 2, -6, 4, 0]])
@@ -146,6 +206,22 @@ class Constructors(unittest.TestCase):
         with self.assertRaises(vesica.VesicaError):
             vesica.ellipses_from_covariance([1, 2], [[1, 5], [5, 1]])
 
+    def test_covariances_of_both_types(self):
+        means, matrix = numpy.array([1, 2], "f4"), numpy.diag([0.01, 0.04])
+        mixed, wide = (vesica.ellipses_from_covariance(m, matrix, 2) for m in (means, means.astype("f8")))
+        self.assertEqual((mixed.dtype, mixed.numbers.tolist()), (numpy.float64, wide.numbers.tolist()))
+        self.assertEqual(vesica.ellipses_from_covariance(means, matrix.astype("f4")).dtype, numpy.float32)
+
+    def test_covariances_that_are_not_numbers(self):
+        for nan in ((0, 0), (0, 1), (1, 0), (1, 1), slice(None)):
+            matrix = numpy.eye(2)
+            matrix[nan] = math.nan
+            kept = matrix.copy()
+            with self.assertRaisesRegex(vesica.VesicaError, "ellipse 0") as caught:
+                vesica.ellipses_from_covariance([1, 2], matrix)
+            self.assertEqual(caught.exception.code, vesica._declarations.E_NOT_FINITE)
+            numpy.testing.assert_array_equal(matrix, kept)
+
 
 class Refused(unittest.TestCase):
     def refused(self, error, words, call, *arguments, **named):
@@ -163,6 +239,33 @@ class Refused(unittest.TestCase):
         mixed = numpy.zeros(2, [("cx", "f8"), ("cy", "f4"), ("r", "f8")])
         self.refused(TypeError, "all float64 or all float32", vesica.shapes, Kind.CIRCLE, mixed)
         self.refused(ValueError, "7", vesica.shapes, 7, [1, 2])
+
+    def test_arrays_of_other_dimensions(self):
+        square = numpy.zeros((2, 2), [("x", "f8"), ("y", "f8")])
+        pairs = numpy.zeros(2, [("x", "f8", (2,)), ("y", "f8", (2,))])
+        for array in (square, pairs, pairs[0]):
+            self.refused(ValueError, "one dimension, not the shape .*2", vesica.shapes, Kind.POINT, array)
+
+    def test_numbers_that_would_be_rounded(self):
+        for wrong in ([2**53 + 1, 0], [-(2**53) - 1, 0], [2**63 - 1, 0], numpy.array([2**64 - 1, 0], "u8")):
+            self.refused(ValueError, "above 2..53", vesica.points, wrong)
+        for right in ([2**53, 0], [-(2**63), 2**62], numpy.array([2**63, 2**60 + 2**9], "u8"), [True, False]):
+            self.assertEqual([int(x) for x in vesica.points(right).numbers], [int(x) for x in right])
+        points = vesica.points([0.5, 2])
+        for dtype in (int, "f2", complex, bool, "U9"):
+            self.refused(TypeError, "float64 or float32", points.astype, dtype)
+        self.assertEqual(points.astype(">f4").numbers.tolist(), [0.5, 2])
+
+    def test_masks(self):
+        hidden = numpy.ma.masked_greater(numpy.array([[0.0, 9], [1, 2]]), 5)
+        self.refused(ValueError, "masked", vesica.points, hidden)
+        self.refused(ValueError, "masked", vesica.rects_from_corners, numpy.ma.masked_less(numpy.zeros((4, 2)), 1))
+        self.assertEqual(vesica.points(hidden[1]).numbers.tolist(), [1, 2])
+        records = numpy.ma.zeros(2, [("x", "f8"), ("y", "f8"), ("z", "f8")])
+        records["z"][1] = numpy.ma.masked
+        self.assertEqual(len(vesica.shapes(Kind.POINT, records)), 2)
+        records["y"][1] = numpy.ma.masked
+        self.refused(ValueError, "masked", vesica.shapes, Kind.POINT, records)
 
     def test_operands(self):
         discs = vesica.circles([[0, 0, 1]] * 3)
@@ -187,6 +290,26 @@ class Refused(unittest.TestCase):
         self.refused(TypeError, "no out", vesica.overlap, discs[0], discs[0], numpy.zeros(1, bool))
         self.refused(TypeError, "two single shapes", vesica.crossings, discs, discs)
         self.refused(ValueError, "3 boxes need as many scores", vesica.nms, discs, [1, 2])
+
+    def test_outputs_that_lie_wrong(self):
+        discs = vesica.circles(numpy.ones((3, 3)))
+        unaligned = numpy.zeros(25, numpy.uint8)[1:].view("f8")
+        self.refused(ValueError, "aligned", vesica.iou, discs, discs, unaligned)
+        room = numpy.zeros(20)
+        one, other = room[:3], room[2:5]
+        for out in ((one, one, None, None, None), (None, one, None, None, other), (other, None, None, one, None)):
+            self.refused(ValueError, "two arrays of out overlap", vesica.nearest, discs, discs, out)
+        vesica.nearest(discs, discs, [room[i : i + 3] for i in (12, 0, 3, 9, 6)])
+        rows = numpy.lib.stride_tricks.as_strided(room, (3, 3), (16, 8))
+        self.refused(ValueError, "rows of out overlap", vesica.iou_matrix, discs, discs, rows)
+
+    def test_copies_of_errors(self):
+        with self.assertRaises(vesica.VesicaError) as caught:
+            vesica.rects([[1, 2, -6, 4, 0]])
+        error = caught.exception
+        for again in (pickle.loads(pickle.dumps(error)), copy.copy(error), copy.deepcopy(error)):
+            self.assertIs(type(again), vesica.VesicaError)
+            self.assertEqual((again.code, str(again), again.result), (error.code, str(error), None))
 
     def test_invalid_shapes(self):
         discs = vesica.circles([[0, 0, 1], [0, 0, -1], [1, 1, 1], [math.nan, 0, 1]])

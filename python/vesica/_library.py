@@ -21,13 +21,17 @@ class VesicaError(ValueError):
     """What the library refuses. `code` is its VESICA_E_... number.
 
     After an invalid shape among many, `result` is the whole result: False, 0 or NaN for the invalid elements, and the
-    right answer for every other.
+    right answer for every other. Else it is None, as it is in a copy, such as one from another process.
     """
 
     def __init__(self, code, message=None, result=None):
         super().__init__(message or library.vesica_strerror(code).decode())
         self.code = code
         self.result = result
+
+    def __reduce__(self):
+        # By default an exception is made anew from its text alone. Results may hold addresses, which do not travel.
+        return type(self), (self.code, str(self))
 
 
 def checked(code):

@@ -26,6 +26,14 @@ _PAIRS_A_CALL = 1 << 16
 _NO_OUTPUT = (None, None, 0, None)
 
 
+def _part_of(part, parts):
+    """Both as whole numbers that make sense, because ctypes would wrap any other."""
+    part, parts = operator.index(part), operator.index(parts)
+    if not 0 <= part < parts < 1 << 63:
+        raise VesicaError(_declarations.E_ARGUMENT, f"no part {part} of {parts}: 0 <= part < parts < 2**63")
+    return part, parts
+
+
 def _aligned(size):
     """So many bytes at an address that the library takes."""
     room = numpy.empty(size + _ALIGNMENT, numpy.uint8)
@@ -132,8 +140,8 @@ class Index:
         """All pairs at most `distance` apart, as join gives them. Of ellipses also those too near to tell."""
         other = self._joined(other)
         indexes = self._address(), self._sets, len(self.sets), other._address(), other._sets, len(other.sets)
-        ask = _JOIN_WITHIN[self._letter]
-        return _pairs(lambda *output: checked(ask(*indexes, float(distance), int(part), int(parts), *output)))
+        ask, parts = _JOIN_WITHIN[self._letter], _part_of(part, parts)
+        return _pairs(lambda *output: checked(ask(*indexes, float(distance), *parts, *output)))
 
     def join_count(self, other=None, query="overlap", part=0, parts=1):
         """How many pairs `join` would give."""
@@ -156,7 +164,7 @@ class Index:
                 _QUERIES[query],
                 *(self._address(), self._sets, len(self.sets)),
                 *(other._address(), other._sets, len(other.sets)),
-                *(int(part), int(parts), scratch.ctypes.data, len(scratch)),
+                *(*_part_of(part, parts), scratch.ctypes.data, len(scratch)),
                 *output,
             )
         )

@@ -10,7 +10,7 @@ import numpy
 from . import _declarations
 from ._library import VesicaError, by_scalar, checked
 from .queries import columns_of, finish, in_step
-from .shapes import Kind, same_scalar, shapes, the_shapes
+from .shapes import Kind, plain, same_scalar, shapes, the_shapes
 
 
 class Cast(enum.IntEnum):
@@ -58,10 +58,12 @@ def impact_of(record):
 
 def _floats(given, form):
     """As many floats as there are names in the form: "a velocity is (vx, vy)"."""
-    numbers = numpy.asarray(given, numpy.float64)
+    numbers = plain(given, form)
+    if numbers.dtype.kind not in "iubf":
+        raise TypeError(f"{form}: numbers, not {numbers.dtype}")
     if numbers.shape != (form.count(",") + 1,):
         raise ValueError(f"{form}, not an array of shape {numbers.shape}")
-    return numbers.tolist()
+    return numbers.astype(numpy.float64).tolist()
 
 
 def pair(velocity):
@@ -94,19 +96,18 @@ def cast(a, b, velocity, t_end=math.inf, out=None):
     if not t_end >= 0:
         raise VesicaError(_declarations.E_ARGUMENT, f"t_end is {t_end}, not 0 or more")
     count = in_step(a, b)
-    vx, vy, stride, kept = _velocities(velocity, count, a.dtype)
-    result = Impact(*columns_of(Impact, out, count, a, b))
+    vx, vy, stride, velocities = _velocities(velocity, count, a.dtype)
+    result = Impact(*columns_of(Impact, out, count, a.dtype, (*a.columns, *b.columns, velocities)))
     code = _CAST_MANY[letter](
         *(ctypes.byref(a.view), ctypes.byref(b.view), vx, vy, stride, float(t_end)),
         *(column.ctypes.data for column in result),
     )
-    del kept
-    return finish(code, result, a=a, b=b)
+    return finish(code, result, partial=True, a=a, b=b)
 
 
 def _velocities(velocity, count, dtype):
-    """The addresses of both columns, the bytes from one to the next, and what keeps them."""
-    array = numpy.asarray(velocity)
+    """The addresses of both columns, the bytes from one to the next, and the array that has them."""
+    array = plain(velocity, "velocity")
     if array.dtype.kind not in "iubf":
         raise TypeError(f"velocities are numbers, not {array.dtype}")
     if array.shape not in ((2,), (count, 2)):

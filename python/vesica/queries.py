@@ -2,13 +2,14 @@
 """Questions about shapes. Two single shapes give a number, arrays in step an array; `_matrix` asks of every pair."""
 import ctypes
 import enum
+import operator
 from typing import NamedTuple
 
 import numpy
 
 from . import _declarations
 from ._library import VesicaError, by_scalar, checked, library
-from .shapes import Kind, same_scalar, shapes, the_shapes
+from .shapes import Kind, exactly, plain, same_scalar, shapes, the_shapes
 
 
 class Relation(enum.IntEnum):
@@ -69,8 +70,8 @@ class Crossings(NamedTuple):
     shared: bool
 
 
-def _output(out, shape, dtypes, operands):
-    """An array for results: the caller's, if it can take them."""
+def _output(out, shape, dtypes, inputs):
+    """An array for results: the caller's, if it can take them. inputs: arrays that it may share no memory with."""
     if out is None:
         return numpy.empty(shape, dtypes[0])
     if not isinstance(out, numpy.ndarray) or out.dtype not in dtypes:
@@ -80,9 +81,13 @@ def _output(out, shape, dtypes, operands):
         raise ValueError(f"out must have the shape {shape}, not {out.shape}")
     if not out.flags.writeable:
         raise ValueError("out cannot be written to")
+    if not out.flags.aligned:
+        raise ValueError("out is not aligned: its numbers must lie at multiples of their size")
     if out.size and (out.strides[-1] != out.itemsize or (out.ndim == 2 and out.strides[0] % out.itemsize != 0)):
         raise ValueError("the last axis of out must be contiguous")
-    if any(numpy.may_share_memory(out, column) for operand in operands for column in operand.columns):
+    if out.ndim == 2 and len(out) > 1 and abs(out.strides[0]) < out.shape[1] * out.itemsize:
+        raise ValueError("the rows of out overlap one another")
+    if any(numpy.may_share_memory(out, array) for array in inputs):
         raise ValueError("out overlaps an input")
     return out
 
@@ -99,14 +104,17 @@ def in_step(a, b):
 
 
 # Errors of single elements, after which the results of all others are there.
-_WRITTEN = (_declarations.E_SHAPE, _declarations.E_ARGUMENT, _declarations.E_RANGE)
+_WRITTEN = (_declarations.E_SHAPE, _declarations.E_RANGE)
 
 
-def finish(code, result, **operands):
-    """The result, or the error with it; operands: what may be invalid, by the names of the parameters."""
+def finish(code, result, partial=False, **operands):
+    """The result, or the error with it; operands: what may be invalid, by the names of the parameters.
+
+    partial: whether E_ARGUMENT is an error of single elements too; else nothing was written.
+    """
     if code >= 0:
         return result
-    message = None
+    message, written = None, code in _WRITTEN or (partial and code == _declarations.E_ARGUMENT)
     if code == _declarations.E_SHAPE:
         wrong = [(name, shape.invalid()) for name, shape in operands.items()]
         message = "; ".join(
@@ -114,22 +122,33 @@ def finish(code, result, **operands):
             for name, which in wrong
             if len(which)
         )
-    raise VesicaError(code, message, result if code in _WRITTEN else None)
+    raise VesicaError(code, message, result if written else None)
 
 
-def columns_of(named, out, count, a, b):
+def columns_of(named, out, count, dtype, inputs):
     """An array for each field of a named tuple of results: the caller's, if it has one for it."""
     given = (None,) * len(named._fields) if out is None else out
     if len(given) != len(named._fields):
         raise ValueError(f"out has an array, or None, for each of {' '.join(named._fields)}")
-    return [_output(column, (count,), (a.dtype,), (a, b)) for column in given]
+    columns = [_output(column, (count,), (dtype,), inputs) for column in given]
+    if out is not None:
+        _apart(columns)
+    return columns
+
+
+def _apart(columns):
+    """Contiguous arrays may not overlap: each must end where the next one begins, or before."""
+    spans = sorted((column.ctypes.data, column.nbytes) for column in columns)
+    if any(start + size > following for (start, size), (following, _) in zip(spans, spans[1:])):
+        raise ValueError("two arrays of out overlap")
 
 
 class _Query:
     """A question about two shapes: its C functions and the types of its results."""
 
-    def __init__(self, name, dtypes=None, convert=None, result=None, record=None, first=(), last=()):
+    def __init__(self, name, dtypes=None, convert=None, result=None, record=None, first=(), last=(), partial=False):
         self.one, self.many = by_scalar(name), by_scalar(f"{name}_many")
+        self.partial = partial  # as of finish
         self.first, self.last = first, last  # arguments before the shapes, and after
         self.dtypes = dtypes  # of codes; numbers have the shapes' own
         self.convert = convert  # a single code
@@ -139,16 +158,16 @@ class _Query:
         letter = same_scalar(a, b)
         if a.single and b.single:
             return self._single(letter, a, b, out)
-        count = in_step(a, b)
+        count, inputs = in_step(a, b), (*a.columns, *b.columns)
         if self.result is None:
-            columns = result = _output(out, (count,), self.dtypes or (a.dtype,), (a, b))
+            columns = result = _output(out, (count,), self.dtypes or (a.dtype,), inputs)
             addresses = (columns.ctypes.data,)
         else:
-            result = self.result(*columns_of(self.result, out, count, a, b))
+            result = self.result(*columns_of(self.result, out, count, a.dtype, inputs))
             addresses = [column.ctypes.data for column in result]
         operands = (*self.first, ctypes.byref(a.view), ctypes.byref(b.view), *self.last)
         code = self.many[letter](*operands, *addresses)
-        return finish(code, result, a=a, b=b)
+        return finish(code, result, self.partial, a=a, b=b)
 
     def _single(self, letter, a, b, out):
         if out is not None:
@@ -166,18 +185,18 @@ class _Query:
 class _Matrix:
     """The same question of every pair of two arrays."""
 
-    def __init__(self, name, dtypes=None, first=(), last=()):
+    def __init__(self, name, dtypes=None, first=(), last=(), partial=False):
         self.function, self.dtypes = by_scalar(f"{name}_matrix"), dtypes
-        self.first, self.last = first, last
+        self.first, self.last, self.partial = first, last, partial
 
     def __call__(self, a, b, out):
         letter = same_scalar(a, b)
         shape = (len(a.columns[0]), len(b.columns[0]))
-        result = _output(out, shape, self.dtypes or (a.dtype,), (a, b))
+        result = _output(out, shape, self.dtypes or (a.dtype,), (*a.columns, *b.columns))
         row = result.strides[0] // result.itemsize if result.size else shape[1]
         operands = (*self.first, ctypes.byref(a.view), ctypes.byref(b.view), *self.last)
         code = self.function[letter](*operands, result.ctypes.data, row)
-        return finish(code, result, a=a, b=b)
+        return finish(code, result, self.partial, a=a, b=b)
 
 
 def _structs(name):
@@ -194,14 +213,14 @@ _BOUNDARY_DISTANCE = _Query("boundary_distance", result=ClosestPoints, record=_s
 _DEPTH = _Query("depth", result=Penetration, record=_structs("penetration"))
 _SIGNED_DISTANCE = _Query("signed_distance", record=_NUMBER)
 _AREA = _Query("area", record=_NUMBER)
-_IOU = _Query("iou", record=_NUMBER)
+_IOU = _Query("iou", record=_NUMBER, partial=True)
 _OVERLAP_MATRIX, _CONTAINS_MATRIX = _Matrix("overlap", _BYTES), _Matrix("contains", _BYTES)
 _RELATION_MATRIX = _Matrix("relation", (numpy.uint8,))
-_AREA_MATRIX, _IOU_MATRIX = _Matrix("area"), _Matrix("iou")
+_AREA_MATRIX, _IOU_MATRIX = _Matrix("area"), _Matrix("iou", partial=True)
 _NEAREST_MATRIX, _BOUNDARY_DISTANCE_MATRIX = _Matrix("nearest"), _Matrix("boundary_distance")
 _DEPTH_MATRIX, _SIGNED_DISTANCE_MATRIX = _Matrix("depth"), _Matrix("signed_distance")
-_RATIO = {which: _Query("ratio", record=_NUMBER, first=(which,)) for which in Ratio}
-_RATIO_MATRIX = {which: _Matrix("ratio", first=(which,)) for which in Ratio}
+_RATIO = {which: _Query("ratio", record=_NUMBER, first=(which,), partial=True) for which in Ratio}
+_RATIO_MATRIX = {which: _Matrix("ratio", first=(which,), partial=True) for which in Ratio}
 _SELECT, _SUPPRESS, _SOFT = by_scalar("overlap_select"), by_scalar("suppress"), by_scalar("suppress_soft")
 _DECAYS = {"linear": _declarations.DECAY_LINEAR, "gaussian": _declarations.DECAY_GAUSSIAN}
 _CROSSINGS, _CROSSING_POINTS = by_scalar("crossings"), _structs("crossing_points")
@@ -297,12 +316,19 @@ def within(a, b, distance, out=None):
 
     Exact; with an ellipse it is Within.NEARLY where the distance is too near the one asked for to tell.
     """
-    return _Query("within", (numpy.uint8,), Within, last=(float(distance),))(a, b, out)
+    return _Query("within", (numpy.uint8,), Within, last=(_distance(distance),))(a, b, out)
 
 
 def within_matrix(a, b, distance, out=None):
     """(len(a), len(b)) of uint8: is each of a at most `distance` from each of b? The numbers of Within."""
-    return _Matrix("within", (numpy.uint8,), last=(float(distance),))(a, b, out)
+    return _Matrix("within", (numpy.uint8,), last=(_distance(distance),))(a, b, out)
+
+
+def _distance(distance):
+    """A distance that may be asked about."""
+    if not distance >= 0:
+        raise VesicaError(_declarations.E_ARGUMENT, f"distance is {distance}, not 0 or more")
+    return float(distance)
 
 
 def area(a, b, out=None):
@@ -391,12 +417,13 @@ def nms(boxes, scores, threshold=0.5, *, labels=None, ratio=Ratio.OVER_UNION, le
     """Greedy suppression: the indices of the boxes kept, best score first.
 
     Each box kept has a ratio of at most `threshold` with every better one that was kept, and has the same label. boxes:
-    circles, aabbs, rects or ellipses; scores: a number each; labels: a whole number each; ratio: any but OVER_FIRST and
-    OVER_SECOND; least_score: boxes below it are left out; most: how many are kept at most.
+    circles, aabbs, rects or ellipses; scores: a number each, which are compared as they are; labels: a whole number
+    each; ratio: any but OVER_FIRST and OVER_SECOND; least_score: boxes below it are left out; most: how many are kept
+    at most.
     """
-    scores = _one_each("scores", scores, the_shapes(boxes, "boxes").dtype, boxes)
-    labels = None if labels is None else _one_each("labels", labels, numpy.int32, boxes)
-    room = len(boxes) if most is None else min(int(most), len(boxes))
+    labels = _labels(labels, boxes)
+    scores, least_score = _in_order(_scores(scores, boxes), boxes.dtype, least_score)
+    room = len(boxes) if most is None else min(operator.index(most), len(boxes))
     keep, kept = numpy.empty(max(room, 0), numpy.int64), ctypes.c_int64()
     scratch = numpy.empty(checked(library.vesica_nms_scratch(len(boxes))), numpy.uint8)
     code = _SUPPRESS[boxes.letter](
@@ -405,7 +432,7 @@ def nms(boxes, scores, threshold=0.5, *, labels=None, ratio=Ratio.OVER_UNION, le
         None if labels is None else labels.ctypes.data,
         Ratio(ratio),
         float(threshold),
-        -numpy.inf if least_score is None else float(least_score),
+        least_score,
         room,
         scratch.ctypes.data,
         len(scratch),
@@ -420,13 +447,14 @@ def nms_soft(boxes, scores, parameter=0.5, *, decay="linear", labels=None, ratio
     """Soft suppression: (indices, scores), as they are taken, with the scores that were left then.
 
     The best is taken again and again, and lowers those that it has a ratio r with: "linear", times 1 - r where r is
-    above the parameter; "gaussian", times exp(-r^2 / parameter). The rest as nms.
+    above the parameter; "gaussian", times exp(-r^2 / parameter). Scores are rounded to the boxes' type. The rest as
+    nms.
     """
-    scores = _one_each("scores", scores, the_shapes(boxes, "boxes").dtype, boxes)
-    labels = None if labels is None else _one_each("labels", labels, numpy.int32, boxes)
+    labels = _labels(labels, boxes)
+    scores = _as_type(_scores(scores, boxes), boxes.dtype)
     if decay not in _DECAYS:
         raise ValueError(f"decay is one of {', '.join(_DECAYS)}, not {decay!r}")
-    room = max(len(boxes) if most is None else min(int(most), len(boxes)), 0)
+    room = max(len(boxes) if most is None else min(operator.index(most), len(boxes)), 0)
     keep, left, kept = numpy.empty(room, numpy.int64), numpy.empty(room, boxes.dtype), ctypes.c_int64()
     scratch = numpy.empty(checked(library.vesica_suppress_soft_scratch(len(boxes))) // 8 + 1, numpy.int64)
     code = _SOFT[boxes.letter](
@@ -437,11 +465,49 @@ def nms_soft(boxes, scores, parameter=0.5, *, decay="linear", labels=None, ratio
     return finish(code, (keep[: kept.value], left[: kept.value]), boxes=boxes)
 
 
-def _one_each(name, values, dtype, boxes):
-    """A contiguous array of a number for each box."""
-    values = numpy.asarray(values)
+def _one_each(name, values, boxes):
+    """An array with a value for each box."""
+    values = plain(values, name)
     if values.shape != (len(boxes),):
         raise ValueError(f"{len(boxes)} boxes need as many {name}, not an array of shape {values.shape}")
-    if dtype == numpy.int32 and values.dtype.kind not in "iub":
-        raise TypeError(f"{name} are whole numbers, not {values.dtype}")
-    return numpy.ascontiguousarray(values, dtype)
+    return values
+
+
+def _scores(scores, boxes):
+    scores = _one_each("scores", scores, the_shapes(boxes, "boxes"))
+    if scores.dtype.kind not in "iubf":
+        raise TypeError(f"scores are numbers, not {scores.dtype}")
+    return scores
+
+
+def _as_type(scores, dtype):
+    with numpy.errstate(over="ignore"):
+        return numpy.require(scores, dtype, "CA")
+
+
+def _in_order(scores, dtype, least):
+    """Scores and the least one as the library takes them, in the boxes' type. Where this would round them, their ranks:
+    so unequal scores stay unequal. Scores below the least one become minus infinity, below all ranks."""
+    least = -numpy.inf if least is None else float(least)
+    exact = exactly(scores, dtype)
+    if exact is None:
+        rank = numpy.unique(scores, return_inverse=True)[1].astype(float)
+        rank[numpy.isnan(scores)] = numpy.nan
+        rank[scores < least] = -numpy.inf
+        exact, least = rank, -1.0
+    return _as_type(exact, dtype), least
+
+
+def _labels(labels, boxes):
+    """The labels as the library takes them, or others that are equal where they are; None for none."""
+    if labels is None:
+        return None
+    labels = _one_each("labels", labels, boxes)
+    if labels.size == 0:
+        return numpy.empty(0, numpy.int32)
+    if labels.dtype.kind not in "iub":
+        raise TypeError(f"labels are whole numbers of at most 64 bits, not {labels.dtype}")
+    room = numpy.iinfo(numpy.int32)
+    if int(labels.min()) < room.min or int(labels.max()) > room.max:
+        labels = numpy.unique(labels, return_inverse=True)[1]
+    return numpy.require(labels, numpy.int32, "CA")

@@ -2,6 +2,7 @@
 """Shapes: one, or an array of one kind, as numpy holds them. Nothing is copied that numpy can show in place."""
 import ctypes
 import enum
+import operator
 
 import numpy
 
@@ -32,11 +33,35 @@ _RECTS_FROM_BOXES, _ELLIPSES_FROM_BOXES = by_scalar("rects_from_boxes"), by_scal
 _BOXES_FROM_SHAPES = by_scalar("boxes_from_shapes")
 
 
+class _Gathered:
+    """The numbers of a single shape that do not lie side by side: ctypes is given a row of them, made at each call."""
+
+    __slots__ = ("cells",)
+
+    def __init__(self, addresses, size):
+        self.cells = [memoryview((ctypes.c_char * size).from_address(address)) for address in addresses]
+
+    @property
+    def _as_parameter_(self):
+        return b"".join(self.cells)
+
+
+def _record(scalar, addresses):
+    """A single shape for the functions of two shapes: its address, or what gathers its numbers.
+
+    They are read at the call, as those of arrays are, so that both follow changes of the memory.
+    """
+    first, size = addresses[0], ctypes.sizeof(scalar)
+    side_by_side = addresses == list(range(first, first + size * len(addresses), size))
+    return first if side_by_side and first % ctypes.alignment(scalar) == 0 else _Gathered(addresses, size)
+
+
 class Shapes:
     """One shape, or an array of shapes of one kind; made by `points`, `rects`, `shapes` and the like.
 
     kind: a Kind. single: whether it is one shape, whose answers are numbers and not arrays. dtype: float64 or float32.
-    `len`, indexing, slices and masks work as with arrays. The numbers may be changed through the array they came from.
+    `len`, indexing, slices and masks work as with arrays. The numbers may be changed through the array they came from,
+    and those of a shape c[i] or a slice too.
     """
 
     __slots__ = ("kind", "single", "columns", "dtype", "letter", "view", "record")
@@ -48,12 +73,12 @@ class Shapes:
         self.dtype = columns[0].dtype
         self.letter = self.dtype.char
         stride = columns[0].strides[0] if len(columns[0]) > 1 else self.dtype.itemsize
-        addresses = (ctypes.c_void_p * 6)(*(column.ctypes.data for column in columns))
+        addresses = [column.ctypes.data for column in columns]
         #: The C library's view of the array.
-        self.view = _VIEWS[self.letter](int(kind), 0, len(columns[0]), stride, addresses)
+        self.view = _VIEWS[self.letter](int(kind), 0, len(columns[0]), stride, (ctypes.c_void_p * 6)(*addresses))
         scalar = ctypes.c_double if self.letter == "d" else ctypes.c_float
-        #: A single shape's numbers side by side, for the functions of two shapes.
-        self.record = (scalar * len(columns))(*(column[0] for column in columns)) if single else None
+        #: What the functions of two shapes take for a single shape.
+        self.record = _record(scalar, addresses) if single else None
 
     def __len__(self):
         if self.single:
@@ -63,18 +88,21 @@ class Shapes:
     def __getitem__(self, index):
         if self.single:
             raise TypeError("one shape cannot be indexed")
-        if isinstance(index, (int, numpy.integer)):
-            if not -len(self) <= index < len(self):
-                raise IndexError(f"shape {index} of {len(self)}")
-            return Shapes(self.kind, [column[index : index + 1 or None] for column in self.columns], True)
-        return Shapes(self.kind, _alike([column[index] for column in self.columns]))
+        if isinstance(index, tuple) and len(index) == 1:
+            (index,) = index  # as numpy.nonzero() gives
+        number = _one_number(index)
+        if number is None:
+            return Shapes(self.kind, _alike([column[index] for column in self.columns]))
+        if not -len(self) <= number < len(self):
+            raise IndexError(f"shape {number} of {len(self)}")
+        return Shapes(self.kind, [column[number : number + 1 or None] for column in self.columns], True)
 
     def __iter__(self):
         return (self[i] for i in range(len(self)))
 
     def __repr__(self):
         if self.single:
-            numbers = ", ".join(f"{name}={float(value):.17g}" for name, value in zip(FIELDS[self.kind], self.record))
+            numbers = ", ".join(f"{name}={float(value):.17g}" for name, value in zip(FIELDS[self.kind], self.numbers))
             return f"<vesica {self.kind.name.lower()} {numbers}>"
         return f"<{len(self)} vesica {self.kind.name.lower()} shapes of {self.dtype}>"
 
@@ -84,7 +112,10 @@ class Shapes:
         return numpy.stack([column[0] if self.single else column for column in self.columns], axis=-1)
 
     def astype(self, dtype):
-        """The same shapes with float64 or float32 numbers."""
+        """The same shapes with float64 or float32 numbers, which are rounded to float32."""
+        dtype = numpy.dtype(dtype)
+        if dtype.char not in "df":
+            raise TypeError(f"shapes have float64 or float32 numbers, not {dtype}")
         return shapes(self.kind, self.numbers.astype(dtype))
 
     def invalid(self):
@@ -113,17 +144,55 @@ def same_scalar(a, b, name_a="a", name_b="b"):
     return a.letter
 
 
+def _one_number(index):
+    """An index that is one whole number, of whatever type, as an int; None for any other."""
+    if isinstance(index, (bool, numpy.bool_)):
+        raise TypeError("a bool is not the number of a shape; a mask has one for each")
+    try:
+        return operator.index(index)
+    except TypeError:
+        return None
+
+
+def plain(values, name):
+    """Values as an array. Those that a mask hides would come to light, so there may be none."""
+    if numpy.ma.is_masked(values):
+        raise ValueError(f"{name}: some of the numbers are masked, and masks are not looked at; take the others alone")
+    return numpy.asarray(values)
+
+
+def exactly(values, dtype):
+    """Numbers as a type of floats, or None where it lacks one of them."""
+    if values.dtype == dtype:
+        return values
+    with numpy.errstate(all="ignore"):
+        floats = values.astype(dtype)
+    if values.dtype.kind in "iu":
+        # numpy would compare rounded integers; Python compares what they are. Smaller ones are never rounded.
+        large = numpy.abs(floats) >= 2.0 ** (numpy.finfo(dtype).nmant + 1)
+        same = floats[large].tolist() == values[large].tolist()
+    else:
+        same = numpy.array_equal(floats, values, equal_nan=values.dtype.kind == "f")
+    return floats if same else None
+
+
 def _alike(columns):
     """Columns with one stride, as the library wants them: copies only where they differ."""
+    for column in columns:
+        if column.ndim != 1:
+            raise ValueError(f"an array of shapes has one dimension, not the shape {column.shape}")
     strides = {column.strides[0] for column in columns if len(column) > 1}
     return columns if len(strides) <= 1 else [numpy.ascontiguousarray(column) for column in columns]
 
 
 def _floats(array):
     """Numbers as float64, or as float32 where they are that. Only what is neither is copied."""
-    array = numpy.asarray(array)
+    array = plain(array, "shapes")
     if array.dtype.kind in "iub":
-        return array.astype(numpy.float64)
+        floats = exactly(array, numpy.float64)
+        if floats is None:
+            raise ValueError(f"float64 lacks some of these numbers of {array.dtype}: above 2**53 it has not all")
+        return floats
     if array.dtype.char not in "df":
         raise TypeError(f"shapes have float64 or float32 numbers, not {array.dtype}")
     return array.astype(array.dtype.newbyteorder("=")) if not array.dtype.isnative else array
@@ -199,7 +268,11 @@ def rects(array, degrees=False, *, quarters=False, reverse=False):
 def ellipses(array, degrees=False, *, quarters=False, reverse=False):
     """Ellipses from (n, 5): centre x, y, half axes a, b, angle of a; else as rects."""
     rows, single = _rows(array, "ellipses", "x", "y", "a", "b", "angle")
-    return _from_boxes(Kind.ELLIPSE, _ELLIPSES_FROM_BOXES, rows, single, angle_unit(degrees, quarters, reverse), rows)
+    unit, boxes_of_one = angle_unit(degrees, quarters, reverse), numpy.array(rows)
+    sizes = boxes_of_one[:, 2:4]
+    # The library halves what it gets, or the axis where that would round. Of a size of 1 it never does.
+    sizes[(sizes >= 0) & numpy.isfinite(sizes)] = 1
+    return _from_boxes(Kind.ELLIPSE, _ELLIPSES_FROM_BOXES, boxes_of_one, single, unit, rows[:, 2:4])
 
 
 def ellipses_in_boxes(array, degrees=False, *, quarters=False, reverse=False):
@@ -229,14 +302,14 @@ def angle_unit(degrees, quarters, reverse):
 
 
 def _from_boxes(kind, functions, rows, single, unit, half_sizes=None):
-    """Shapes that the library makes from rows; half_sizes: the rows whose sizes are not whole but half ones."""
+    """Shapes that the library makes from rows; half_sizes: what the valid ones have in place of the rows' sizes."""
     if rows.strides[1] != rows.itemsize:
         rows = numpy.ascontiguousarray(rows)
     out = numpy.empty((len(rows), 6), rows.dtype)
     code = functions[rows.dtype.char](rows.ctypes.data, len(rows), rows.strides[0], unit, out.ctypes.data)
     if half_sizes is not None:
         valid = ~numpy.isnan(out[:, 4])
-        out[valid, 4:6] = half_sizes[valid, 2:4]
+        out[valid, 4:6] = half_sizes[valid]
     made = shapes(kind, out[0] if single else out)
     if code < 0:
         wrong = made.invalid()
@@ -258,21 +331,28 @@ def rects_from_corners(corners):
 
 
 def ellipses_from_covariance(means, covariances, k=1.0):
-    """Ellipses of the points within k standard deviations: means (n, 2), covariances (n, 2, 2), or one of each."""
+    """Ellipses of the points within k standard deviations: means (n, 2), covariances (n, 2, 2), or one of each.
+
+    They are float32 where means and covariances both are.
+    """
     means, covariances, k = _floats(means), _floats(covariances), float(k)
     if means.shape[-1:] != (2,) or covariances.shape != (*means.shape, 2) or means.ndim > 2:
         raise ValueError(
             f"means have the shape (n, 2) and covariances (n, 2, 2), not {means.shape} and {covariances.shape}"
         )
-    rows, matrices = means.reshape(-1, 2), covariances.reshape(-1, 2, 2)
-    if (matrices[:, 0, 1] != matrices[:, 1, 0]).any():
+    dtype = numpy.result_type(means, covariances)
+    rows, matrices = means.reshape(-1, 2).astype(dtype), covariances.reshape(-1, 2, 2).astype(dtype)
+    upper, lower = matrices[:, 0, 1], matrices[:, 1, 0]
+    unknown = numpy.isnan(upper) | numpy.isnan(lower)
+    if (upper != lower)[~unknown].any():
         raise ValueError("a covariance is a symmetric matrix")
+    upper[unknown] = numpy.nan  # the library is given this one, and says what is wrong
     return _constructed(
         Kind.ELLIPSE,
-        rows.dtype,
+        dtype,
         means.ndim == 1,
         len(rows),
-        lambda i: (*rows[i], matrices[i, 0, 0], matrices[i, 0, 1], matrices[i, 1, 1], k),
+        lambda i: (*rows[i], matrices[i, 0, 0], upper[i], matrices[i, 1, 1], k),
     )
 
 

@@ -65,6 +65,7 @@ class Builder {
       build_run(run);
     }
     write_directory(index_, {s.items, s.placed, s.blocks, s.used});
+    s.magic[0] = 0;  // another step needs another beginning
   }
 
  private:

@@ -6,12 +6,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <vesica/shapes.hpp>
 
 namespace vesica::index {
 
-inline constexpr int most_fields = 6, kinds = 6, chunk = 256;
-inline constexpr int fields_of[kinds] = {2, 4, 3, 4, 6, 6};
-enum : std::int32_t { kind_point, kind_segment, kind_circle, kind_aabb, kind_rect, kind_ellipse };
+inline constexpr int chunk = 256;
+#define VESICA_FIELDS(name, Name) ShapeTraits<Name<double>>::fields,
+inline constexpr int fields_of[kind_count] = {VESICA_EACH_SHAPE(VESICA_FIELDS)};
+#undef VESICA_FIELDS
 
 /// At most so many sets, so that a view of them has room on the stack.
 inline constexpr int most_sets = 64;
@@ -20,7 +22,7 @@ struct Set {
   std::int32_t kind;
   std::int64_t first, count;  // items
   std::ptrdiff_t stride;      // bytes
-  const unsigned char* field[most_fields];
+  const unsigned char* field[max_fields];
 };
 
 struct Sets {
@@ -39,7 +41,7 @@ struct Sets {
 
 /// Numbers of up to `chunk` shapes, a column a field, exact as doubles.
 struct Fields {
-  alignas(64) double column[most_fields][chunk];
+  alignas(64) double column[max_fields][chunk];
 };
 
 template <class T>

@@ -2,6 +2,7 @@
 #include "join/cast.hpp"
 
 #include <limits>
+#include <vesica/arithmetic/rounding.hpp>
 #include <vesica/shapes.hpp>
 
 #include "index/frame.hpp"
@@ -62,11 +63,17 @@ class SweptBox {
       return speed >= 0x1p-1000 && speed <= 0x1p1000 ? 1 / v : std::numeric_limits<double>::quiet_NaN();
     }
 
+    /// (to - from) / v, also where the difference is beyond doubles.
+    double time(double from, double to) const noexcept {
+      const double way = to - from;
+      return __builtin_fabs(way) <= largest ? way * inverse : (0.5 * to - 0.5 * from) * inverse * 2;
+    }
+
     void cut(double near, double far, double& in, double& out) const noexcept {
-      double from = (near - front) * inverse;
+      double from = time(front, near);
       from = from > greatest ? greatest : from;
       from = from * (1 - slack) - 0x1p-1070;
-      const double to = (far - back) * inverse * (1 + slack) + 0x1p-1070;
+      const double to = time(back, far) * (1 + slack) + 0x1p-1070;
       in = from > in ? from : in;
       out = to < out ? to : out;
     }
@@ -219,8 +226,8 @@ class First {
 
   /// Contact before this is rounded down to t, or earlier.
   double next(double t) const noexcept {
-    if (!cast_.is_float) return __builtin_nextafter(t, never);
-    return static_cast<double>(__builtin_nextafterf(static_cast<float>(t), std::numeric_limits<float>::infinity()));
+    if (cast_.is_float) return static_cast<double>(detail::arithmetic::next_above(static_cast<float>(t)));
+    return detail::arithmetic::next_above(t);
   }
 
   const Cast& cast_;

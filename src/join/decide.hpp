@@ -21,12 +21,12 @@ inline constexpr int decided_at_once = 256;
 
 /// Shapes as columns, of whichever scalar they are.
 struct Columns {
-  alignas(64) unsigned char column[most_fields][decided_at_once * sizeof(double)];
-  const void* field[most_fields];
+  alignas(64) unsigned char column[max_fields][decided_at_once * sizeof(double)];
+  const void* field[max_fields];
 
   /// To be called before the first use: columns may lie in scratch.
   void begin() noexcept {
-    for (int k = 0; k < most_fields; ++k) field[k] = column[k];
+    for (int k = 0; k < max_fields; ++k) field[k] = column[k];
   }
 };
 
@@ -76,7 +76,7 @@ class FromColumns {
   }
   const Set& set_;
   bool turn_ = false;
-  T number_[2][most_fields];
+  T number_[2][max_fields];
 };
 
 /// Either of these, through the cache of recent records (recent.hpp).

@@ -16,10 +16,10 @@ inline constexpr int batch = 4096, wanted_at_most = batch - 2 * leaf_items, most
 /// From so many candidates on, records that were fetched are kept.
 inline constexpr int worth_keeping = 1024;
 
-/// Candidates of one pair of blocks begin here in the batch.
+/// Candidates of one pair of blocks begin here in the batch, with this entry of its meetings.
 struct Segment {
   std::int64_t block_a, block_b;
-  std::int32_t begin;
+  std::int32_t begin, entry;
 };
 
 struct Scratch {
@@ -93,10 +93,11 @@ class Runner {
   std::int64_t first() const noexcept { return first_; }
   std::int64_t last() const noexcept { return last_; }
 
-  /// Begins at block_b and what follows in block_a.
-  void begin_at(std::int64_t block_a, std::int64_t block_b) noexcept {
+  /// Begins at an entry of block_a with block_b, or where these do not meet with what follows in block_a.
+  void begin_at(std::int64_t block_a, std::int64_t block_b, std::int32_t entry) noexcept {
     block_a_ = block_a;
     next_b_ = block_b;
+    first_entry_ = entry;
   }
 
   /// The next candidates, about `wanted` and at most 64 more: returns how many, 0 at the end.
@@ -106,7 +107,7 @@ class Runner {
     segments_ = 0;
     while (n < wanted && segments_ < most_segments) {
       if (!open_ && !next_pair()) break;
-      s.segment[segments_++] = {block_a_, block_b_, n};
+      s.segment[segments_++] = {block_a_, block_b_, n, s.meetings.next};
       const Block &first = a_.block(block_a_), &second = b_.block(block_b_);
       const std::int32_t found =
           join_.kernels.candidates(first, second, s.meetings, wanted - n + leaf_items, s.a + n, s.b + n);
@@ -167,7 +168,10 @@ class Runner {
       if (listed_end_ > 0) next_b_ = scratch_.blocks[listed_end_ - 1] + 1;
     }
     block_b_ = scratch_.blocks[listed_++];
-    join_.kernels.meet(a_.block(block_a_), b_.block(block_b_), self_ && block_a_ == block_b_, scratch_.meetings);
+    Meetings& m = scratch_.meetings;
+    join_.kernels.meet(a_.block(block_a_), b_.block(block_b_), self_ && block_a_ == block_b_, m);
+    m.next = first_entry_ < m.entries ? first_entry_ : m.entries;
+    first_entry_ = 0;
     return true;
   }
 
@@ -218,15 +222,15 @@ class Runner {
   /// Sorts by pair of kinds, decides each run, and puts the verdicts back in the candidates' places.
   void decide_mixed(std::int32_t n) noexcept {
     Scratch& s = scratch_;
-    std::int32_t begin[kinds * kinds + 1] = {};
+    std::int32_t begin[kind_count * kind_count + 1] = {};
     for (std::int32_t i = 0; i < n; ++i) {
       const std::int32_t kind_a = join_.a.sets->set[join_.a.sets->of(s.a[i])].kind;
       const std::int32_t kind_b = join_.b.sets->set[join_.b.sets->of(s.b[i])].kind;
-      s.key[i] = static_cast<std::uint8_t>(kind_a * kinds + kind_b);
+      s.key[i] = static_cast<std::uint8_t>(kind_a * kind_count + kind_b);
       ++begin[s.key[i] + 1];
     }
-    for (int k = 0; k < kinds * kinds; ++k) begin[k + 1] += begin[k];
-    std::int32_t place[kinds * kinds];
+    for (int k = 0; k < kind_count * kind_count; ++k) begin[k + 1] += begin[k];
+    std::int32_t place[kind_count * kind_count];
     std::memcpy(place, begin, sizeof place);
     for (std::int32_t i = 0; i < n; ++i) {
       const std::int32_t to = place[s.key[i]]++;
@@ -234,9 +238,10 @@ class Runner {
       s.sorted_a[to] = s.a[i];
       s.sorted_b[to] = s.b[i];
     }
-    for (int k = 0; k < kinds * kinds; ++k) {
+    for (int k = 0; k < kind_count * kind_count; ++k) {
       const std::int32_t from = begin[k], length = begin[k + 1] - from;
-      if (length > 0) decide_run(k / kinds, k % kinds, s.sorted_a + from, s.sorted_b + from, length, s.sorted + from);
+      if (length > 0)
+        decide_run(k / kind_count, k % kind_count, s.sorted_a + from, s.sorted_b + from, length, s.sorted + from);
     }
     for (std::int32_t i = 0; i < n; ++i) s.verdict[s.order[i]] = s.sorted[i];
   }
@@ -246,7 +251,7 @@ class Runner {
   bool self_;
   Scratch& scratch_;
   std::int64_t first_ = 0, last_ = 0, block_a_ = 0, block_b_ = 0, next_b_ = 0;
-  std::int32_t listed_ = 0, listed_end_ = 0;
+  std::int32_t listed_ = 0, listed_end_ = 0, first_entry_ = 0;
   bool whole_list_ = false, open_ = false;
   int segments_ = 0;
   Recent* recent_ = nullptr;  // where it is worth the while
@@ -260,7 +265,7 @@ std::int64_t join_scratch_bytes() noexcept { return round_up(sizeof(Scratch)); }
 std::int64_t count_pairs(const Join& join) noexcept {
   Runner runner(join);
   runner.find_range();
-  runner.begin_at(runner.first(), 0);
+  runner.begin_at(runner.first(), 0, 0);
   std::int64_t pairs = 0;
   while (const std::int32_t n = runner.first() < runner.last() ? runner.gather(wanted_at_most) : 0) {
     runner.decide(n);
@@ -270,15 +275,19 @@ std::int64_t count_pairs(const Join& join) noexcept {
   return pairs;
 }
 
-// A state: block of A, block of B, candidates of these already decided, and the end of the part's run of blocks above
-// the mark. All 0 is the beginning; the first is -1 at the end. Candidates, not pairs: a call that goes on in the
-// middle of a crowded pair of blocks finds them again, which is quick, and decides none twice.
+// A state: block of A, block of B, a place among their candidates, and the end of the part's run of blocks above the
+// mark. A place is 2^32 times an entry of their meetings, plus the candidates from there on that were decided. All 0 is
+// the beginning; the first number is -1 at the end.
+
+inline constexpr int entry_bit = 32;
+inline constexpr std::int64_t most_entries = std::int64_t{block_items} * block_leaves;
 
 bool state_is_sound(const Join& join, const std::int64_t* state) noexcept {
   if (state[0] == 0 && state[1] == 0 && state[2] == 0 && state[3] == 0) return true;
   if (state[0] == -1) return true;
   const std::int64_t blocks_a = View(join.a.index).blocks(), blocks_b = View(join.b.index).blocks();
   if (state[0] < 0 || state[1] < 0 || state[1] >= blocks_b || state[2] < 0) return false;
+  if (state[2] >> entry_bit > most_entries || (state[2] & 0xffffffff) > batch) return false;
   return (state[3] & 0x7fff) == mark_of(join) && state[0] < state[3] >> 15 && state[3] >> 15 <= blocks_a;
 }
 
@@ -303,55 +312,37 @@ std::int64_t write_pairs(const Join& join, std::int64_t* out_a, std::int64_t* ou
   if (state[0] == -1) return 0;
   Runner runner(join);
   const std::int64_t mark = mark_of(join);
-  std::int64_t in_pair = 0, skip = state[2];
+  std::int64_t skip = state[2] & 0xffffffff;
   if (state[3] == 0) {
     runner.find_range();
   } else {
     runner.set_range(state[0], state[3] >> 15);
   }
-  runner.begin_at(runner.first(), state[3] == 0 ? 0 : state[1]);
-  std::int64_t written = 0, block_a = -1, block_b = -1;
+  runner.begin_at(runner.first(), state[3] == 0 ? 0 : state[1], static_cast<std::int32_t>(state[2] >> entry_bit));
+  std::int64_t written = 0;
   while (runner.first() < runner.last()) {
-    // Where little room is left, few candidates: the next call begins at that pair of blocks again.
-    const std::int64_t wanted = 2 * (capacity - written) + skip + 32;
+    // Where little room is left, few candidates: the next call finds those again that had no room.
+    const std::int64_t room = capacity - written;
+    const std::int64_t wanted = room < wanted_at_most ? 2 * room + skip + 32 : wanted_at_most;
     const std::int32_t n = runner.gather(wanted < wanted_at_most ? static_cast<std::int32_t>(wanted) : wanted_at_most);
     if (n == 0) break;
-    const Segment& first = runner.segment(0);
-    if (n <= skip && runner.segments() == 1 &&
-        (block_a == -1 || (block_a == first.block_a && block_b == first.block_b))) {
-      block_a = first.block_a;
-      block_b = first.block_b;
-      in_pair += n;
-      skip -= n;
-      continue;
-    }
     runner.decide(n);
     const Scratch& s = runner.scratch();
     for (int k = 0; k < runner.segments(); ++k) {
       const Segment& segment = runner.segment(k);
       const std::int32_t end = k + 1 < runner.segments() ? runner.segment(k + 1).begin : n;
-      if (segment.block_a != block_a || segment.block_b != block_b) {
-        // A state's candidates to skip are of its first pair of blocks.
-        if (block_a != -1) skip = 0;
-        in_pair = 0;
-        block_a = segment.block_a;
-        block_b = segment.block_b;
-      }
-      const std::int64_t length = end - segment.begin, skipped = skip < length ? skip : length;
-      const std::int32_t begin = segment.begin + static_cast<std::int32_t>(skipped);
-      skip -= skipped;
+      const std::int32_t begin = segment.begin + static_cast<std::int32_t>(skip);
+      skip = 0;
       if (capacity - written >= end - begin) {
         written += write_decided(s, begin, end, out_a + written, out_b + written);
-        in_pair += length;
         continue;
       }
-      in_pair += skipped;
-      for (std::int32_t i = begin; i < end; ++i, ++in_pair) {
+      for (std::int32_t i = begin; i < end; ++i) {
         if (s.verdict[i] == 0) continue;
         if (written == capacity) {
-          state[0] = block_a;
-          state[1] = block_b;
-          state[2] = in_pair;
+          state[0] = segment.block_a;
+          state[1] = segment.block_b;
+          state[2] = std::int64_t{segment.entry} << entry_bit | (i - segment.begin);
           state[3] = runner.last() << 15 | mark;
           return written;
         }

@@ -174,10 +174,22 @@ class Search {
     for (int i = 0; i < n && !(bound_of(ready_[i]) > limit());) {
       const std::int64_t lacking = query_.k - found_;
       const int wanted = lacking > 0 && lacking < measured_at_once ? static_cast<int>(lacking) : measured_at_once;
-      const int m = n - i < wanted ? n - i : wanted;
-      measure(ready_ + i, m);
-      i += m;
+      const int end = n - i < wanted ? n : i + wanted;
+      int m = 0;
+      Entry entries[measured_at_once];
+      for (; i < end; ++i) {
+        entries[m] = ready_[i];
+        m += static_cast<int>(may_be_taken(ready_[i]));
+      }
+      measure(entries, m);
     }
+  }
+
+  /// Not where all results are as near as an item can be, and have lower numbers: so of many shapes that overlap the
+  /// one few are measured.
+  bool may_be_taken(Entry e) const noexcept {
+    if (query_.k == 0 || found_ < query_.k) return true;
+    return bound_of(e) < static_cast<double>(distance_[0]) || static_cast<std::uint32_t>(e) < out_[0];
   }
 
   /// Measures items: first those that have a plain distance (plain_distance.hpp), then the others, kind by kind.

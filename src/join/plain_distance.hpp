@@ -15,7 +15,7 @@ struct Core {
 };
 
 inline bool has_core(std::int32_t kind) noexcept {
-  return kind == kind_point || kind == kind_circle || kind == kind_aabb;
+  return Kind{kind} == Kind::point || Kind{kind} == Kind::circle || Kind{kind} == Kind::aabb;
 }
 
 template <class T>
@@ -29,8 +29,8 @@ double number_of(const Set& set, int k, std::int64_t item) noexcept {
 template <class T>
 Core core_of(const Set& set, std::int64_t item) noexcept {
   const double x = number_of<T>(set, 0, item), y = number_of<T>(set, 1, item);
-  if (set.kind == kind_aabb) return {{x, y}, {number_of<T>(set, 2, item), number_of<T>(set, 3, item)}, 0};
-  return {{x, y}, {x, y}, set.kind == kind_circle ? number_of<T>(set, 2, item) : 0};
+  if (Kind{set.kind} == Kind::aabb) return {{x, y}, {number_of<T>(set, 2, item), number_of<T>(set, 3, item)}, 0};
+  return {{x, y}, {x, y}, Kind{set.kind} == Kind::circle ? number_of<T>(set, 2, item) : 0};
 }
 
 /// How far apart two intervals are, exactly.

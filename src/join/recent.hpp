@@ -53,7 +53,7 @@ class Recent {
 
   std::uint32_t key_[1 << place_bits];  // all bits set, which is no item's, where nothing is kept
   std::uint32_t missing_[most_at_once + 1];
-  alignas(64) unsigned char record_[1 << place_bits][most_fields * sizeof(double)];
+  alignas(64) unsigned char record_[1 << place_bits][max_fields * sizeof(double)];
 };
 
 }  // namespace vesica::index

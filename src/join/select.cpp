@@ -82,7 +82,7 @@ class Selector {
     std::uint32_t some[room];
     std::uint16_t place[room];
     std::uint8_t verdict[room];
-    for (std::int32_t kind = 0; kind < kinds; ++kind) {
+    for (std::int32_t kind = 0; kind < kind_count; ++kind) {
       std::int32_t n = 0;
       for (std::int32_t i = 0; i < count_; ++i) {
         if (selection_.sets->set[selection_.sets->of(item_[i])].kind != kind) continue;

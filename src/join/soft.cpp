@@ -26,8 +26,8 @@ class Left {
       : asked_(suppression), kind_(suppression.sets.set[0].kind), items_(suppression.sets.items) {
     auto* const column = static_cast<double*>(suppression.scratch);
     score_ = column;
-    for (int k = 0; k < most_fields; ++k) number_[k] = column + (k + 1) * items_;
-    item_ = reinterpret_cast<std::int64_t*>(column + (most_fields + 1) * items_);
+    for (int k = 0; k < max_fields; ++k) number_[k] = column + (k + 1) * items_;
+    item_ = reinterpret_cast<std::int64_t*>(column + (max_fields + 1) * items_);
   }
 
   template <class T>
@@ -35,7 +35,7 @@ class Left {
     Fields fields;
     for (std::int64_t i = 0; i < items_; ++i) {
       load(asked_.sets, asked_.sets.set[0], i, 1, fields);
-      double numbers[most_fields];
+      double numbers[max_fields];
       for (int k = 0; k < fields_of[kind_]; ++k) numbers[k] = number_[k][count_] = fields.column[k][0];
       const auto s = static_cast<double>(score[i]);
       const bool usable = s == s && asked_.valid(kind_, numbers);
@@ -57,9 +57,9 @@ class Left {
 
   /// Takes one away, lowers the scores of its like, and drops those that fall below the least.
   void settle(std::int64_t best) noexcept {
-    double one[most_fields];
-    const double* columns[most_fields];
-    for (int k = 0; k < most_fields; ++k) columns[k] = &(one[k] = number_[k < fields_of[kind_] ? k : 0][best]);
+    double one[max_fields];
+    const double* columns[max_fields];
+    for (int k = 0; k < max_fields; ++k) columns[k] = &(one[k] = number_[k < fields_of[kind_] ? k : 0][best]);
     const std::int64_t item = item_[best];
     remove(best);
     for (std::int64_t begin = 0; begin < count_;) begin = lower(columns, item, begin);
@@ -80,8 +80,8 @@ class Left {
       ++n;
     }
     if (n == 0) return i;
-    const double* columns[most_fields];
-    for (int k = 0; k < most_fields; ++k) columns[k] = like.column[k];
+    const double* columns[max_fields];
+    for (int k = 0; k < max_fields; ++k) columns[k] = like.column[k];
     double ratio[chunk];
     asked_.ratios(asked_.ratio, kind_, one, columns, n, ratio);
     for (int k = 0; k < n; ++k) score_[place[k]] *= factor(asked_, ratio[k]);
@@ -109,13 +109,13 @@ class Left {
   const SoftSuppression& asked_;
   std::int32_t kind_;
   std::int64_t items_, count_ = 0;
-  double *score_, *number_[most_fields];
+  double *score_, *number_[max_fields];
   std::int64_t* item_;
 };
 
 }  // namespace
 
-std::int64_t soft_bytes(std::int64_t items) noexcept { return items * 8 * (most_fields + 2); }
+std::int64_t soft_bytes(std::int64_t items) noexcept { return items * 8 * (max_fields + 2); }
 
 template <class T>
 std::int64_t suppress_softly(const SoftSuppression& suppression, const T* score, std::int64_t* keep, T* decayed,

@@ -80,11 +80,11 @@ double moderate_area(double size_0, double size_1, double unit) noexcept {
 double area_of(std::int32_t kind, const Fields& f, int i) noexcept {
   constexpr double pi = 3.14159265358979;
   const auto number = [&](int k) { return f.column[k][i]; };
-  if (kind == kind_circle) return moderate_area(number(2), number(2), pi);
-  if (kind == kind_aabb) return moderate_area(number(2) - number(0), number(3) - number(1), 1);
+  if (Kind{kind} == Kind::circle) return moderate_area(number(2), number(2), pi);
+  if (Kind{kind} == Kind::aabb) return moderate_area(number(2) - number(0), number(3) - number(1), 1);
   const double uu = number(2) * number(2) + number(3) * number(3);
   const bool in_range = uu >= 0x1p-200 && uu <= 0x1p200;
-  return in_range ? moderate_area(number(4), number(5), (kind == kind_rect ? 4 : pi) * uu) : __builtin_nan("");
+  return in_range ? moderate_area(number(4), number(5), (Kind{kind} == Kind::rect ? 4 : pi) * uu) : __builtin_nan("");
 }
 
 /// Leaves out most pairs whose ratio is far below a threshold t. With areas A and B the IoU of a shared area S exceeds

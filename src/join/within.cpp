@@ -24,18 +24,68 @@ struct Run {
   }
 };
 
-/// The sum of what bounds a whole index. An ellipse may be found near to what is farther away than the distance by the
-/// error of its own, which is a small part of all lengths there are.
-double magnitude(const void* index) noexcept {
-  double sum = 0;
-  for (const double side : View(index).header().bounds) sum += __builtin_fabs(side);
-  return sum;
+bool has_ellipses(const Sets& sets) noexcept {
+  for (int i = 0; i < sets.count; ++i) {
+    if (Kind{sets.set[i].kind} == Kind::ellipse) return true;
+  }
+  return false;
 }
+
+/// Width and height together.
+double extent(double min_x, double min_y, double max_x, double max_y) noexcept {
+  return (max_x - min_x) + (max_y - min_y);
+}
+
+/// The greatest extent of a valid shape.
+double greatest_extent(const Kernels& kernels, const Sets& sets) noexcept {
+  Fields fields;
+  Boxes boxes;
+  double greatest = 0;
+  for (int s = 0; s < sets.count; ++s) {
+    const Set& set = sets.set[s];
+    for (std::int64_t begin = 0; begin < set.count; begin += chunk) {
+      const int n = static_cast<int>(set.count - begin < chunk ? set.count - begin : chunk);
+      load(sets, set, begin, n, fields);
+      kernels.bounds(set.kind, fields, n, boxes);
+      for (int i = 0; i < n; ++i) {
+        const double x = extent(boxes.min_x[i], boxes.min_y[i], boxes.max_x[i], boxes.max_y[i]);
+        if (boxes.valid[i] == 1 && x > greatest) greatest = x;
+      }
+    }
+  }
+  return greatest;
+}
+
+/// How much wider a shape's window is than its box, so that it holds all shapes that are within the distance. An
+/// ellipse may be found near to what is farther away by the error of its own distance, less than 8 u times the largest
+/// size of both shapes or offset of their centres.
+class Room {
+ public:
+  explicit Room(const JoinWithin& join) noexcept : distance_(join.distance) {
+    if (!(join.distance > 0) || !(has_ellipses(join.a) || has_ellipses(join.b))) return;
+    share_ = 0x1p-49;
+    // The extent of a whole index costs no look at its shapes, and mostly adds nothing to a window.
+    const auto& whole = View(join.index_b).header().bounds;
+    size_ = View(join.index_b).header().placed == 0 ? 0 : extent(whole[0], whole[1], whole[2], whole[3]);
+    if (!(size_ * share_ <= 0x1p-6 * distance_)) size_ = greatest_extent(join.kernels, join.b);
+  }
+  void widen(double (&box)[4]) const noexcept {
+    const double sizes = share_ == 0 ? 0 : distance_ + size_ + extent(box[0], box[1], box[2], box[3]);
+    const double room = distance_ * (1 + 0x1p-50) + share_ * sizes + 0x1p-1060;
+    for (int side = 0; side < 4; ++side) {
+      const double outward = room + 0x1p-51 * __builtin_fabs(box[side]);  // the sum is rounded too
+      box[side] += side < 2 ? -outward : outward;
+    }
+  }
+
+ private:
+  double distance_, share_ = 0, size_ = 0;
+};
 
 /// A shape as doubles.
 struct Shape {
   std::int32_t kind;
-  double number[most_fields];
+  double number[max_fields];
 
   Shape(const Sets& sets, std::uint32_t item) noexcept {
     const Set& set = sets.set[sets.of(item)];
@@ -56,12 +106,7 @@ struct Shape {
 class Walk {
  public:
   explicit Walk(const JoinWithin& join) noexcept
-      : join_(join),
-        a_(join.index_a),
-        b_(join.index_b),
-        self_(join.index_a == join.index_b),
-        room_(join.distance * (1 + 0x1p-50) + (magnitude(join.index_a) + magnitude(join.index_b)) * 0x1p-47 +
-              0x1p-1060) {}
+      : join_(join), a_(join.index_a), b_(join.index_b), self_(join.index_a == join.index_b), room_(join) {}
 
   /// Calls found(place, block of B, item of A, item of B) for each pair from place `begin`, block `from` on, in order,
   /// as long as it returns true.
@@ -86,7 +131,7 @@ class Walk {
   bool pairs_of(std::int64_t place, std::uint32_t item, std::int64_t from, const Found& found) noexcept {
     double box[4];
     bounds_of_item(join_.kernels, join_.a, item, box);
-    for (int side = 0; side < 4; ++side) box[side] += side < 2 ? -room_ : room_;
+    room_.widen(box);
     const Shape shape(join_.a, item);
     std::int64_t list[block_list];
     for (std::int32_t listed = block_list; listed == block_list;) {
@@ -116,7 +161,7 @@ class Walk {
   const JoinWithin& join_;
   View a_, b_;
   bool self_;
-  double room_;
+  Room room_;
   std::uint32_t candidate_[block_items + leaf_items];
 };
 

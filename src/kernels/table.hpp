@@ -16,8 +16,6 @@
 
 namespace vesica {
 
-inline constexpr int max_fields = 6;
-
 /// A block of pairs: element i of each field of a shape at first[field][i]; a repeated shape has its numbers at [0].
 template <class T>
 struct Block {

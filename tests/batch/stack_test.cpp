@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The header promises that a batch needs at most 256 KiB of stack. Measured on a thread whose stack was painted first,
+// The header promises that calls about arrays or an index need at most 256 KiB of stack. Measured on a thread whose stack was painted first,
 // with numbers so far apart in magnitude that the exact stage is deepest.
 #include <gtest/gtest.h>
 #include <pthread.h>
@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <vector>
@@ -41,11 +42,25 @@ std::size_t stack_used(void* (*work)(void*), void* argument) {
   return static_cast<std::size_t>(stack + size - deepest);
 }
 
+/// Bytes aligned as indexes must be.
+struct Aligned {
+  explicit Aligned(std::int64_t bytes) : size(bytes), memory(static_cast<std::size_t>(bytes) + 64) {}
+  void* get() {
+    void* start = memory.data();
+    std::size_t space = memory.size();
+    return std::align(64, static_cast<std::size_t>(size), start, space);
+  }
+  std::int64_t size;
+  std::vector<std::byte> memory;
+};
+
 template <class T>
 struct Call {
   typename Face<T>::Shapes a, b, one;
   std::vector<std::uint8_t> out;
-  std::vector<std::int64_t> indices;
+  std::vector<std::int64_t> indices, others;
+  std::vector<T> distances;
+  Aligned index, scratch;
 };
 
 template <class T>
@@ -53,7 +68,24 @@ void* call_all(void* argument) {
   auto& call = *static_cast<Call<T>*>(argument);
   Face<T>::overlap_many(&call.a, &call.b, call.out.data());
   Face<T>::overlap_matrix(&call.one, &call.b, call.out.data(), 0);
-  Face<T>::overlap_select(&call.one, &call.b, call.indices.data(), static_cast<std::int64_t>(call.indices.size()));
+  const auto room = static_cast<std::int64_t>(call.indices.size());
+  Face<T>::overlap_select(&call.one, &call.b, call.indices.data(), room);
+  void *const index = call.index.get(), *const scratch = call.scratch.get();
+  auto some = call.b;
+  some.count = 60;
+  Face<T>::index_build(&some, 1, index, call.index.size, scratch, call.scratch.size);
+  std::int64_t state[3][4] = {};
+  Face<T>::index_select(index, &some, 1, &call.one, call.indices.data(), room, state[0]);
+  Face<T>::index_nearest(index, &some, 1, &call.one, room, std::numeric_limits<T>::infinity(), call.indices.data(),
+                         call.distances.data());
+  typename Face<T>::Impact impact;
+  Face<T>::index_cast_first(index, &some, 1, &call.one, 1, 1, 1, &impact);
+  Face<T>::join(VESICA_JOIN_OVERLAP, index, &some, 1, index, &some, 1, 0, 1, scratch, call.scratch.size,
+                call.indices.data(), call.others.data(), room, state[1]);
+  Face<T>::join_within(index, &some, 1, index, &some, 1, 1, 0, 1, call.indices.data(), call.others.data(), room,
+                       state[2]);
+  std::int64_t kept;
+  Face<T>::nms(&some, call.distances.data(), T(0.5), scratch, call.scratch.size, call.indices.data(), &kept);
   return nullptr;
 }
 
@@ -63,7 +95,16 @@ template <class T>
 void expect_kept(int kind_a, int kind_b) {
   const Pairs<T> pairs = pairs_of<T>(properties::Workload::mixed_scale, kind_a, kind_b, 600);
   const auto count = static_cast<std::int64_t>(pairs.size());
-  Call<T> call{{}, {}, {}, std::vector<std::uint8_t>(pairs.size()), std::vector<std::int64_t>(pairs.size())};
+  const std::int64_t scratch = std::max(vesica_index_scratch(count), vesica_join_scratch());
+  Call<T> call{{},
+               {},
+               {},
+               std::vector<std::uint8_t>(pairs.size()),
+               std::vector<std::int64_t>(pairs.size()),
+               std::vector<std::int64_t>(pairs.size()),
+               std::vector<T>(pairs.size()),
+               Aligned(vesica_index_size(count)),
+               Aligned(std::max(scratch, vesica_nms_scratch(count)))};
   Face<T>::from_records(kind_a, count, pairs.a.data(), sizeof(Numbers<T>), &call.a);
   Face<T>::from_records(kind_b, count, pairs.b.data(), sizeof(Numbers<T>), &call.b);
   Face<T>::from_records(kind_a, 1, pairs.a.data(), 0, &call.one);

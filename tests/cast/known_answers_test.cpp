@@ -2,6 +2,7 @@
 /// Contacts that can be worked out by hand, and what is refused.
 #include <gtest/gtest.h>
 
+#include <cerrno>
 #include <cmath>
 #include <limits>
 
@@ -283,6 +284,18 @@ TEST(Known, SweptBounds) {
   EXPECT_EQ(vesica_sweep_bounds_f64(VESICA_CIRCLE, disc, 1, 0, -1, &box), VESICA_E_ARGUMENT);
   EXPECT_EQ(vesica_sweep_bounds_f64(7, disc, 1, 0, 1, &box), VESICA_E_KIND);
   EXPECT_EQ(vesica_sweep_bounds_f64(VESICA_CIRCLE, disc, 1, 0, 1, nullptr), VESICA_E_NULL);
+}
+
+TEST(Known, SweptBoundsLeaveErrnoAlone) {
+  const double least = 0x1p-1074, origin[] = {0, 0};
+  vesica_aabb_f64 box{};
+  errno = 0;
+  EXPECT_EQ(vesica_sweep_bounds_f64(VESICA_POINT, origin, least, -least, 1, &box), 0);
+  EXPECT_TRUE(box.min_x == 0 && box.max_x >= least && box.max_x <= 3 * least) << box.max_x;
+  EXPECT_TRUE(box.max_y == 0 && box.min_y <= -least && box.min_y >= -3 * least) << box.min_y;
+  EXPECT_EQ(vesica_sweep_bounds_f64(VESICA_POINT, origin, 0x1p1000, 0, 0x1p100, &box), VESICA_E_RANGE);
+  EXPECT_EQ(vesica_sweep_bounds_f64(VESICA_POINT, origin, -0x1p1000, 0, 0x1p100, &box), VESICA_E_RANGE);
+  EXPECT_EQ(errno, 0);
 }
 
 }  // namespace

@@ -80,6 +80,9 @@ TYPED_TEST(ArgumentsTest, Build) {
   EXPECT_EQ(Face<TypeParam>::index_step(1, 0, 1, &fewer, 1, index.get(), index.size, scratch.get(), scratch.size),
             VESICA_E_ARGUMENT)
       << "step 0 was of more shapes";
+  for (std::int32_t number = 1; number < 4; ++number) EXPECT_EQ(step(number, 0, 1), 0);
+  EXPECT_GT(step(4, 0, 1), 0);
+  for (std::int32_t number = 1; number <= 4; ++number) EXPECT_EQ(step(number, 0, 1), VESICA_E_ARGUMENT) << "it ended";
 }
 
 /// An index holds 64 sets that are not empty, however few shapes they have; of empty ones there may be any number.

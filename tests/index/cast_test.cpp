@@ -205,6 +205,27 @@ TEST(CastOfAllThereIs, LeastAndGreatestSpeeds) {
   }
 }
 
+/// Coordinates so far apart that their difference is beyond doubles.
+TEST(CastOfAllThereIs, FromOneEndOfTheNumbersToTheOther) {
+  constexpr double far = 1.7e308;
+  const double origins[4][2] = {{-far, 0}, {far, 0}, {0, -far}, {0, far}};
+  for (const auto& origin : origins) {
+    for (const double speed : {1e290, 1e300, 1e301}) {
+      const double target[2] = {-origin[0], -origin[1]};
+      const Indexed<double> many(Records<double>{VESICA_POINT, {3, 5, target[0], target[1], 5, 3}});
+      const double vx = origin[0] == 0 ? 0 : std::copysign(speed, target[0]);
+      const double vy = origin[1] == 0 ? 0 : std::copysign(speed, target[1]);
+      vesica_shapes_f64 one;
+      vesica_shapes_from_records_f64(VESICA_POINT, 1, origin, 0, &one);
+      vesica_impact_f64 impact;
+      EXPECT_EQ(vesica_index_cast_first_f64(many.index.get(), many.sets.data(), 1, &one, vx, vy, 1e20, &impact), 1);
+      EXPECT_NEAR(impact.t * (speed / far), 2, 1e-15);
+      EXPECT_EQ(vesica_index_cast_f64(many.index.get(), many.sets.data(), 1, &one, vx, vy, 1e20, nullptr, 0, nullptr),
+                1);
+    }
+  }
+}
+
 TEST(CastArguments, Refused) {
   const Indexed<double> many(rects<double>("uniform", 50, 1));
   const double point[2] = {0, 1}, invalid[2] = {NAN, 1};

@@ -35,10 +35,13 @@ TEST(CppFace, PairsSelectionNearestAndBytes) {
   const auto nearest = first.nearest(one, 3, std::numeric_limits<double>::infinity());
   ASSERT_EQ(nearest.size(), 3u);
   EXPECT_LE(nearest[0].second, nearest[1].second);
+  EXPECT_TRUE(first.nearest(one, 0, std::numeric_limits<double>::infinity()).empty());
   for (const std::int64_t item : first.overlapping(one)) EXPECT_TRUE(std::ranges::count(found, Pair{item, 0}) == 1);
   const double broken[3] = {0, 0, -1};
   vesica_shapes_from_records_f64(VESICA_CIRCLE, 1, broken, 0, &one);
-  EXPECT_TRUE(vesica::Index<double>(std::span(&one, 1)).has_invalid());
+  const vesica::Index<double> invalid(std::span(&one, 1));
+  EXPECT_TRUE(invalid.has_invalid());
+  EXPECT_TRUE(vesica::Index<double>(std::span(&one, 1), invalid.bytes()).has_invalid()) << "restored";
   EXPECT_THROW(first.overlapping(one), std::invalid_argument);
 }
 

@@ -212,6 +212,9 @@ TYPED_TEST(OddSets, StatesAtTheEnd) {
   }
 }
 
+/// Behind all candidates of any pair of blocks.
+constexpr std::int64_t last_place = std::int64_t{1024 * 32} << 32;
+
 /// A state's numbers that no call has written: refused where they name no place; else the join goes on at that place,
 /// and skips no more than its pair of blocks has.
 TEST(OddSets, StatesMadeUp) {
@@ -231,7 +234,7 @@ TEST(OddSets, StatesMadeUp) {
     EXPECT_EQ(ask(wrong, 100), VESICA_E_ARGUMENT) << end;
   }
   const std::int64_t pairs = count(VESICA_JOIN_OVERLAP, a, b);
-  for (const std::int64_t skipped : {std::int64_t{1} << 20, std::int64_t{1} << 40}) {
+  for (const std::int64_t skipped : {last_place, last_place | 4096, std::int64_t{1} << 40}) {
     std::int64_t forged[4] = {0, 0, skipped, state[3]}, rest = 0;
     while (forged[0] != -1) {
       written = ask(forged, 100);
@@ -293,7 +296,7 @@ TEST(OddSets, StatesThatSkipAPairOfBlocks) {
   const auto rest_of = [&](const Indexed<double>& a, const Indexed<double>& b) {
     std::int64_t state[4] = {};
     EXPECT_EQ(ask(a, b, 1, state), 1);
-    std::int64_t forged[4] = {0, 0, 100000, state[3]};
+    std::int64_t forged[4] = {0, 0, last_place, state[3]};
     const std::int64_t rest = ask(a, b, 8192, forged);
     EXPECT_EQ(forged[0], -1);
     return rest;

@@ -143,6 +143,26 @@ TEST(SameBytes, ResumedInACrowd) {
   }
 }
 
+/// Places that no join tells: beyond a block's candidates.
+TEST(SameBytes, PlacesThatAreNone) {
+  const Indexed<double> all(touching<double>(5000, 3));
+  const auto next = [&all, index = all.index.get()](std::int64_t* state) {
+    const Memory scratch(vesica_join_scratch());
+    std::int64_t out_a[7], out_b[7];
+    return vesica_join_f64(VESICA_JOIN_OVERLAP, index, all.sets.data(), all.sets.count(), index, all.sets.data(),
+                           all.sets.count(), 0, 1, scratch.get(), scratch.size, out_a, out_b, 7, state);
+  };
+  std::int64_t state[4] = {0, 0, 0, 0};
+  ASSERT_EQ(next(state), 7);
+  const std::int64_t place = state[2];
+  for (const std::int64_t none : {place | 0x10000, place + (std::int64_t{1} << 48), INT64_MAX}) {
+    state[2] = none;
+    EXPECT_EQ(next(state), VESICA_E_ARGUMENT) << none;
+  }
+  state[2] = place;
+  EXPECT_EQ(next(state), 7);
+}
+
 TEST(SameBytes, StepsInParts) {
   const Laid<double> laid = touching<double>(20000, 5);
   const Indexed<double> whole{Laid<double>(laid)};

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "index/all_pairs.hpp"
+#include "properties/random.hpp"
 
 namespace index_tests {
 namespace {
@@ -101,6 +102,23 @@ TYPED_TEST(JoinWithinTest, AnyDistanceFindsEveryItemOnce) {
 TEST(JoinWithin, DistanceZeroIsOverlap) {
   const Indexed<double> a(rects<double>("near_ties", 3000, 1)), b(rects<double>("near_ties", 2000, 2));
   EXPECT_TRUE(sorted(pairs_within(a, b, 0, 1, 500)) == sorted(join(VESICA_JOIN_OVERLAP, a, b)));
+}
+
+/// A shape far out must not widen the windows of all others: this would compare 200 million pairs then.
+TEST(JoinWithin, OneItemFarOut) {
+  for (const std::int32_t kind : {VESICA_CIRCLE, VESICA_ELLIPSE}) {
+    constexpr int n = 20000;
+    properties::Random random(7);
+    Records<double> shapes{kind, {}};
+    for (int i = 0; i < n; ++i) {
+      const double x = i == n / 2 ? 1e20 : random.between(0, 1), y = random.between(0, 1);
+      shapes.numbers.insert(shapes.numbers.end(), {x, y});
+      if (kind == VESICA_ELLIPSE) shapes.numbers.insert(shapes.numbers.end(), {1, 0, 2e-4});
+      shapes.numbers.push_back(2e-4);
+    }
+    const Indexed<double> all(shapes);
+    EXPECT_GT(call(all, all, 1e-3, 0, 1, nullptr, nullptr, 0, nullptr), n / 50);
+  }
 }
 
 TEST(JoinWithin, Arguments) {

@@ -6,10 +6,10 @@
 root=$here/../..
 readme=$root/README.md guide=$root/docs/guide.md
 
-# block PAGE LANGUAGE: the first fenced block of a language.
+# block PAGE LANGUAGE [N]: the first fenced block of a language, or the Nth.
 block() {
-  awk -v open="\`\`\`$2" '
-    $0 == open { inside = ++n == 1; next }
+  awk -v open="\`\`\`$2" -v wanted="${3-1}" '
+    $0 == open { inside = ++n == wanted; next }
     $0 == "```" { inside = 0 }
     inside' "$1"
 }
@@ -42,6 +42,17 @@ block "$guide" cpp >"$work/core.cpp"
 printf 'int main() { return hit ? 0 : 1; }\n' >>"$work/core.cpp"
 "$CXX" -std=c++20 -Wall -Wextra -Werror -o "$work/core" "$work/core.cpp" "${flags[@]}"
 "$work/core"
+
+{
+  block "$guide" cpp 2
+  printf 'int main() { list({{9, 9, 1}, {0, 0, 1}}, {{1, 1, 1, 0, 3, 1}}); }\n'
+} >"$work/index.cpp"
+"$CXX" -std=c++20 -Wall -Wextra -Werror -o "$work/index" "$work/index.cpp" "${flags[@]}"
+[ "$("$work/index")" = '1 0' ]
+
+block "$guide" cpp 3 >"$work/constant.cpp"
+grep -q static_assert "$work/constant.cpp"
+"$CXX" -std=c++20 -Wall -Wextra -Werror -c -o "$work/constant.o" "$work/constant.cpp" "${flags[@]}"
 
 [ "$(wc -l <"$readme")" -le 120 ]
 for page in "$readme" "$root"/docs/*.md; do

@@ -3,8 +3,10 @@
 # subproject_test.sh WORK: the library from its sources, shared and static, inside a parent project in C, and what such a
 # build installs. The objects of all builds are the same, so they are compiled once.
 #   - by add_subdirectory and by FetchContent: the parent's program runs, the parent installs nothing of ours
-#   - with VESICA_INSTALL: programs by find_package and by pkg-config against the install, moved
-#   - the whole alone: nothing beside compilers is asked for, and the library is shared, unless told otherwise
+#   - with VESICA_INSTALL: programs by find_package and by pkg-config against the install, moved, of a parent with and
+#     without a build type; and a program that needs a library of the parent's that needs ours
+#   - the whole alone: nothing beside compilers is asked for, and the library is shared, unless told otherwise;
+#     pkg-config's files follow the folders that are told
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 root=$(cd "$here/../.." && pwd)
@@ -49,12 +51,20 @@ for linkage in shared static; do
 
   echo "subproject_test: $linkage, installed"
   parent -DBY=add_subdirectory -DBUILD_SHARED_LIBS=$shared -DVESICA_INSTALL=ON
+  cmake --install "$work/build" --prefix "$work/prefix" >"$work/log"
+  grep -F vesica-targets-release.cmake "$work/log" || fail 'a parent of build type Release installs no paths'
+  # Without a build type of the parent's ours is Release still, and that is what is installed.
+  parent -DBY=add_subdirectory -DBUILD_SHARED_LIBS=$shared -DVESICA_INSTALL=ON -DCMAKE_BUILD_TYPE=
   bash "$here/install_moved.sh" "$work/build" "$work/$linkage"
   bash "$here/consumer_cmake_test.sh" "$work/$linkage" "$work/by_cmake"
   bash "$here/consumer_pkgconfig_test.sh" "$work/$linkage" "$work/by_pkgconfig"
   for program in by_cmake/c_user by_pkgconfig/c_user; do
     [ "$(needed "$work/$program")" = "$library" ] || fail "$program needs $(needed "$work/$program")"
   done
+  rm -rf "$work/by_parent"
+  cmake -S "$here/subproject/user" -B "$work/by_parent" -G Ninja -DCMAKE_PREFIX_PATH="$work/$linkage"
+  cmake --build "$work/by_parent"
+  "$work/by_parent/methods_user"
 done
 
 echo 'subproject_test: unless told otherwise'
@@ -67,4 +77,16 @@ cmake -S "$root" -B "$work/plain" -G Ninja -DCMAKE_DISABLE_FIND_PACKAGE_GTest=ON
 ninja -C "$work/plain" -t targets all >"$work/targets"
 grep -q '^capi/libvesica.so:' "$work/targets" || fail 'the library is not shared'
 if grep -q '^tests/' "$work/targets"; then fail 'tests are built'; fi
+
+# pkg_config FLAGS CMAKE_ARGUMENT...: what pkg-config says of the library in these folders.
+pkg_config() {
+  cmake -S "$root" -B "$work/plain" -DCMAKE_INSTALL_PREFIX=/opt/vesica "${@:2}" >"$work/log"
+  flags=$(PKG_CONFIG_PATH=$work/plain pkg-config --cflags --libs vesica-methods | sed 's/ *$//')
+  [ "$flags" = "$1" ] || fail "with ${*:2} pkg-config says $flags"
+}
+at=$work/plain/../..
+pkg_config "-I$at/include -L$at/lib -lvesica-methods -lvesica" -DCMAKE_INSTALL_LIBDIR=lib
+pkg_config "-I/of/c -L$at/lib -lvesica-methods -lvesica" -DCMAKE_INSTALL_INCLUDEDIR=/of/c
+pkg_config '-I/of/c -L/of/libraries -lvesica-methods -lvesica' -DCMAKE_INSTALL_LIBDIR=/of/libraries
+pkg_config '-I/opt/vesica/include -L/of/libraries -lvesica-methods -lvesica' -DCMAKE_INSTALL_INCLUDEDIR=include
 echo 'subproject_test: passed'

@@ -34,6 +34,12 @@ constexpr T at_rank(Integer position) noexcept {
   return position < zero ? -std::bit_cast<T>(zero - position) : std::bit_cast<T>(position - zero);
 }
 
+/// The next number above a finite one. Unlike std::nextafter it leaves errno alone.
+template <class T>
+constexpr T next_above(T x) noexcept {
+  return at_rank<T>(rank(x) + 1);
+}
+
 /// c + e.
 template <class V>
 VESICA_INLINE Estimate<V> add(V c, const Estimate<V>& e) noexcept {

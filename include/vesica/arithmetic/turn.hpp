@@ -63,8 +63,8 @@ inline double angle(double x, double y, AngleUnit unit) noexcept {
   if (unit.clockwise) y = -y;
   const bool upright = std::fabs(y) > std::fabs(x);
   const int quarters = upright ? (y > 0 ? 1 : -1) : (x > 0 ? 0 : y < 0 ? -2 : 2);
-  const Direction near = turned({x, y}, -quarters);
-  const double rest = std::copysign(angle_of(near.x, std::fabs(near.y)), near.y);
+  const Direction level = turned({x, y}, -quarters);
+  const double rest = std::copysign(angle_of(level.x, std::fabs(level.y)), level.y);
   if (unit.measure == AngleUnit::radians) return right_angle * quarters + (rest + right_angle_rest * quarters);
   const double quarter = unit.measure == AngleUnit::degrees ? 90 : 1;
   return quarter * quarters + rest / right_angle * quarter;

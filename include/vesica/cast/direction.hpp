@@ -157,8 +157,8 @@ VESICA_INLINE Tail<V> tail(const CurveOf<V>& e, V s) noexcept {
 /// last of them, and those in which nothing is asked, `idle`, do not count.
 template <class V>
 VESICA_INLINE int maximum_of_two(const CurveOf<V>& a, const CurveOf<V>& b, V gap, MaskOf<V> idle, V& s) noexcept {
-  const V sum = a.reach + b.reach, share = V(1.0) - gap / sum, far = share / sqrt((gap / sum) * (V(1.0) + share));
-  const V at_a = a.s + a.width() * far, at_b = b.s + b.width() * far;
+  const V sum = a.reach + b.reach, share = V(1.0) - gap / sum, widths = share / sqrt((gap / sum) * (V(1.0) + share));
+  const V at_a = a.s + a.width() * widths, at_b = b.s + b.width() * widths;
   V low = min(at_a, at_b), high = max(at_a, at_b);
   const V weight_a = a.al / sqrt(a.de), weight_b = b.al / sqrt(b.de);
   s = (weight_a * at_a + weight_b * at_b) / (weight_a + weight_b);
@@ -221,8 +221,8 @@ inline double difference(const Twofold<double>& a, const Twofold<double>& b) noe
   return (a.high - b.high) + (a.low - b.low);
 }
 
-/// Of two normals that tell the same time that which is more against v; of mirror images that to the left of v; of the
-/// same direction the longer. So exchanging the shapes changes nothing.
+/// Whether n is chosen rather than m, two normals with the same time: the one more opposed to v; of mirror images the
+/// one to the left of v; of parallel ones the longer. So exchanging the shapes changes nothing.
 inline bool preferred(const Scene& scene, const Vector& n, const Vector& m) noexcept {
   const auto length = [](const Vector& x) { return x.x.high * x.x.high + x.y.high * x.y.high; };
   const double forward_n = dot_of(scene, n), forward_m = dot_of(scene, m);

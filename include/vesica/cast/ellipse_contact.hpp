@@ -112,7 +112,7 @@ class LeadingContact {
       trial = {true, true};
       if (p.c1.sign >= 0 && p.c2.sign >= 0) return;
       trial = from_discriminant(p);
-      trial.value.exponent -= 32 * 64 * window.limbs();
+      trial.value.exponent -= 16 * 64 * window.limbs();  // it is of degree 16 in offsets and axes
     });
     return trial;
   }
@@ -121,8 +121,8 @@ class LeadingContact {
   /// straight until then: where shapes all but touch at the start, and no direction tells the time, as its digits
   /// cancel. There is no contact at 0; so F(0) > 0, and contact begins where F is 0 first.
   ///
-  /// Up to far = 2 F(0) / |F'(0)| all of F but its straight part is at most rest t |F'(0)|. Thus F > 0 while t is less
-  /// than F(0) / |F'(0)| over 1 + rest, and F < 0 where it is more than that over 1 - rest.
+  /// Up to limit = 2 F(0) / |F'(0)| all of F but its straight part is at most rest t |F'(0)|. Thus F > 0 while t is
+  /// less than F(0) / |F'(0)| over 1 + rest, and F < 0 where it is more than that over 1 - rest.
   WideTime soon(const ExactPair& pair) const noexcept {
     const Few &d1 = first_.squared_area, &d2 = second_.squared_area;
     const Few c1 = d1 + mixed_ - first_.start(), c2 = d2 + mixed_ - second_.start();
@@ -133,8 +133,8 @@ class LeadingContact {
     Rough value = rough(exact::detail::discriminant(d1, c1, c2, d2, product_));
     if (!fall.is_precise() || fall.sign() <= 0) return {};
     const double size = std::fabs(rounded(value.value)) + value.error;
-    const Wide steep(fall.scaled()), far = Wide(2.02 * size, value.exponent) / steep;
-    const Wide rest = bent(most(c1), most(c2), far) / (far * steep);
+    const Wide steep(fall.scaled()), limit = Wide(2.02 * size, value.exponent) / steep;
+    const Wide rest = bent(most(c1), most(c2), limit) / (limit * steep);
     const bool is_straight = rest < Wide(0x1p-62, 0);
     if (is_straight && !value.is_precise()) value = exact_start(pair);
     const Rough time = value / fall;
@@ -158,12 +158,12 @@ class LeadingContact {
   /// A bound on all of F but its straight part, up to a time. F is of degree 4 in c1 and c2, and these are of degree 2
   /// in t: c - 2 half_slope t - bend t^2. With all signs positive no coefficient is less in magnitude, and in Taylor's
   /// formula the second derivatives are greatest at the far end.
-  Wide bent(const Wide& c1, const Wide& c2, const Wide& far) const noexcept {
+  Wide bent(const Wide& c1, const Wide& c2, const Wide& limit) const noexcept {
     const auto n = [](double x) { return Wide(x, 0); };
     const Wide d1 = wide(first_.squared_area), d2 = wide(second_.squared_area), product = wide(product_);
-    const Wide bend1 = far * far * wide(first_.bend()), bend2 = far * far * wide(second_.bend());
-    const Wide x1 = n(2) * far * most(first_.half_slope()) + bend1,
-               x2 = n(2) * far * most(second_.half_slope()) + bend2;
+    const Wide bend1 = limit * limit * wide(first_.bend()), bend2 = limit * limit * wide(second_.bend());
+    const Wide x1 = n(2) * limit * most(first_.half_slope()) + bend1,
+               x2 = n(2) * limit * most(second_.half_slope()) + bend2;
     const Wide m1 = c1 + x1, m2 = c2 + x2;
     const Wide by_c1 = n(9) * product * c2 + c1 * c2 * c2 + n(6) * d2 * c1 * c1;
     const Wide by_c2 = n(9) * product * c1 + c2 * c1 * c1 + n(6) * d1 * c2 * c2;

@@ -52,7 +52,7 @@ class EllipseTime {
       } else {
         share = digits(search.next(l, step), most_limbs);
       }
-      if (share.sign <= 0 || std::abs(wide(share).exponent) > ShareSearch::far) return found;
+      if (share.sign <= 0 || std::abs(wide(share).exponent) > ShareSearch::limit) return found;
     }
   }
 

@@ -56,16 +56,17 @@ VESICA_INLINE Quick decided(Mask usable, V miss, V hit, const Early& early) noex
 /// Proved: the point was outside at every time before.
 ///
 ///   - f(t) = |P + W t|^2 - R^2 is convex. Where it still decreases at the end, it was greater before.
-///   - f(0) is off by 12u sizes^2, q by 11u sizes speed, W.W by 10u speed^2. With `far` = sizes + end speed, f(end) is
-///     off by 12u far^2, its own operations included by 20u far^2, and half its slope there by 14u far speed.
+///   - f(0) is off by 12u sizes^2, q by 11u sizes speed, W.W by 10u speed^2. With `extent` = sizes + end speed, f(end)
+///     is off by 12u extent^2, its own operations included by 20u extent^2, and half its slope there by 14u extent
+///     speed.
 ///   - If the end is infinite, the result is not above 0.
 template <class V>
 VESICA_INLINE V ends_outside(V f, V q, V ww, V sizes, V speed, V end) noexcept {
   constexpr double u = 0x1p-53;
-  const V at_end = q + end * ww, far = sizes + end * speed;
-  const V outside = (f + end * (q + at_end)) - (V(32 * u) * (far * far) + V(quick_tiny));
+  const V at_end = q + end * ww, extent = sizes + end * speed;
+  const V outside = (f + end * (q + at_end)) - (V(32 * u) * (extent * extent) + V(quick_tiny));
   // Of two of which the first is NaN the second is the lesser.
-  return min(outside, -at_end - (V(16 * u) * (far * speed) + V(quick_tiny)));
+  return min(outside, -at_end - (V(16 * u) * (extent * speed) + V(quick_tiny)));
 }
 
 /// Of a disc of radius r about the origin, and a point at (dx, dy), with w = v x D and q = D.v.
@@ -82,11 +83,11 @@ VESICA_INLINE Quick filter_disc(V dx, V dy, V r, const MotionOf<V>& v) noexcept 
   const auto usable = all_hold(is_quick(v, vv), r >= V(0.0), sizes <= V(most_usable * most_usable));
   const V w = v.vx * dy - v.vy * dx, q = v.vx * dx + v.vy * dy, f = dd - rr;
   const V inside = rr * vv - w * w, line_error = V(16 * u) * (vv * sizes) + tiny;
-  const V speed = abs(v.vx) + abs(v.vy), far = abs(dx) + abs(dy);
-  const V apart = f - (V(8 * u) * sizes + tiny), q_error = V(8 * u) * (far * speed) + tiny;
+  const V speed = abs(v.vx) + abs(v.vy), distance = abs(dx) + abs(dy);
+  const V apart = f - (V(8 * u) * sizes + tiny), q_error = V(8 * u) * (distance * speed) + tiny;
   return decided(usable, V(max(min(apart, q - q_error), -inside - line_error)),
                  V(min(min(apart, -q - q_error), inside - line_error)),
-                 [&] { return ends_outside<V>(f, q, vv, far + r, speed, v.end); });
+                 [&] { return ends_outside<V>(f, q, vv, distance + r, speed, v.end); });
 }
 
 template <class V>
@@ -112,14 +113,14 @@ VESICA_INLINE Quick quick_filter(const Ellipse<V>& e, const Point<V>& p, const M
   constexpr double u = 0x1p-53;
   const V tiny(quick_tiny), bound(16 * u), zero(0.0);
   const V dx = p.x - e.cx, dy = p.y - e.cy, vv = v.vx * v.vx + v.vy * v.vy, uu = e.ux * e.ux + e.uy * e.uy;
-  const V far = abs(dx) + abs(dy), sum = e.a + e.b;
-  const auto sized = all_hold(e.a >= zero, e.b >= zero, sum + far <= V(most_usable));
+  const V distance = abs(dx) + abs(dy), sum = e.a + e.b;
+  const auto sized = all_hold(e.a >= zero, e.b >= zero, sum + distance <= V(most_usable));
   const auto usable = all_hold(is_quick(v, vv), in_quick_range(uu), sized);
   const V x = e.b * (e.ux * dx + e.uy * dy), y = e.a * (e.ux * dy - e.uy * dx);
   const V c = e.b * (e.ux * v.vx + e.uy * v.vy), k = e.a * (e.ux * v.vy - e.uy * v.vx);
   const V w = v.vx * dy - v.vy * dx, al = k * k + c * c, area = e.a * e.b * uu, q = x * c + y * k;
   const V axis = sum * (abs(e.ux) + abs(e.uy)), speed = abs(v.vx) + abs(v.vy);
-  const V across = axis * speed, away = axis * far, width = speed * far;
+  const V across = axis * speed, away = axis * distance, width = speed * distance;
   const V line_error = bound * (across * across + width * width) + tiny, inside = al - w * w;
   const V f = (x * x + y * y) - area * area, q_error = bound * (across * away) + tiny;
   const V apart = f - (bound * (away * away + area * area) + tiny);
@@ -149,9 +150,9 @@ template <class V>
 VESICA_INLINE Quick filter_box(const BoxFrame<V>& f, V dx, V dy, const MotionOf<V>& v, MaskOf<V> sized) noexcept {
   constexpr double u = 0x1p-53;
   const V tiny(quick_tiny), bound(16 * u);
-  const V vv = v.vx * v.vx + v.vy * v.vy, speed = abs(v.vx) + abs(v.vy), far = abs(dx) + abs(dy);
-  const V sum = f.hx + f.hy, whole = sum * f.axis + far;
-  const auto usable = all_hold(is_quick(v, vv), sized, sum + far <= V(most_usable));
+  const V vv = v.vx * v.vx + v.vy * v.vy, speed = abs(v.vx) + abs(v.vy), distance = abs(dx) + abs(dy);
+  const V sum = f.hx + f.hy, whole = sum * f.axis + distance;
+  const auto usable = all_hold(is_quick(v, vv), sized, sum + distance <= V(most_usable));
   const V along_x = abs(f.c), along_y = abs(f.k), turning = bound * (f.axis * speed);
   const V w = v.vx * dy - v.vy * dx, inside = (f.hx * along_y + f.hy * along_x) - abs(w);
   const V line_error = bound * (speed * whole) + tiny, error = bound * (f.axis * whole) + tiny;

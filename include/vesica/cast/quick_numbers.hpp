@@ -67,17 +67,17 @@ VESICA_INLINE auto plain_factor(V x, V y) noexcept {
 /// All numbers of a pair that are multiplied are 0 or moderate, and a length is.
 template <class V>
 VESICA_INLINE MaskOf<V> is_plain(const arithmetic::Vector<V>& d, const OffsetOf<V>& v) noexcept {
-  const V far = abs(d.x.high) + abs(d.y.high);
+  const V distance = abs(d.x.high) + abs(d.y.high);
   return both(both(both(is_plain(d.x.high), is_plain(d.y.high)), both(is_plain(v.x), is_plain(v.y))),
-              both(far >= V(0x1p-40), far <= V(0x1p40)));
+              both(distance >= V(0x1p-40), distance <= V(0x1p40)));
 }
 /// The same of scalars, by four numbers that are foreseen to be plain. By bits, for 0 comes out as the greatest.
 VESICA_INLINE bool is_plain(const Vector& d, const Motion& v) noexcept {
   const auto size = [](double x) { return (std::bit_cast<std::uint64_t>(x) << 1) - 1; };
   const auto lesser = [](std::uint64_t x, std::uint64_t y) { return x < y ? x : y; };
-  const double far = abs(d.x.high) + abs(d.y.high), speed = abs(v.vx) + abs(v.vy);
+  const double distance = abs(d.x.high) + abs(d.y.high), speed = abs(v.vx) + abs(v.vy);
   const std::uint64_t least = lesser(lesser(size(d.x.high), size(d.y.high)), lesser(size(v.vx), size(v.vy)));
-  return far >= 0x1p-40 && far <= 0x1p40 && speed <= most_moderate && least >= size(least_moderate);
+  return distance >= 0x1p-40 && distance <= 0x1p40 && speed <= most_moderate && least >= size(least_moderate);
 }
 VESICA_INLINE Offset velocity(const Motion& v) noexcept { return {v.vx, v.vy}; }
 template <class V>

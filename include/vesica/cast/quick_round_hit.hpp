@@ -317,7 +317,7 @@ VESICA_INLINE Quick quick_hit(const Ellipse<double>& ellipse, const Point<double
   const Twofold<double> squared = square(Products::factor(way.y)) + square(Products::factor(way.x));
   const Twofold<double> r = fa * Products::factor(fb * Products::factor(dot(u, u)));
   const double w = v.vx * dy - v.vy * dx, axis = (a + b) * (abs(e.ux) + abs(e.uy)), speed = abs(v.vx) + abs(v.vy);
-  const double across = axis * speed, far = abs(dx) + abs(dy), width = speed * far, al = squared.high;
+  const double across = axis * speed, distance = abs(dx) + abs(dy), width = speed * distance, al = squared.high;
   const OneRound asked{squared,
                        arithmetic::renormalised(cross(fv, to)),
                        al - w * w,
@@ -326,7 +326,7 @@ VESICA_INLINE Quick quick_hit(const Ellipse<double>& ellipse, const Point<double
                        a * b * (e.ux * e.ux + e.uy * e.uy) * vv};
   const double q = p.x.high * way.x.high + p.y.high * way.y.high;
   const RoundSearch found = search_of<Products>(asked, q, al, r.high);
-  const double sizes = r.high + axis * far + across * found.first;
+  const double sizes = r.high + axis * distance + across * found.first;
   QuickTime time = stepped_once<Products>(p, Products::factor(way.x), Products::factor(way.y), Products::factor(r),
                                           {way.x.high, way.y.high}, found, al, 0x1p-96 * r.high * sizes);
   time.gx *= b;

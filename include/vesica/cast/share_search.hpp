@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Where a function of l > 0 is 0, of which little is known but its sign and how far Newton's method would go.
+/// Finds the positive zero of a function over all magnitudes, from its sign and the step of Newton's method alone: first
+/// the exponent of the zero, then the zero.
 #pragma once
 
 #include <vesica/arithmetic/wide.hpp>
@@ -11,7 +12,7 @@ using arithmetic::Wide;
 /// A search over all magnitudes, for steps too long to be taken.
 class ShareSearch {
  public:
-  static constexpr int far = 1 << 20;  ///< beyond the exponents of l
+  static constexpr int limit = 1 << 20;  ///< beyond the exponents of l
 
   /// The l to look at after this one, from which such a step leads; 0 where none is left. The exponent is looked for
   /// first, farther each time and then between; or where two steps of one sign say that they become as long as l. Once
@@ -22,7 +23,7 @@ class ShareSearch {
     const End earlier = end;
     end = {l, step.exponent - l.exponent, true};
     const bool is_between = low_.is_known && high_.is_known;
-    const int low = low_.is_known ? low_.l.exponent : -far, high = high_.is_known ? high_.l.exponent : far;
+    const int low = low_.is_known ? low_.l.exponent : -limit, high = high_.is_known ? high_.l.exponent : limit;
     if (is_between && high - low <= 2) {
       const Wide there = l + step;
       return low_.l < there && there < high_.l ? there : Wide(0.5, 0) * (low_.l + high_.l);
@@ -33,7 +34,7 @@ class ShareSearch {
     const int told = is_near ? l.exponent + sign : is_third ? l.exponent : equal_exponent(earlier, end);
     if (low < told && told < high) return {1, told};
     if (is_between) return {1, (low + high) / 2};
-    if (way_ > far / 64) return {};
+    if (way_ > limit / 64) return {};
     const Wide there{1, l.exponent + sign * way_};
     way_ *= 4;
     return there;
@@ -52,7 +53,7 @@ class ShareSearch {
     const int way = end.l.exponent - earlier.l.exponent, fall = earlier.excess - end.excess;
     if (!earlier.is_known || fall == 0) return end.l.exponent;
     const double further = static_cast<double>(end.excess) / fall * way;
-    return further > -far && further < far ? end.l.exponent + static_cast<int>(further) : end.l.exponent;
+    return further > -limit && further < limit ? end.l.exponent + static_cast<int>(further) : end.l.exponent;
   }
 
   End low_, high_;

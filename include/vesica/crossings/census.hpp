@@ -171,8 +171,8 @@ class RoughCensus {
     form_again();
     const Rough careful = exact::detail::discriminant<Rough>(p_);
     if (careful.sign_is_known()) return careful;
-    const exact::SmallParts<Rough> small{delta_less(), delta_more(), determinant(), al_less_be(), {}};
-    return exact::detail::discriminant_by_offset<Rough>(p_, small);
+    const exact::SmallParts<Rough> parts{delta_less(), delta_more(), determinant(), al_less_be(), {}};
+    return exact::detail::discriminant_by_offset<Rough>(p_, parts);
   }
   /// As exact::detail::first_in_second, where its signs are known and not 0.
   bool first_in_second() noexcept {

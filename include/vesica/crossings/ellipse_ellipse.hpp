@@ -269,8 +269,8 @@ class StoredOutline {
     using arithmetic::exponent_of, arithmetic::scale;
     const int axis = exponent_of(std::fmax(std::fabs(s.ux), std::fabs(s.uy)));
     const int size = axis + exponent_of(std::fmax(s.a, s.b));
-    const double far = std::fmax(std::fabs(s.cx), std::fabs(s.cy));
-    const int top = far > 0 ? std::max(size, exponent_of(far)) : size;
+    const double coordinate = std::fmax(std::fabs(s.cx), std::fabs(s.cy));
+    const int top = coordinate > 0 ? std::max(size, exponent_of(coordinate)) : size;
     lift_ = top > 1000 ? 1000 - top : top < -900 ? 64 : 0;
     cx_ = scale(s.cx, lift_);
     cy_ = scale(s.cy, lift_);

@@ -80,10 +80,10 @@ struct Found {
   }
   /// Whether a place may be the one where the second outline begins: all are known to far less than this.
   bool is_near_start_of_b() const noexcept {
-    const Real near(0x1p-30);
+    const Real margin(0x1p-30);
     for (int i = 0; i < count; ++i) {
       const Real at = place[i].along_b, off = rounded(at) > 2 ? Real(4.0) - at : at;
-      if (off < near) return true;
+      if (off < margin) return true;
     }
     return false;
   }

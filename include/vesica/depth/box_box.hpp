@@ -54,18 +54,18 @@ VESICA_INLINE BoxDepth<V> depth_along(const Face<V>& face, const Reach<V>& best,
 template <class V>
 VESICA_INLINE BoxDepth<V> box_box_depth(const BoxPair<V>& given) noexcept {
   using namespace lane;
-  const V one(1.0), zero(0.0), far(0x1p1000);
+  const V one(1.0), zero(0.0), huge(0x1p1000);
   const auto exchange = out_of_order(given);
   const Axes<V> a = choose(exchange, given.second, given.first), b = choose(exchange, given.first, given.second);
   const V cosine = a.ux * b.ux + a.uy * b.uy, sine = a.ux * b.uy - a.uy * b.ux;
   const auto parallel = either(cosine == zero, sine == zero);
   const Face<V> faces[4] = {along_face(a), across_face(a), along_face(b), across_face(b)};
   Face<V> face = faces[0];
-  V least = rough_reach(face, b, given.d, one), next = far;
+  V least = rough_reach(face, b, given.d, one), next = huge;
   auto of_b = zero > zero;
   for (int i = 1; i < 4; ++i) {
     const V rough = rough_reach(faces[i], i < 2 ? b : a, given.d, one);
-    const V depth = i < 2 ? rough : select(parallel, far, rough);
+    const V depth = i < 2 ? rough : select(parallel, huge, rough);
     const auto less = depth < least;
     face = choose(less, faces[i], face);
     next = select(less, least, min(next, depth));

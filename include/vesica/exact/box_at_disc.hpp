@@ -73,17 +73,17 @@ class BoxAtDisc {
     return compare_product_with_square(radius_ - greater, radius_ + greater, x_is_greater ? p.y : p.x);
   }
 
-  /// Of the edge from one corner to another, in the direction `way` times `sign`. Its line is r near / |way| from the
+  /// Of the edge from one corner to another, in the direction `way` times `sign`. Its line is r beyond / |way| from the
   /// origin.
   constexpr int edge_gap(const Corner& from, const Corner& to, const Place<3>& way, int sign,
-                         const Number<3>& near) const noexcept {
+                         const Number<3>& beyond) const noexcept {
     const auto room_beside = [](const auto& x, const auto& y, const auto& distance) {
       return square(x) + square(y) - square(distance);
     };
     const auto going_on = [](const auto& x, const auto& y, const auto& way_x, const auto& way_y) {
       return x * way_x + y * way_y;
     };
-    const int beside = sign_of(room_beside, way.x, way.y, near);
+    const int beside = sign_of(room_beside, way.x, way.y, beyond);
     if (beside < 0) return 1;
     if (sign * sign_of(going_on, from.x, from.y, way.x, way.y) >= 0) return -room(from);
     if (sign * sign_of(going_on, to.x, to.y, way.x, way.y) <= 0) return -room(to);

@@ -3,6 +3,7 @@
 /// that all digits take. If they do not, all digits are used.
 #pragma once
 
+#include <cstddef>
 #include <initializer_list>
 #include <vesica/exact/columns.hpp>
 #include <vesica/exact/number.hpp>
@@ -52,7 +53,7 @@ template <int count>
 struct Leading : LeadingLimbs<Leading<count>> {
   static constexpr int limbs = count;
 
-  Limb limb[limbs] = {};  ///< the last one not zero, unless the sign is 0
+  Limb limb[std::size_t{limbs}] = {};  ///< the last one not zero, unless the sign is 0
 
   constexpr Leading() noexcept = default;
   template <int Degree>
@@ -94,7 +95,7 @@ constexpr Leading<limbs> product(const Leading<limbs>& a, const Leading<limbs>& 
   Leading<limbs> product;
   if (a.sign != 0 && b.sign != 0) {
     constexpr int first = product.first_formed;
-    Limb limb[2 * limbs];
+    Limb limb[std::size_t{2 * limbs}];
     if (&a == &b) {
       multiply_by_itself(a.limb, limbs, limb, first);
     } else {
@@ -124,7 +125,7 @@ constexpr Leading<limbs> times(int factor, const Leading<limbs>& a) noexcept {
   Leading<limbs> product;
   const Limb size = static_cast<Limb>(factor);
   if (a.sign != 0) {
-    Limb limb[limbs + 1];
+    Limb limb[std::size_t{limbs + 1}];
     detail::multiply(&size, 1, a.limb, limbs, limb);
     product.set(a.sign, {limb, a.low, limbs + 1});
   }
@@ -150,7 +151,7 @@ constexpr Leading<limbs> operator+(const Leading<limbs>& a, const Leading<limbs>
   Leading<limbs> sum;
   // One limb more than the longer of them; what is cut off below is the same for both, so that no order changes.
   constexpr int n = limbs + 2;
-  Limb limb[n];
+  Limb limb[std::size_t{n}];
   if (a.sign == 0 || b.sign == 0) {
     sum = a.sign == 0 ? b : a;
     sum.error = Leading<limbs>::nothing;

@@ -46,12 +46,12 @@ constexpr Real discriminant(const Cubic& p) noexcept {
 /// A third of it, in powers of al and be: with both 0 it is delta g^2. So nothing cancels where the ellipses' centres
 /// are close to each other, as seen from an ellipse that is large or thin.
 template <class Real, class Cubic, class Small>
-constexpr Real discriminant_by_offset(const Cubic& p, const Small& small) noexcept {
-  const Real d1(p.d1), d2(p.d2), mu(p.mu), al(p.al), be(p.be), g(small.g);
-  const Real delta = Real(small.delta_less) * Real(small.delta_more);
+constexpr Real discriminant_by_offset(const Cubic& p, const Small& parts) noexcept {
+  const Real d1(p.d1), d2(p.d2), mu(p.mu), al(p.al), be(p.be), g(parts.g);
+  const Real delta = Real(parts.delta_less) * Real(parts.delta_more);
   const Real al_al = square(al), be_be = square(be), al_be = al * be, d1_d2 = d1 * d2;
   const Real linear = g * (al * d2 * (times(2, d1) - mu) + be * d1 * (times(2, d2) - mu)) +
-                      delta * (times(2, be * g) + Real(small.al_less_be) * (times(3, d2) - d1 - mu));
+                      delta * (times(2, be * g) + Real(parts.al_less_be) * (times(3, d2) - d1 - mu));
   const Real rest = square(mu) - times(12, d1_d2);
   const Real quadratic = al_al * (d2 * (d2 - times(10, mu)) + rest) + be_be * (d1 * (d1 - times(10, mu)) + rest) +
                          al_be * (times(22, d1_d2) + times(4, mu) * (d1 + d2 + mu));
@@ -78,12 +78,12 @@ constexpr Real rise(const Cubic& p, const Real& delta, const Real& g, const Real
 }
 
 template <class Real, class Small>
-constexpr bool first_in_second(const ContactCubic& p, const Small& small, Signs& signs) noexcept {
+constexpr bool first_in_second(const ContactCubic& p, const Small& parts, Signs& signs) noexcept {
   const Real slope = times(2, Real(p.c2)) - times(3, Real(p.mu));
   if (signs.of(slope) <= 0) return false;
-  const Real delta = Real(small.delta_less) * Real(small.delta_more);
+  const Real delta = Real(parts.delta_less) * Real(parts.delta_more);
   if (signs.of(delta) == 0 || signs.of(square(slope) - times(9, delta)) > 0) return true;
-  const int rising = signs.of(rise(p, delta, Real(small.g), Real(small.al_less_2be)));
+  const int rising = signs.of(rise(p, delta, Real(parts.g), Real(parts.al_less_2be)));
   if (rising == 0) signs.certain = false;  // a tie
   return rising > 0;
 }
@@ -113,9 +113,9 @@ constexpr int discriminant_sign(const ContactCubic& p, Signs& signs) noexcept {
   const int dense = detail::dense_limbs(p);
   signs.certain = dense > 3 * some_limbs;
   if (!signs.certain) return 0;
-  const auto small = exact_small_parts(p);
-  if (small.delta_less.sign == 0) return detail::sign_of_discriminant_of_proportional(p);
-  const Few by_offset = detail::discriminant_by_offset<Few>(p, small);
+  const auto parts = exact_small_parts(p);
+  if (parts.delta_less.sign == 0) return detail::sign_of_discriminant_of_proportional(p);
+  const Few by_offset = detail::discriminant_by_offset<Few>(p, parts);
   if (by_offset.sign_is_certain()) return by_offset.sign;
   return signs.of(detail::discriminant(p, detail::telling_limbs(dense)));
 }
@@ -131,9 +131,9 @@ constexpr bool first_in_second(const ContactCubic& p, Signs& signs) noexcept {
   bool by_few = false;
   if (few_digits_tell_first_in_second(by_few, p)) return by_few;
   Signs of_small;
-  const auto small = exact_small_parts(p);
-  const bool by_small = detail::first_in_second<Leading<few_limbs>>(p, small, of_small);
-  return of_small.certain ? by_small : detail::first_in_second<DigitsOf<more_limbs>>(p, small, signs);
+  const auto parts = exact_small_parts(p);
+  const bool by_small = detail::first_in_second<Leading<few_limbs>>(p, parts, of_small);
+  return of_small.certain ? by_small : detail::first_in_second<DigitsOf<more_limbs>>(p, parts, signs);
 }
 
 }  // namespace vesica::exact

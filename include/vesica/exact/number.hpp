@@ -6,6 +6,7 @@
 
 #include <bit>
 #include <cassert>
+#include <cstddef>
 #include <cstdint>
 #include <vesica/exact/limbs.hpp>
 #include <vesica/exact/sparse.hpp>
@@ -25,7 +26,7 @@ struct Number {
   std::int32_t sign;  // -1, 0 or 1
   std::int32_t low;
   std::int32_t size;
-  Limb limb[capacity];  // [0, size) hold the value; neither end is zero
+  Limb limb[std::size_t{capacity}];  // [0, size) hold the value; neither end is zero
 
   constexpr Number() noexcept : sign(0), low(0), size(0) {}
   constexpr Number(const Number& other) noexcept { *this = other; }

@@ -18,6 +18,7 @@
 ///   - Sizes times products without their last limb are together below 2^63 2^62, and sizes times last limbs 2^127.
 #pragma once
 
+#include <cstddef>
 #include <vesica/filter/box.hpp>
 #include <vesica/filter/comparison.hpp>
 #include <vesica/filter/residues.hpp>
@@ -55,7 +56,7 @@ struct BoxUnits {
   static constexpr int most_shift = 48;
 
   /// Sizes may be small, or 0, beside coordinates: then their unit is coarser than they themselves would have it.
-  template <int m, int n>
+  template <std::size_t m, std::size_t n>
   VESICA_INLINE constexpr BoxUnits(const Numbers<m>& of_places, const Numbers<n>& of_axes,
                                    const Numbers<n>& of_sizes) noexcept
       : places(of_places), axes(of_axes), sizes(of_sizes) {
@@ -94,7 +95,7 @@ struct Reach {
 };
 
 /// Along an axis: how far centres are apart, over 2^64, and how far half sides reach.
-template <int count>
+template <std::size_t count>
 struct OnAxis {
   Residue128 between;
   Reach reach[count];

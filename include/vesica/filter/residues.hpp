@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Stored numbers as integers, for polynomials of degree 2. Of a like magnitude they have 63 bits, and products 128. Of
-/// others the products' last 128 bits are kept: a polynomial that has nearly vanished has few digits, however long the
-/// numbers are. Floating point has its leading digits, which tell how small it is, and its residue modulo 2^128 has the
-/// rest.
+/// Stored numbers as integers, for polynomials of degree 2. Numbers of like magnitude have 63 bits, and their products
+/// fit 128. Of other products only the last 128 bits are kept. A polynomial that has nearly vanished has few digits,
+/// however long its numbers are: floating point shows that it is small, and its residue modulo 2^128 then tells it.
 #pragma once
 
 #include <bit>
@@ -218,7 +217,7 @@ class UnitOf64 : public Unit<digits> {
 /// Differences have 64 bits too.
 using NearUnit = UnitOf64<62>;
 
-template <int n>
+template <std::size_t n>
 struct Numbers {
   double x[n];
 };
@@ -229,24 +228,24 @@ Numbers(X...) -> Numbers<sizeof...(X)>;
 template <int digits>
 class UnitOfAll : public Unit<digits> {
  public:
-  template <int n>
+  template <std::size_t n>
   VESICA_INLINE constexpr explicit UnitOfAll(const Numbers<n>& stored) noexcept
       : UnitOfAll(stored, std::make_index_sequence<n>()) {}
 
   /// Of a multiple of G that counted.
   VESICA_INLINE constexpr Integer64 number(double x) const noexcept { return {this->take(x, 0)}; }
   /// Whether all these are multiples of G. A number of at least 2^52 G is, as it has 53 digits.
-  template <int n>
+  template <std::size_t n>
   VESICA_INLINE constexpr bool divides(const Numbers<n>& stored) const noexcept {
     return divides(stored, std::make_index_sequence<n>());
   }
 
  private:
-  template <int n, std::size_t... i>
+  template <std::size_t n, std::size_t... i>
   VESICA_INLINE constexpr UnitOfAll(const Numbers<n>& stored, std::index_sequence<i...>) noexcept
       : Unit<digits>(stored.x[i]...) {}
 
-  template <int n, std::size_t... i>
+  template <std::size_t n, std::size_t... i>
   VESICA_INLINE constexpr bool divides(const Numbers<n>& stored, std::index_sequence<i...>) const noexcept {
     double least = std::numeric_limits<double>::max(), lost = 0;
     ((least = lane::min(lane::abs(stored.x[i]), least)), ...);

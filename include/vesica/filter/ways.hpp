@@ -3,6 +3,9 @@
 /// their exponents are far apart. For what the filters leave open, one pair at a time.
 #pragma once
 
+#include <bit>
+#include <cstdint>
+#include <type_traits>
 #include <vesica/filter/residues.hpp>
 
 namespace vesica::filter {
@@ -51,12 +54,12 @@ struct Quadratic {
 template <class Number>
 VESICA_INLINE constexpr Quadratic<Number> cross(const Way<Number>& a, const Way<Number>& b) noexcept {
   const double left = a.x * b.y, right = a.y * b.x;
-  return {left - right, abs(left) + abs(right), a.in_units_x * b.in_units_y - a.in_units_y * b.in_units_x};
+  return {left - right, lane::abs(left) + lane::abs(right), a.in_units_x * b.in_units_y - a.in_units_y * b.in_units_x};
 }
 template <class Number>
 VESICA_INLINE constexpr Quadratic<Number> dot(const Way<Number>& a, const Way<Number>& b) noexcept {
   const double left = a.x * b.x, right = a.y * b.y;
-  return {left + right, abs(left) + abs(right), a.in_units_x * b.in_units_x + a.in_units_y * b.in_units_y};
+  return {left + right, lane::abs(left) + lane::abs(right), a.in_units_x * b.in_units_x + a.in_units_y * b.in_units_y};
 }
 template <class Number>
 VESICA_INLINE constexpr Quadratic<Number> square(const Span<Number>& s) noexcept {
@@ -90,7 +93,7 @@ template <class Number>
 VESICA_INLINE constexpr std::int64_t sign(const Quadratic<Number>& d) noexcept {
   if constexpr (std::is_same_v<Number, Integer64>) return d.in_units.sign();
   const double residue = std::bit_cast<double>(d.in_units.sign());
-  return std::bit_cast<std::int64_t>(select(abs(d.value) > 0x1p-50 * d.magnitude, d.value, residue));
+  return std::bit_cast<std::int64_t>(lane::select(lane::abs(d.value) > 0x1p-50 * d.magnitude, d.value, residue));
 }
 
 }  // namespace vesica::filter

@@ -90,12 +90,12 @@ VESICA_INLINE constexpr auto box_box_within(const Box<V>& a, const Box<V>& b, co
   const Reached<V> in_a(reach, axes.uu), in_b(reach, axes.ww);
   const auto meet = both(certainly_negative(axes.gap_a), certainly_negative(axes.gap_b));
   const auto apart = either(certainly_positive(axes.gap_a), certainly_positive(axes.gap_b));
-  const auto near = either(of_b.high < in_a.low, of_a.high < in_b.low);
-  const auto far = both(of_b.low > in_a.high, of_a.low > in_b.high);
+  const auto close = either(of_b.high < in_a.low, of_a.high < in_b.low);
+  const auto distant = both(of_b.low > in_a.high, of_a.low > in_b.high);
   const auto usable =
       both(both(within_usable(axes.uu, of_b.high, in_a.high), within_usable(axes.ww, of_a.high, in_b.high)),
            at_least(V(0.0f), a.hx, a.hy, b.hx, b.hy, reach));
-  return guarded(usable, either(meet, near), both(apart, far));
+  return guarded(usable, either(meet, close), both(apart, distant));
 }
 
 }  // namespace vesica::filter

@@ -6,6 +6,7 @@
 /// without rounding changes nothing.
 #pragma once
 
+#include <cstddef>
 #include <vesica/arithmetic/error_free.hpp>
 #include <vesica/arithmetic/scaled.hpp>
 #include <vesica/form/form.hpp>
@@ -41,7 +42,7 @@ inline int axis_exponent(double ux, double uy) noexcept {
 }
 
 /// The greatest of the exponents of a pair's lengths; 0 where all lengths are 0.
-template <int count>
+template <std::size_t count>
 int common_exponent(const int (&exponents)[count]) noexcept {
   int unit = no_exponent;
   for (const int e : exponents) unit = e > unit ? e : unit;

@@ -73,7 +73,7 @@ inline Reached march(const Scene& s, const Heading& h, Reached at, double enough
   return at;
 }
 
-enum class Outcome { missed, near };
+enum class Outcome { missed, close };
 
 /// The time up to which there is no contact, a direction that separates the shapes then, and the distance as the
 /// library tells it, where it was asked.
@@ -134,8 +134,9 @@ Direction best_direction(const Scene& s, const Pose& at, const Heading& before, 
 /// From w.from, where `best` is the direction that separates best.
 template <class Ask>
 Advanced advance(const Scene& s, const Window& w, Direction best, double tolerance, const Ask& ask) noexcept {
-  // Faces may tell 0.7 of the distance.
-  const double enough = (s.has_boxes() ? 0.6 : 0.9) * tolerance;
+  // Faces may tell 0.7 of the distance. The gap that is told in the end has errors on top.
+  const double share = (s.has_boxes() ? 0.6 : 0.9) * tolerance;
+  const double enough = lane::max(lane::min(share, tolerance - 5 * s.error), 0.25 * share);
   double t = w.from;
   int poses = 0;
   for (int i = 0; i < most_directions && poses < most_poses && best.by.least > enough; ++i) {
@@ -145,7 +146,7 @@ Advanced advance(const Scene& s, const Window& w, Direction best, double toleran
     t = reached.t;
     best = best_direction(s, pose(s, t), best.heading, ask);
   }
-  return {Outcome::near, t, best};
+  return {Outcome::close, t, best};
 }
 
 /// The distance of the shapes at t; of such as overlap less than 0, about their depth. Of boxes by the best face.

@@ -22,8 +22,8 @@ namespace detail {
 /// A segment seen from a circle's centre, of whose ends the first one is the nearer.
 template <class T>
 struct SegmentAndCircle {
-  Vector<T> near, far;
-  Vector<T> along;  ///< far - near, from the stored numbers
+  Vector<T> nearer, farther;
+  Vector<T> along;  ///< farther - nearer, from the stored numbers
   T r;
 };
 
@@ -34,7 +34,7 @@ VESICA_INLINE T largest(const Vector<T>& p) noexcept {
 
 template <class T>
 VESICA_INLINE T largest_length(const SegmentAndCircle<T>& s) noexcept {
-  return larger(larger(largest(s.near), largest(s.far)), larger(largest(s.along), s.r));
+  return larger(larger(largest(s.nearer), largest(s.farther)), larger(largest(s.along), s.r));
 }
 
 /// Any magnitudes, and the nearer end first; the largest length comes to lie in [1/2, 1).
@@ -62,7 +62,7 @@ VESICA_INLINE SegmentAndCircle<T> segment_and_circle(const Segment<T>& s, const 
   const T length = largest_length(p);
   const bool moderate = length >= Traits::power(-10 * Traits::range) && length <= Traits::power(10 * Traits::range);
   if (!moderate) p = rescale<T>(widen(s), widen(c));
-  if (dot(p.far, p.far) < dot(p.near, p.near)) return {p.far, p.near, {-p.along.x, -p.along.y}, p.r};
+  if (dot(p.farther, p.farther) < dot(p.nearer, p.nearer)) return {p.farther, p.nearer, {-p.along.x, -p.along.y}, p.r};
   return p;
 }
 
@@ -75,12 +75,12 @@ std::int32_t division_free(const Segment<T>& segment, const Circle<T>& circle) n
   if (check(segment) != 0 || check(circle) != 0) return error_shape;
   const auto s = detail::segment_and_circle(segment, circle);
   constexpr T least = Traits::power(-40 * Traits::range);
-  const T near = detail::largest(s.near);
-  const T beside = detail::cross(s.along, s.near), reach = s.r * detail::largest(s.along);
-  const bool underflows = (near < least && s.r < least) || (beside != 0 && std::fabs(beside) < least && reach < least);
+  const T size = detail::largest(s.nearer);
+  const T beside = detail::cross(s.along, s.nearer), reach = s.r * detail::largest(s.along);
+  const bool underflows = (size < least && s.r < least) || (beside != 0 && std::fabs(beside) < least && reach < least);
   if (underflows) return overlap_or_error(segment, circle);
-  const T rr = s.r * s.r, square = detail::dot(s.along, s.along), foot = -detail::dot(s.along, s.near);
-  const bool end = detail::dot(s.near, s.near) <= rr;
+  const T rr = s.r * s.r, square = detail::dot(s.along, s.along), foot = -detail::dot(s.along, s.nearer);
+  const bool end = detail::dot(s.nearer, s.nearer) <= rr;
   const bool within = lane::both(foot > 0, foot < square);
   return lane::either(end, lane::both(within, beside * beside <= rr * square)) ? 1 : 0;
 }

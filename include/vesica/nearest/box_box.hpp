@@ -13,12 +13,6 @@
 
 namespace vesica::detail::nearest {
 
-/// Twofold signs without zeros in doubt: c = u.w and s = u x w, right to their last place.
-template <class V>
-struct RelativeAxes {
-  V c, s;
-};
-
 /// A vertex (signs i, j of its box's half extents) and how far, squared, it is from the other box.
 template <class V>
 struct VertexCandidate {

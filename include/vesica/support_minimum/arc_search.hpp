@@ -230,13 +230,13 @@ class ArcSearch {
     return between(a.n, n, b.n) ? n : half;
   }
   static double ratio(double x, double y) noexcept { return x > 0 && y > 0 ? lane::max(x, y) / lane::min(x, y) : 1; }
-  /// The direction in the quadrant of `near` whose squared height is the geometric mean of two others'.
+  /// The direction in the quadrant of `guide` whose squared height is the geometric mean of two others'.
   static PlaneVector mean_height(const CentredShape& s, const PlaneVector& a, const PlaneVector& b,
-                                 const PlaneVector& near) noexcept {
+                                 const PlaneVector& guide) noexcept {
     const double square = ellipse_support(s, a).height * ellipse_support(s, b).height;
     const double d = s.a * s.a - square, g = square - s.b * s.b;
-    const PlaneVector quadrant = into_frame(s.axis, near);
-    if (!(d * g > 0)) return near;
+    const PlaneVector quadrant = into_frame(s.axis, guide);
+    if (!(d * g > 0)) return guide;
     const double size = lane::max(lane::abs(d), lane::abs(g));
     const double x = lane::sqrt(lane::abs(g) / size), y = lane::sqrt(lane::abs(d) / size);
     return out_of_frame(s.axis, unit({lane::flip_sign(x, quadrant.x), lane::flip_sign(y, quadrant.y)}));

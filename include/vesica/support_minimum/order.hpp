@@ -3,14 +3,15 @@
 /// (a, b) and (b, a) do the same work and give the same bits.
 #pragma once
 
+#include <cstddef>
 #include <vesica/support_minimum/placed_pair.hpp>
 
 namespace vesica::detail::support_minimum {
 
 /// Compares two lists of numbers by the first that differ: -1 if x is less there, 1 if y is, 0 if none differ.
-template <int N>
+template <std::size_t N>
 int compare(const double (&x)[N], const double (&y)[N]) noexcept {
-  for (int i = 0; i < N; ++i) {
+  for (std::size_t i = 0; i < N; ++i) {
     if (x[i] != y[i]) return x[i] < y[i] ? -1 : 1;
   }
   return 0;

@@ -7,6 +7,7 @@
 /// means, which changes coefficients by positive factors only.
 #pragma once
 
+#include <cstddef>
 #include <vesica/support_minimum/from_nearest.hpp>
 
 namespace vesica::detail::support_minimum {
@@ -20,7 +21,7 @@ constexpr double binomial(int n, int k) noexcept {
 /// c[k] belongs to X^(degree - k) Y^k.
 template <int degree, class V>
 struct Polynomial {
-  V c[degree + 1];
+  V c[std::size_t{degree + 1}];
 };
 
 // Everything below is written out by templates: loops over coefficients would stay loops, and the coefficients in
@@ -128,10 +129,10 @@ VESICA_INLINE Polynomial<degree, V> bernstein(const Polynomial<degree, V>& p, do
 template <int Count>
 struct Cuts {
   static constexpr int count = Count;
-  double at[count];
-  double powers[count][7];
+  double at[std::size_t{count}];
+  double powers[std::size_t{count}][7];
 
-  consteval explicit Cuts(const double (&x)[count]) noexcept : at{}, powers{} {
+  consteval explicit Cuts(const double (&x)[std::size_t{count}]) noexcept : at{}, powers{} {
     for (int i = 0; i < count; ++i) {
       at[i] = x[i];
       const double length = i > 0 ? x[i] - x[i - 1] : x[0], before = i > 1 ? x[i - 1] - x[i - 2] : i == 1 ? x[0] : 1;

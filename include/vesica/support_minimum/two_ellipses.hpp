@@ -18,6 +18,7 @@
 /// The search over arcs (arc_search.hpp) then answers.
 #pragma once
 
+#include <cstddef>
 #include <vesica/support_minimum/positive_polynomial.hpp>
 
 namespace vesica::detail::support_minimum {
@@ -44,8 +45,8 @@ VESICA_INLINE Direction<V> middle(const NestedEllipses<V>& s, const Direction<V>
 /// Unit vectors with n.D >= 0, and F there.
 template <int count, class V>
 struct Samples {
-  Direction<V> n[count];
-  V value[count];
+  Direction<V> n[std::size_t{count}];
+  V value[std::size_t{count}];
 };
 
 /// Along the axes of an ellipse, and where its outline is half way between them: own and other tell how the two

@@ -105,11 +105,15 @@ public record Motion(double vx, double vy, double end) {
     Vesica.alike(a.wide, Shapes.isWide(vy));
     Object[] out = Vesica.columns(a, b, needed, t, x, y, nx, ny);
     for (Object column : out) {
-      if (column != null && (column == vx || column == vy)) {
-        throw new IllegalArgumentException("a column overlaps the velocities: results need memory of their own");
-      }
+      apart(column, needed, vx, given, a.wide);
+      apart(column, needed, vy, given, a.wide);
     }
     long stride = given == 1 ? 0 : a.wide ? Double.BYTES : Float.BYTES;
     return checked(Native.castMany(a.wide, a, b, vx, vy, stride, end, out[0], out[1], out[2], out[3], out[4]));
+  }
+
+  private static void apart(Object column, long needed, Object velocities, long given, boolean wide) {
+    if (column == null || !Shapes.shareMemory(column, needed, velocities, given, wide)) return;
+    throw new IllegalArgumentException("a column overlaps the velocities: results need memory of their own");
   }
 }

@@ -154,9 +154,9 @@ final class Native {
    *
    * <p>Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape,
    * even where the outlines nearly coincide. Places closer to one another than that may come in either order or be
-   * equal. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between
-   * their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is
-   * &lt;= x.
+   * equal. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest
+   * of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4
+   * u times the scale. An aspect ratio is longer over shorter size.
    *
    * <p>Cost: 1 to 10 us; at worst 90 us.
    *
@@ -178,9 +178,9 @@ final class Native {
    * <p>Accuracy: the distance is right to 4 u scale at any aspect ratio; the largest error seen was 1 u scale, and 3.3
    * u beside the ends of the thinnest ellipses. Its relative error is at most 2 u above 1e-10 scale (aspect ratios up
    * to 1e6) or 1e-14 scale (up to 1000). Closest points are right to 4 u scale, and a common point to 8 u scale, before
-   * they are rounded. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
-   * between their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the
-   * error is &lt;= x.
+   * they are rounded. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is
+   * the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error
+   * of at most 4 u times the scale. An aspect ratio is longer over shorter size.
    *
    * <p>Cost: 100 to 250 ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest ellipses; 50
    * ns if a shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or
@@ -205,9 +205,9 @@ final class Native {
    *
    * <p>Accuracy: at aspect ratios up to 1e6 the distance is right to 4 u scale, and the points are that far apart to 16
    * u scale. At any ratio it is above 0 unless outlines meet, and points are on them to 12 u scale before they are
-   * rounded. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between
-   * their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is
-   * &lt;= x.
+   * rounded. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest
+   * of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4
+   * u times the scale. An aspect ratio is longer over shorter size.
    *
    * <p>Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.5 to
    * 2 us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for near-ties; at worst 45 us.
@@ -232,9 +232,9 @@ final class Native {
    *
    * <p>Accuracy: at aspect ratios up to 1e6 the depth is right to 4 u scale; for circles and points, to its last place.
    * The length of (x, y) is 1 to 3 u. After the move at most 8 u scale of overlap is left. Whether the depth is 0 is
-   * exact. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between
-   * their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is
-   * &lt;= x.
+   * exact. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest
+   * of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4
+   * u times the scale. An aspect ratio is longer over shorter size.
    *
    * <p>Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to 5 us if
    * only exact arithmetic can tell the depth from 0; at worst 30 us.
@@ -272,9 +272,10 @@ final class Native {
    * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
    *
    * <p>Accuracy: right to 64 u times the smaller shape's area times the larger aspect ratio, at aspect ratios up to
-   * 10^4, even if the outlines nearly touch or coincide and whatever the sizes are. Bounds on computed numbers use u =
-   * 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An
-   * aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.
+   * 10^4, even if the outlines nearly touch or coincide and whatever the sizes are. In bounds on errors u is 2^-53,
+   * half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres
+   * and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is
+   * longer over shorter size.
    *
    * <p>Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if
    * outlines nearly touch or coincide, or if one shape is far larger; at worst 80 us.
@@ -487,6 +488,8 @@ final class Native {
    * <p>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
    * layout.
    *
+   * <p>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+   *
    * <p>Since: 0.1.
    */
   static native long relationManyF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
@@ -508,6 +511,8 @@ final class Native {
    * <p>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
    * layout.
    *
+   * <p>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+   *
    * <p>Since: 0.1.
    */
   static native long containsManyF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
@@ -528,6 +533,8 @@ final class Native {
    *
    * <p>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
    * layout.
+   *
+   * <p>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
    *
    * <p>Since: 0.1.
    */
@@ -551,6 +558,8 @@ final class Native {
    * <p>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
    * layout.
    *
+   * <p>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+   *
    * <p>Since: 0.1.
    */
   static native long boundaryDistanceManyF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
@@ -572,6 +581,8 @@ final class Native {
    * <p>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
    * layout.
    *
+   * <p>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+   *
    * <p>Since: 0.1.
    */
   static native long depthManyF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
@@ -592,6 +603,8 @@ final class Native {
    *
    * <p>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
    * layout.
+   *
+   * <p>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
    *
    * <p>Since: 0.1.
    */
@@ -617,6 +630,8 @@ final class Native {
    * <p>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
    * layout.
    *
+   * <p>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+   *
    * <p>Since: 0.1.
    */
   static native long iouManyF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount,
@@ -626,8 +641,7 @@ final class Native {
    * Do a[i] and b[j] share a point? Answers as of vesica_overlap_f64; much quicker if both arrays are in spatial order.
    *
    * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements
-   * of out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in
-   * memory.
+   * of out. With two or more rows its magnitude is at least b's count; if it is negative, rows run backwards in memory.
    *
    * <p>Returns: how many are 1.
    *
@@ -650,8 +664,7 @@ final class Native {
    * How does a[i] relate to b[j]? The elements of out are answers of vesica_relation_f64.
    *
    * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements
-   * of out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in
-   * memory.
+   * of out. With two or more rows its magnitude is at least b's count; if it is negative, rows run backwards in memory.
    *
    * <p>Returns: how many are not VESICA_DISJOINT.
    *
@@ -674,8 +687,7 @@ final class Native {
    * Does a[i] contain all of b[j]? The elements of out are answers of vesica_contains_f64.
    *
    * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements
-   * of out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in
-   * memory.
+   * of out. With two or more rows its magnitude is at least b's count; if it is negative, rows run backwards in memory.
    *
    * <p>Returns: how many are 1.
    *
@@ -698,8 +710,7 @@ final class Native {
    * What area do a[i] and b[j] share? The elements of out are results of vesica_area_f64.
    *
    * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements
-   * of out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in
-   * memory.
+   * of out. With two or more rows its magnitude is at least b's count; if it is negative, rows run backwards in memory.
    *
    * <p>Returns: how many are &gt; 0.
    *
@@ -724,8 +735,7 @@ final class Native {
    * <p>If neither of a pair has an area, it gets NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
    *
    * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements
-   * of out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in
-   * memory.
+   * of out. With two or more rows its magnitude is at least b's count; if it is negative, rows run backwards in memory.
    *
    * <p>Returns: how many are &gt; 0.
    *
@@ -747,7 +757,8 @@ final class Native {
   /**
    * Which of many shapes overlap one? Their indices are written to out[0], out[1] ..., in ascending order.
    *
-   * <p>Requires: one, an array of count 1; capacity, how many indices out has room for. It may be 0, and out then NULL.
+   * <p>Requires: one, an array of count 1, which is looked at unless many is empty; capacity, how many indices out has
+   * room for. It may be 0, and out then NULL.
    *
    * <p>Returns: how many there are, even if that exceeds the capacity. If room is left, the entry after the last is -1.
    *
@@ -756,6 +767,8 @@ final class Native {
    * 1, a negative capacity, and as vesica_overlap_many_f64).
    *
    * <p>Accuracy: every answer is that of vesica_overlap_f64.
+   *
+   * <p>Cost: that of vesica_overlap_many_f64.
    *
    * <p>Since: 0.1.
    */
@@ -879,9 +892,10 @@ final class Native {
    *
    * <p>Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape,
    * even where the outlines nearly coincide. Places closer to one another than that may come in either order or be
-   * equal. Each number is computed in double, within these bounds, and then rounded to float once. Bounds on computed
-   * numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their
-   * half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.
+   * equal. Each number is computed in double, within these bounds, and then rounded to float once. In bounds on errors
+   * u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between
+   * their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An
+   * aspect ratio is longer over shorter size.
    *
    * <p>Cost: 1 to 10 us; at worst 90 us.
    *
@@ -903,9 +917,10 @@ final class Native {
    * <p>Accuracy: the distance is right to 4 u scale at any aspect ratio; the largest error seen was 1 u scale, and 3.3
    * u beside the ends of the thinnest ellipses. Its relative error is at most 2 u above 1e-10 scale (aspect ratios up
    * to 1e6) or 1e-14 scale (up to 1000). Closest points are right to 4 u scale, and a common point to 8 u scale, before
-   * they are rounded. Each number is computed in double, within these bounds, and then rounded to float once. Bounds on
-   * computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and
-   * of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.
+   * they are rounded. Each number is computed in double, within these bounds, and then rounded to float once. In bounds
+   * on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy|
+   * between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the
+   * scale. An aspect ratio is longer over shorter size.
    *
    * <p>Cost: 100 to 250 ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest ellipses; 50
    * ns if a shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or
@@ -930,9 +945,10 @@ final class Native {
    *
    * <p>Accuracy: at aspect ratios up to 1e6 the distance is right to 4 u scale, and the points are that far apart to 16
    * u scale. At any ratio it is above 0 unless outlines meet, and points are on them to 12 u scale before they are
-   * rounded. Each number is computed in double, within these bounds, and then rounded to float once. Bounds on computed
-   * numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their
-   * half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.
+   * rounded. Each number is computed in double, within these bounds, and then rounded to float once. In bounds on
+   * errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy|
+   * between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the
+   * scale. An aspect ratio is longer over shorter size.
    *
    * <p>Cost: that of vesica_nearest_f32 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.5 to
    * 2 us if outlines meet, for thin shapes as vesica_crossings_f32; up to 5 us more for near-ties; at worst 45 us.
@@ -957,9 +973,10 @@ final class Native {
    *
    * <p>Accuracy: at aspect ratios up to 1e6 the depth is right to 4 u scale; for circles and points, to its last place.
    * The length of (x, y) is 1 to 3 u. After the move at most 8 u scale of overlap is left. Whether the depth is 0 is
-   * exact. Each number is computed in double, within these bounds, and then rounded to float once. Bounds on computed
-   * numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their
-   * half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.
+   * exact. Each number is computed in double, within these bounds, and then rounded to float once. In bounds on errors
+   * u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between
+   * their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An
+   * aspect ratio is longer over shorter size.
    *
    * <p>Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to 5 us if
    * only exact arithmetic can tell the depth from 0; at worst 30 us.
@@ -999,9 +1016,9 @@ final class Native {
    *
    * <p>Accuracy: right to 64 u times the smaller shape's area times the larger aspect ratio, at aspect ratios up to
    * 10^4, even if the outlines nearly touch or coincide and whatever the sizes are. Each number is computed in double,
-   * within these bounds, and then rounded to float once. Bounds on computed numbers use u = 2^-53. The scale of two
-   * shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is longer
-   * over shorter size. "Right to x": the error is &lt;= x.
+   * within these bounds, and then rounded to float once. In bounds on errors u is 2^-53, half a unit in the last place
+   * of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths;
+   * "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
    *
    * <p>Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if
    * outlines nearly touch or coincide, or if one shape is far larger; at worst 80 us.
@@ -1215,6 +1232,8 @@ final class Native {
    * <p>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
    * layout.
    *
+   * <p>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+   *
    * <p>Since: 0.1.
    */
   static native long relationManyF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
@@ -1236,6 +1255,8 @@ final class Native {
    * <p>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
    * layout.
    *
+   * <p>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+   *
    * <p>Since: 0.1.
    */
   static native long containsManyF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
@@ -1256,6 +1277,8 @@ final class Native {
    *
    * <p>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
    * layout.
+   *
+   * <p>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
    *
    * <p>Since: 0.1.
    */
@@ -1279,6 +1302,8 @@ final class Native {
    * <p>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
    * layout.
    *
+   * <p>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+   *
    * <p>Since: 0.1.
    */
   static native long boundaryDistanceManyF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
@@ -1300,6 +1325,8 @@ final class Native {
    * <p>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
    * layout.
    *
+   * <p>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+   *
    * <p>Since: 0.1.
    */
   static native long depthManyF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
@@ -1320,6 +1347,8 @@ final class Native {
    *
    * <p>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
    * layout.
+   *
+   * <p>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
    *
    * <p>Since: 0.1.
    */
@@ -1345,6 +1374,8 @@ final class Native {
    * <p>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
    * layout.
    *
+   * <p>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+   *
    * <p>Since: 0.1.
    */
   static native long iouManyF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount,
@@ -1354,8 +1385,7 @@ final class Native {
    * Do a[i] and b[j] share a point? Answers as of vesica_overlap_f32; much quicker if both arrays are in spatial order.
    *
    * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements
-   * of out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in
-   * memory.
+   * of out. With two or more rows its magnitude is at least b's count; if it is negative, rows run backwards in memory.
    *
    * <p>Returns: how many are 1.
    *
@@ -1378,8 +1408,7 @@ final class Native {
    * How does a[i] relate to b[j]? The elements of out are answers of vesica_relation_f32.
    *
    * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements
-   * of out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in
-   * memory.
+   * of out. With two or more rows its magnitude is at least b's count; if it is negative, rows run backwards in memory.
    *
    * <p>Returns: how many are not VESICA_DISJOINT.
    *
@@ -1402,8 +1431,7 @@ final class Native {
    * Does a[i] contain all of b[j]? The elements of out are answers of vesica_contains_f32.
    *
    * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements
-   * of out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in
-   * memory.
+   * of out. With two or more rows its magnitude is at least b's count; if it is negative, rows run backwards in memory.
    *
    * <p>Returns: how many are 1.
    *
@@ -1426,8 +1454,7 @@ final class Native {
    * What area do a[i] and b[j] share? The elements of out are results of vesica_area_f32.
    *
    * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements
-   * of out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in
-   * memory.
+   * of out. With two or more rows its magnitude is at least b's count; if it is negative, rows run backwards in memory.
    *
    * <p>Returns: how many are &gt; 0.
    *
@@ -1452,8 +1479,7 @@ final class Native {
    * <p>If neither of a pair has an area, it gets NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
    *
    * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements
-   * of out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in
-   * memory.
+   * of out. With two or more rows its magnitude is at least b's count; if it is negative, rows run backwards in memory.
    *
    * <p>Returns: how many are &gt; 0.
    *
@@ -1475,7 +1501,8 @@ final class Native {
   /**
    * Which of many shapes overlap one? Their indices are written to out[0], out[1] ..., in ascending order.
    *
-   * <p>Requires: one, an array of count 1; capacity, how many indices out has room for. It may be 0, and out then NULL.
+   * <p>Requires: one, an array of count 1, which is looked at unless many is empty; capacity, how many indices out has
+   * room for. It may be 0, and out then NULL.
    *
    * <p>Returns: how many there are, even if that exceeds the capacity. If room is left, the entry after the last is -1.
    *
@@ -1484,6 +1511,8 @@ final class Native {
    * 1, a negative capacity, and as vesica_overlap_many_f32).
    *
    * <p>Accuracy: every answer is that of vesica_overlap_f32.
+   *
+   * <p>Cost: that of vesica_overlap_many_f32.
    *
    * <p>Since: 0.1.
    */
@@ -1754,7 +1783,7 @@ final class Native {
   /**
    * How many bytes of scratch does building an index of `count` shapes need?
    *
-   * <p>Returns: about 18 bytes a shape, and a constant.
+   * <p>Returns: about 17 bytes a shape and 0.3 MiB.
    *
    * <p>Errors: VESICA_E_ARGUMENT (count is negative or above 2^31 - 1).
    *
@@ -1775,7 +1804,8 @@ final class Native {
    * Are these bytes an index that is safe to read?
    *
    * <p>Call it once for bytes that you did not just build: they may be cut off, damaged, something else, or from a
-   * machine of the other byte order.
+   * machine of the other byte order. What passes is safe to read; damage of single shapes' places may pass and change
+   * answers.
    *
    * <p>Requires: size, the number of readable bytes. The index may be shorter.
    *
@@ -1838,6 +1868,8 @@ final class Native {
    *
    * <p>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned, capacity &lt; 0), VESICA_E_INDEX.
    *
+   * <p>Cost: a few ns an item.
+   *
    * <p>Since: 0.1.
    */
   static native long indexOrder(Object index, Object out, long capacity);
@@ -1877,6 +1909,8 @@ final class Native {
    * call).
    *
    * <p>Accuracy: exact, if there are sets.
+   *
+   * <p>Cost: about 2 us, and up to 50 ns a shape that is found.
    *
    * <p>Since: 0.1.
    */
@@ -1955,6 +1989,9 @@ final class Native {
    *
    * <p>Accuracy: distances are those of vesica_nearest_f64, bit for bit.
    *
+   * <p>Cost: 3 to 5 us for 10 of a million AABBs near a point; mostly that of vesica_nearest_f64 for some 10 more than
+   * k.
+   *
    * <p>Since: 0.1.
    */
   static native long indexNearestF64(Object index, int[] setsKinds, long[] setsCounts, long[] setsStrides,
@@ -1979,6 +2016,8 @@ final class Native {
    * call).
    *
    * <p>Accuracy: distances are those of vesica_nearest_f64, bit for bit.
+   *
+   * <p>Cost: that of vesica_index_nearest_f64 for each item.
    *
    * <p>Since: 0.1.
    */
@@ -2021,6 +2060,8 @@ final class Native {
    * call).
    *
    * <p>Accuracy: exact, if there are sets.
+   *
+   * <p>Cost: about 2 us, and up to 50 ns a shape that is found.
    *
    * <p>Since: 0.1.
    */
@@ -2099,6 +2140,9 @@ final class Native {
    *
    * <p>Accuracy: distances are those of vesica_nearest_f32, bit for bit.
    *
+   * <p>Cost: 3 to 5 us for 10 of a million AABBs near a point; mostly that of vesica_nearest_f32 for some 10 more than
+   * k.
+   *
    * <p>Since: 0.1.
    */
   static native long indexNearestF32(Object index, int[] setsKinds, long[] setsCounts, long[] setsStrides,
@@ -2124,6 +2168,8 @@ final class Native {
    *
    * <p>Accuracy: distances are those of vesica_nearest_f32, bit for bit.
    *
+   * <p>Cost: that of vesica_index_nearest_f32 for each item.
+   *
    * <p>Since: 0.1.
    */
   static native long joinNearestF32(int[] setsAKinds, long[] setsACounts, long[] setsAStrides, long[] setsASteps,
@@ -2131,7 +2177,7 @@ final class Native {
       Object[] setsBBases, long k, float within, long part, long parts, Object out, Object distance);
 
   /**
-   * What share of a's area does b cover? This and the other ratios by which detections are compared.
+   * A ratio by which detections are compared: IoU and its relatives, as `ratio` says.
    *
    * <p>The first four ratios are from 0 to 1. Shared area over one shape's is 0 if no area is shared, and 1 if the
    * other shape contains it. The last three are at most the IoU, and at least -1 (CIoU: -2). The angle of a shape in
@@ -2146,9 +2192,9 @@ final class Native {
    * divide by is 0; or, for GIoU, DIoU and CIoU, neither shape has an area).
    *
    * <p>Accuracy: computed from the result of vesica_area_f64 or vesica_iou_f64 with at most 8 u of further error, for
-   * half lengths from 2^-200 to 2^200. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest
-   * of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is longer over shorter size.
-   * "Right to x": the error is &lt;= x.
+   * half lengths from 2^-200 to 2^200. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of
+   * two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
+   * means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
    *
    * <p>Cost: that of vesica_area_f64 or vesica_iou_f64, and 100 to 150 ns more; in arrays 40 to 100 ns more.
    *
@@ -2168,6 +2214,8 @@ final class Native {
    *
    * <p>Accuracy: every result has the same bits as vesica_ratio_f64, on every instruction set and in every layout.
    *
+   * <p>Cost: that of vesica_iou_many_f64, and 40 to 100 ns a pair.
+   *
    * <p>Since: 0.1.
    */
   static native long ratioManyF64(int ratio, int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
@@ -2184,6 +2232,8 @@ final class Native {
    * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT.
    *
    * <p>Accuracy: every result has the same bits as vesica_ratio_f64, on every instruction set and in every layout.
+   *
+   * <p>Cost: that of vesica_iou_many_f64, and 40 to 100 ns a pair.
    *
    * <p>Since: 0.1.
    */
@@ -2290,8 +2340,8 @@ final class Native {
   /**
    * Are two shapes at most `distance` apart? A distance of exactly that counts, as touching does.
    *
-   * <p>With distance 0 the answer is that of vesica_overlap_f64, exact for all kinds. If no pair may be missed, test
-   * for &gt; 0; if no answer may be wrong, for VESICA_WITHIN_YES. Exchanging the shapes changes nothing.
+   * <p>With distance 0 the answer is that of vesica_overlap_f64, exact for all kinds. Test for &gt; 0 to miss no
+   * pair, and for VESICA_WITHIN_YES to accept only what is certain. Exchanging the shapes changes nothing.
    *
    * <p>Requires: distance &gt;= 0. It may be infinity: then the answer is yes for any two valid shapes.
    *
@@ -2301,12 +2351,13 @@ final class Native {
    *
    * <p>Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0, get no
    * other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of vesica_nearest_f64
-   * differs by less than 5 u scale from the one asked for. Bounds on computed numbers use u = 2^-53. The scale of two
-   * shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is longer
-   * over shorter size. "Right to x": the error is &lt;= x.
+   * differs by less than 5 u scale from the one asked for. In bounds on errors u is 2^-53, half a unit in the last
+   * place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
+   * lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter
+   * size.
    *
    * <p>Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can decide,
-   * as when the distance is met exactly. At extreme magnitudes searches found up to 40 us (AMD EPYC, Zen 4).
+   * as when the distance is met exactly. At worst 40 us.
    *
    * <p>Since: 0.1.
    */
@@ -2325,9 +2376,10 @@ final class Native {
    *
    * <p>Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0, get no
    * other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of vesica_nearest_f64
-   * differs by less than 5 u scale from the one asked for. Bounds on computed numbers use u = 2^-53. The scale of two
-   * shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is longer
-   * over shorter size. "Right to x": the error is &lt;= x.
+   * differs by less than 5 u scale from the one asked for. In bounds on errors u is 2^-53, half a unit in the last
+   * place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
+   * lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter
+   * size.
    *
    * <p>Since: 0.1.
    */
@@ -2347,9 +2399,10 @@ final class Native {
    *
    * <p>Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0, get no
    * other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of vesica_nearest_f64
-   * differs by less than 5 u scale from the one asked for. Bounds on computed numbers use u = 2^-53. The scale of two
-   * shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is longer
-   * over shorter size. "Right to x": the error is &lt;= x.
+   * differs by less than 5 u scale from the one asked for. In bounds on errors u is 2^-53, half a unit in the last
+   * place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
+   * lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter
+   * size.
    *
    * <p>Since: 0.1.
    */
@@ -2418,7 +2471,7 @@ final class Native {
       long most, Object scratch, long scratchSize, Object keep, Object decayed, Object kept);
 
   /**
-   * What share of a's area does b cover? This and the other ratios by which detections are compared.
+   * A ratio by which detections are compared: IoU and its relatives, as `ratio` says.
    *
    * <p>The first four ratios are from 0 to 1. Shared area over one shape's is 0 if no area is shared, and 1 if the
    * other shape contains it. The last three are at most the IoU, and at least -1 (CIoU: -2). The angle of a shape in
@@ -2434,9 +2487,9 @@ final class Native {
    *
    * <p>Accuracy: computed from the result of vesica_area_f32 or vesica_iou_f32 with at most 8 u of further error, for
    * half lengths from 2^-200 to 2^200. Each number is computed in double, within these bounds, and then rounded to
-   * float once. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
-   * between their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the
-   * error is &lt;= x.
+   * float once. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the
+   * largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at
+   * most 4 u times the scale. An aspect ratio is longer over shorter size.
    *
    * <p>Cost: that of vesica_area_f32 or vesica_iou_f32, and 100 to 150 ns more; in arrays 40 to 100 ns more.
    *
@@ -2457,6 +2510,8 @@ final class Native {
    * <p>Accuracy: every result has the same bits as vesica_ratio_f32, on every instruction set and in every layout.
    * Each number is computed in double, within these bounds, and then rounded to float once.
    *
+   * <p>Cost: that of vesica_iou_many_f32, and 40 to 100 ns a pair.
+   *
    * <p>Since: 0.1.
    */
   static native long ratioManyF32(int ratio, int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
@@ -2474,6 +2529,8 @@ final class Native {
    *
    * <p>Accuracy: every result has the same bits as vesica_ratio_f32, on every instruction set and in every layout.
    * Each number is computed in double, within these bounds, and then rounded to float once.
+   *
+   * <p>Cost: that of vesica_iou_many_f32, and 40 to 100 ns a pair.
    *
    * <p>Since: 0.1.
    */
@@ -2605,8 +2662,8 @@ final class Native {
   /**
    * Are two shapes at most `distance` apart? A distance of exactly that counts, as touching does.
    *
-   * <p>With distance 0 the answer is that of vesica_overlap_f32, exact for all kinds. If no pair may be missed, test
-   * for &gt; 0; if no answer may be wrong, for VESICA_WITHIN_YES. Exchanging the shapes changes nothing.
+   * <p>With distance 0 the answer is that of vesica_overlap_f32, exact for all kinds. Test for &gt; 0 to miss no
+   * pair, and for VESICA_WITHIN_YES to accept only what is certain. Exchanging the shapes changes nothing.
    *
    * <p>Requires: distance &gt;= 0. It may be infinity: then the answer is yes for any two valid shapes.
    *
@@ -2616,12 +2673,13 @@ final class Native {
    *
    * <p>Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0, get no
    * other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of vesica_nearest_f32
-   * differs by less than 5 u scale from the one asked for. Bounds on computed numbers use u = 2^-53. The scale of two
-   * shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is longer
-   * over shorter size. "Right to x": the error is &lt;= x.
+   * differs by less than 5 u scale from the one asked for. In bounds on errors u is 2^-53, half a unit in the last
+   * place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
+   * lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter
+   * size.
    *
    * <p>Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can decide,
-   * as when the distance is met exactly. At extreme magnitudes searches found up to 40 us (AMD EPYC, Zen 4).
+   * as when the distance is met exactly. At worst 40 us.
    *
    * <p>Since: 0.1.
    */
@@ -2640,9 +2698,10 @@ final class Native {
    *
    * <p>Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0, get no
    * other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of vesica_nearest_f32
-   * differs by less than 5 u scale from the one asked for. Bounds on computed numbers use u = 2^-53. The scale of two
-   * shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is longer
-   * over shorter size. "Right to x": the error is &lt;= x.
+   * differs by less than 5 u scale from the one asked for. In bounds on errors u is 2^-53, half a unit in the last
+   * place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
+   * lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter
+   * size.
    *
    * <p>Since: 0.1.
    */
@@ -2662,9 +2721,10 @@ final class Native {
    *
    * <p>Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0, get no
    * other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of vesica_nearest_f32
-   * differs by less than 5 u scale from the one asked for. Bounds on computed numbers use u = 2^-53. The scale of two
-   * shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is longer
-   * over shorter size. "Right to x": the error is &lt;= x.
+   * differs by less than 5 u scale from the one asked for. In bounds on errors u is 2^-53, half a unit in the last
+   * place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
+   * lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter
+   * size.
    *
    * <p>Since: 0.1.
    */
@@ -2706,9 +2766,9 @@ final class Native {
    * there; if b only slides along a, it is perpendicular to the velocity. For a face that is met at an angle below
    * 2^-80 it may be that of the face beside it, and the point their corner. If two faces meet, the point is the middle
    * of what they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f64 and the point of
-   * vesica_nearest_f64. So shapes that only touch at the start are moving apart if the normal does not point against
-   * the velocity. Exchanging the shapes and reversing the velocity changes neither the answer nor the time; it reverses
-   * the normal, up to rounding.
+   * vesica_nearest_f64. Shapes that only touch at the start press together if (nx, ny).(vx, vy) &lt; 0; if not, they
+   * move apart or slide. Exchanging the shapes and reversing the velocity changes neither the answer nor the time; it
+   * reverses the normal, up to rounding.
    *
    * <p>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.
    *
@@ -2718,16 +2778,16 @@ final class Native {
    * or NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a coordinate of the point, would overflow; or an exact
    * position would take more than 2000 bits, as with magnitudes of both 2^1000 and 2^-1000).
    *
-   * <p>Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline; along
-   * the outline it may be off by (8 u scale + 4 u R) / |n.v|, n and v of unit length, R the greatest radius of
-   * curvature of a: of an ellipse its long half length squared over the short one, far more than its size if it is
-   * thin. The normal has length 1 to 4 u. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the
-   * largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is longer over shorter
-   * size. "Right to x": the error is &lt;= x.
+   * <p>Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline before
+   * it is rounded; along the outline it may be off by (8 u scale + 4 u R) / |n.v|, n and v of unit length, R the
+   * greatest radius of curvature of a: of an ellipse its long half length squared over the short one, far more than its
+   * size if it is thin. The normal has length 1 to 4 u. In bounds on errors u is 2^-53, half a unit in the last place
+   * of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths;
+   * "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
    *
    * <p>Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two ellipses,
    * see the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly unlike exponents
-   * most take 10 to 30 us; the dearest that searches found took 0.4 ms (AMD EPYC, Zen 4).
+   * most take 10 to 30 us; at worst 0.3 ms.
    *
    * <p>Since: 0.1.
    */
@@ -2751,6 +2811,9 @@ final class Native {
    *
    * <p>Accuracy: every result has the same bits as vesica_cast_f64.
    *
+   * <p>Cost: that of vesica_cast_f64 for each pair; with AVX2 or AVX-512 a fourth to an eighth of it, except for pairs
+   * that overlap at the start.
+   *
    * <p>Since: 0.1.
    */
   static native long castManyF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount,
@@ -2769,6 +2832,8 @@ final class Native {
    * <p>Errors: those of vesica_cast_f64. VESICA_E_SHAPE if any shape is invalid. VESICA_E_RANGE only if vesica_cast_f64
    * returns it for a shape that might be touched first.
    *
+   * <p>Cost: 5 to 10 ns a shape that is missed.
+   *
    * <p>Since: 0.1.
    */
   static native long castFirstF64(int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase,
@@ -2784,8 +2849,10 @@ final class Native {
    *
    * <p>Errors: those of vesica_cast_f64; VESICA_E_RANGE if a side would overflow.
    *
-   * <p>Accuracy: a side that does not move is that of vesica_bounds_f64. One that moves is too far out by at most three
+   * <p>Accuracy: a side that does not move is that of vesica_bounds_f64. One that moves is too far out by at most four
    * units in the last place of the largest of three numbers: the side at rest, the way it moves, and where it ends.
+   *
+   * <p>Cost: a few ns more than vesica_bounds_f64.
    *
    * <p>Since: 0.1.
    */
@@ -2797,12 +2864,15 @@ final class Native {
    * <p>Requires: sets are those of the index. one, an array of count 1; vx, vy and t_end as vesica_cast_f64. out has
    * room for `capacity` items. With capacity 0, out and state may be NULL.
    *
-   * <p>Returns: the number of items written; with capacity 0, how many there are.
+   * <p>Returns: the number of items written; with capacity 0, how many there are. If state[0] is not -1 then, there are
+   * more, and the same call continues (vesica_index.h).
    *
    * <p>Errors: those of vesica_cast_f64, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the index's,
    * a pointer that is not aligned, or a state from another call. Invalid items are never touched.
    *
    * <p>Accuracy: exact.
+   *
+   * <p>Cost: a few us, and that of vesica_cast_f64 for each item whose box the swept box meets.
    *
    * <p>Since: 0.1.
    */
@@ -2818,6 +2888,8 @@ final class Native {
    * <p>Returns: the item, or the index's count if none is touched. *out is its contact, the normal pointing to `one`.
    *
    * <p>Errors: those of vesica_index_cast_f64; VESICA_E_RANGE only as for vesica_cast_first_f64.
+   *
+   * <p>Cost: about 2 us for a ray at a million shapes.
    *
    * <p>Since: 0.1.
    */
@@ -2845,7 +2917,7 @@ final class Native {
    * point, or the gap, would overflow).
    *
    * <p>Accuracy: what is said to be proved is certain. The gap is at most the tolerance, except in two cases: the
-   * tolerance is below (120 + 4 |angles|) u times the sum of all lengths, the motion's included, u = 2^-53; or the
+   * tolerance is below (300 + 10 |angles|) u times the sum of all lengths, the motion's included, u = 2^-53; or the
    * search stopped after 256 directions or 4096 poses.
    *
    * <p>Cost: 0.2 to 0.9 us for boxes, 0.4 to 3 us if one shape is round; 0.14 ms was seen at spins of 10^6 radians; at
@@ -3007,9 +3079,9 @@ final class Native {
    * there; if b only slides along a, it is perpendicular to the velocity. For a face that is met at an angle below
    * 2^-80 it may be that of the face beside it, and the point their corner. If two faces meet, the point is the middle
    * of what they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f32 and the point of
-   * vesica_nearest_f32. So shapes that only touch at the start are moving apart if the normal does not point against
-   * the velocity. Exchanging the shapes and reversing the velocity changes neither the answer nor the time; it reverses
-   * the normal, up to rounding.
+   * vesica_nearest_f32. Shapes that only touch at the start press together if (nx, ny).(vx, vy) &lt; 0; if not, they
+   * move apart or slide. Exchanging the shapes and reversing the velocity changes neither the answer nor the time; it
+   * reverses the normal, up to rounding.
    *
    * <p>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.
    *
@@ -3019,16 +3091,16 @@ final class Native {
    * or NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a coordinate of the point, would overflow; or an exact
    * position would take more than 2000 bits, as with magnitudes of both 2^1000 and 2^-1000).
    *
-   * <p>Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline; along
-   * the outline it may be off by (8 u scale + 4 u R) / |n.v|, n and v of unit length, R the greatest radius of
-   * curvature of a: of an ellipse its long half length squared over the short one, far more than its size if it is
-   * thin. The normal has length 1 to 4 u. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the
-   * largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is longer over shorter
-   * size. "Right to x": the error is &lt;= x.
+   * <p>Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline before
+   * it is rounded; along the outline it may be off by (8 u scale + 4 u R) / |n.v|, n and v of unit length, R the
+   * greatest radius of curvature of a: of an ellipse its long half length squared over the short one, far more than its
+   * size if it is thin. The normal has length 1 to 4 u. In bounds on errors u is 2^-53, half a unit in the last place
+   * of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths;
+   * "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
    *
    * <p>Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two ellipses,
    * see the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly unlike exponents
-   * most take 10 to 30 us; the dearest that searches found took 0.4 ms (AMD EPYC, Zen 4).
+   * most take 10 to 30 us; at worst 0.3 ms.
    *
    * <p>Since: 0.1.
    */
@@ -3052,6 +3124,9 @@ final class Native {
    *
    * <p>Accuracy: every result has the same bits as vesica_cast_f32.
    *
+   * <p>Cost: that of vesica_cast_f32 for each pair; with AVX2 or AVX-512 a fourth to an eighth of it, except for pairs
+   * that overlap at the start.
+   *
    * <p>Since: 0.1.
    */
   static native long castManyF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount,
@@ -3070,6 +3145,8 @@ final class Native {
    * <p>Errors: those of vesica_cast_f32. VESICA_E_SHAPE if any shape is invalid. VESICA_E_RANGE only if vesica_cast_f32
    * returns it for a shape that might be touched first.
    *
+   * <p>Cost: 5 to 10 ns a shape that is missed.
+   *
    * <p>Since: 0.1.
    */
   static native long castFirstF32(int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase,
@@ -3085,8 +3162,10 @@ final class Native {
    *
    * <p>Errors: those of vesica_cast_f32; VESICA_E_RANGE if a side would overflow.
    *
-   * <p>Accuracy: a side that does not move is that of vesica_bounds_f32. One that moves is too far out by at most three
+   * <p>Accuracy: a side that does not move is that of vesica_bounds_f32. One that moves is too far out by at most four
    * units in the last place of the largest of three numbers: the side at rest, the way it moves, and where it ends.
+   *
+   * <p>Cost: a few ns more than vesica_bounds_f32.
    *
    * <p>Since: 0.1.
    */
@@ -3098,12 +3177,15 @@ final class Native {
    * <p>Requires: sets are those of the index. one, an array of count 1; vx, vy and t_end as vesica_cast_f32. out has
    * room for `capacity` items. With capacity 0, out and state may be NULL.
    *
-   * <p>Returns: the number of items written; with capacity 0, how many there are.
+   * <p>Returns: the number of items written; with capacity 0, how many there are. If state[0] is not -1 then, there are
+   * more, and the same call continues (vesica_index.h).
    *
    * <p>Errors: those of vesica_cast_f32, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the index's,
    * a pointer that is not aligned, or a state from another call. Invalid items are never touched.
    *
    * <p>Accuracy: exact.
+   *
+   * <p>Cost: a few us, and that of vesica_cast_f32 for each item whose box the swept box meets.
    *
    * <p>Since: 0.1.
    */
@@ -3120,6 +3202,8 @@ final class Native {
    *
    * <p>Errors: those of vesica_index_cast_f32; VESICA_E_RANGE only as for vesica_cast_first_f32.
    *
+   * <p>Cost: about 2 us for a ray at a million shapes.
+   *
    * <p>Since: 0.1.
    */
   static native long indexCastFirstF32(Object index, int[] setsKinds, long[] setsCounts, long[] setsStrides,
@@ -3127,7 +3211,8 @@ final class Native {
       float vx, float vy, float tEnd, Object out);
 
   /**
-   * As vesica_impact_time_f64. The gap is that at the rounded time, and rounded up.
+   * As vesica_impact_time_f64. The gap is that at the rounded time, and rounded up: it may exceed the tolerance by
+   * 2^-24 of the way that the shapes move relative to each other.
    *
    * <p>Errors: those of the double functions.
    *
@@ -3299,7 +3384,7 @@ final class Native {
    * <p>Accuracy: exact.
    *
    * <p>Cost: that of vesica_relation_f64; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel.
-   * At extreme magnitudes searches found up to 80 us (AMD EPYC, Zen 4).
+   * At worst 80 us.
    *
    * <p>Since: 0.1.
    */
@@ -3337,9 +3422,10 @@ final class Native {
    *
    * <p>Accuracy: the number of vertices is exact: it is that of the true region. A corner of a shape that lies in the
    * other keeps the stored numbers, or those of vesica_corners_of_shapes_f64 for a rectangle. Other vertices are right
-   * to 4 u times the largest coordinate or size of either shape. Bounds on computed numbers use u = 2^-53. The scale of
-   * two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is
-   * longer over shorter size. "Right to x": the error is &lt;= x.
+   * to 4 u times the largest coordinate or size of either shape. In bounds on errors u is 2^-53, half a unit in the
+   * last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
+   * lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter
+   * size.
    *
    * <p>Cost: that of vesica_overlap_f64 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6 us for areas; at worst
    * 30 us.
@@ -3367,7 +3453,7 @@ final class Native {
    * <p>Accuracy: exact.
    *
    * <p>Cost: that of vesica_relation_f32; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel.
-   * At extreme magnitudes searches found up to 80 us (AMD EPYC, Zen 4).
+   * At worst 80 us.
    *
    * <p>Since: 0.1.
    */
@@ -3389,9 +3475,9 @@ final class Native {
    * <p>Accuracy: the number of vertices is exact: it is that of the true region. A corner of a shape that lies in the
    * other keeps the stored numbers, or those of vesica_corners_of_shapes_f32 for a rectangle. Other vertices are right
    * to 4 u times the largest coordinate or size of either shape. Each number is computed in double, within these
-   * bounds, and then rounded to float once. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the
-   * largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is longer over shorter
-   * size. "Right to x": the error is &lt;= x.
+   * bounds, and then rounded to float once. In bounds on errors u is 2^-53, half a unit in the last place of 1. The
+   * scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u
+   * scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
    *
    * <p>Cost: that of vesica_overlap_f32 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6 us for areas; at worst
    * 30 us.

@@ -15,17 +15,23 @@ import java.nio.FloatBuffer;
 public final class Shapes {
   private static final int[] FIELDS = {2, 4, 3, 4, 6, 6};
 
+  static {
+    Native.version(); // loads the library, which has address() too
+  }
+
   final int kind;
   final long count;
   final long stride;
   final long step;
   final Object base;
   final boolean wide;
+  private final int length;
 
   private Shapes(Kind kind, long count, long stride, long step, Object base) {
     this.kind = kind.value;
     this.count = count;
     this.base = base;
+    length = length(base, "numbers");
     wide = isWide(base);
     int size = wide ? Double.BYTES : Float.BYTES;
     this.stride = stride * size;
@@ -94,10 +100,15 @@ public final class Shapes {
 
   /** Whether an output of so many numbers lies where these do. */
   boolean meets(Object out, long needed) {
-    if (out == base) return true;
-    if (!(out instanceof Buffer && base instanceof Buffer)) return false;
-    long size = wide ? Double.BYTES : Float.BYTES, start = address(base), to = address(out);
-    return start < to + needed * size && to < start + ((Buffer) base).limit() * size;
+    return shareMemory(base, length, out, needed, wide);
+  }
+
+  /** Whether so many numbers of two arrays or buffers are the same memory. Two arrays never share a part of theirs. */
+  static boolean shareMemory(Object a, long countA, Object b, long countB, boolean wide) {
+    if (a == b) return true;
+    if (!(a instanceof Buffer && b instanceof Buffer)) return false;
+    long size = wide ? Double.BYTES : Float.BYTES, startA = address(a), startB = address(b);
+    return startA < startB + countB * size && startB < startA + countA * size;
   }
 
   /** How many numbers an operand or an output has; an error if it is none. */

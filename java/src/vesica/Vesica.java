@@ -332,13 +332,15 @@ public final class Vesica {
     return out;
   }
 
+  /** Columns for so many results each, of which those that are null are not written. */
   static Object[] columns(Shapes a, Shapes b, long needed, Object... columns) {
     for (int i = 0; i < columns.length; i++) {
       if (columns[i] == null) continue;
       output("a column", columns[i], a, b, needed);
       for (int k = 0; k < i; k++) {
-        if (columns[k] != columns[i]) continue;
-        throw new IllegalArgumentException("columns " + k + " and " + i + " are the same");
+        if (columns[k] == null || !Shapes.shareMemory(columns[k], needed, columns[i], needed, a.wide)) continue;
+        throw new IllegalArgumentException(
+            "columns " + k + " and " + i + " overlap: results need memory of their own");
       }
     }
     return columns;

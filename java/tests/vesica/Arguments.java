@@ -25,7 +25,7 @@ final class Arguments {
     if (!holds) throw new AssertionError(what);
   }
 
-  private static void cast(double[] vx, double[] vy, double[] t) {
+  private static void cast(Object vx, Object vy, Object t) {
     Motion.castMany(THREE, THREE, vx, vy, 1, t, null, null, null, null);
   }
 
@@ -50,7 +50,7 @@ final class Arguments {
     double[] numbers = new double[6];
     Shapes own = Shapes.of(Kind.CIRCLE, numbers);
     refused(argument, "out overlaps an input", () -> Vesica.areaMany(own, own, numbers));
-    refused(argument, "columns 0 and 1 are the same", () -> Vesica.depthMany(THREE, THREE, numbers, numbers, null));
+    refused(argument, "columns 0 and 1 overlap", () -> Vesica.depthMany(THREE, THREE, numbers, numbers, null));
     refused(VesicaException.class, "NULL", () -> Vesica.depthMany(THREE, THREE, null, null, null));
     refused(argument, "3 shapes need as many scores, not 1", () -> Vesica.nms(THREE, new double[1], 0.5));
     refused(argument, "1 to 64 are needed", () -> new Index());
@@ -179,6 +179,12 @@ final class Arguments {
     return buffer.put(0, numbers);
   }
 
+  /** Called before anything else: buffers have addresses even if no query has loaded the library yet. */
+  private static void buffersFirst() {
+    DoubleBuffer out = direct(0, 0, 0);
+    check(Vesica.areaMany(Shapes.of(Kind.CIRCLE, direct(0, 0, 1)), THREE, out) == 3, "the first call");
+  }
+
   private static void layouts() {
     Shapes records = Shapes.records(Kind.CIRCLE, new double[] {0, 0, 1, 77, 5, 0, 1, 77}, 4);
     Shapes columns = Shapes.columns(Kind.CIRCLE, direct(0, 5, 0, 0, 1, 1));
@@ -198,6 +204,41 @@ final class Arguments {
     } catch (java.nio.ReadOnlyBufferException e) {
       // as it should be
     }
+  }
+
+  /** Columns of one direct buffer are results as any others, unless they share numbers with what else is passed. */
+  private static void columnsOfOneBuffer() {
+    DoubleBuffer all = direct(2, 2, 2, 0, 0, 0, 0), head = all.slice(0, 3), within = all.slice(2, 3);
+    DoubleBuffer beside = all.slice(3, 3), still = direct(0), rest = direct(0, 0, 0);
+    Class<? extends Exception> argument = IllegalArgumentException.class;
+    String words = "overlap: results need memory of their own", velocities = "overlaps the velocities";
+    refused(argument, "columns 0 and 1 " + words, () ->
+        Vesica.nearestMany(THREE, THREE, head, head.duplicate(), null, null, null));
+    refused(argument, "columns 0 and 4 " + words, () ->
+        Vesica.nearestMany(THREE, THREE, head, null, null, null, within));
+    refused(argument, "columns 1 and 4 " + words, () ->
+        Vesica.boundaryDistanceMany(THREE, THREE, null, within, null, null, all));
+    refused(argument, "columns 0 and 2 " + words, () -> Vesica.depthMany(THREE, THREE, within, null, head));
+    refused(argument, "columns 0 and 3 " + words, () ->
+        Motion.castMany(THREE, THREE, still, still, 1, head, null, null, within, null));
+    for (DoubleBuffer out : new DoubleBuffer[] {all.slice(1, 3), within, head.duplicate(), all}) {
+      refused(argument, velocities, () -> cast(head, rest, out));
+      refused(argument, velocities, () -> cast(rest, head, out));
+    }
+    Shapes wall = Shapes.of(Kind.AABB, new Aabb(10, -5, 12, 5));
+    check(Motion.castMany(wall, THREE, head, rest, 99, beside, null, null, null, null) == 3, "beside");
+    check(all.get(2) == 2 && all.get(3) == 4.5 && all.get(5) == 4.5, "times beside velocities");
+    check(Vesica.depthMany(THREE, THREE, head, beside, null) == 3 && all.get(2) == 2, "columns side by side");
+  }
+
+  /** What is passed on is what a buffer had when the shapes were made, whatever its limit and position are now. */
+  private static void limits() {
+    DoubleBuffer numbers = direct(0, 0, 1, 0, 0, 1);
+    Shapes own = Shapes.of(Kind.CIRCLE, numbers);
+    DoubleBuffer last = numbers.slice(4, 2);
+    numbers.position(1).limit(3);
+    refused(IllegalArgumentException.class, "out overlaps an input", () -> Vesica.areaMany(own, own, last));
+    check(Vesica.areaMany(own, own, new double[2]) == 2, "a position");
   }
 
   /** The numbers of two million rectangles in a heap that has no room for a second copy of them. */
@@ -293,8 +334,11 @@ final class Arguments {
   }
 
   public static void main(String[] arguments) {
+    buffersFirst();
     refusals();
     layouts();
+    columnsOfOneBuffer();
+    limits();
     measuresAndMotion();
     turns();
     topology();

@@ -83,16 +83,16 @@ inline void bounds_of_oblique(const Fields& f, int n, Boxes& out) noexcept {
 }
 
 inline void bounds(std::int32_t kind, const Fields& fields, int n, Boxes& out) noexcept {
-  switch (kind) {
-    case kind_point:
+  switch (Kind{kind}) {
+    case Kind::point:
       return bounds_of_points(fields, n, out);
-    case kind_segment:
+    case Kind::segment:
       return bounds_of_segments(fields, n, out);
-    case kind_circle:
+    case Kind::circle:
       return bounds_of_circles(fields, n, out);
-    case kind_aabb:
+    case Kind::aabb:
       return bounds_of_aabbs(fields, n, out);
-    case kind_rect:
+    case Kind::rect:
       return bounds_of_oblique<false>(fields, n, out);
     default:
       return bounds_of_oblique<true>(fields, n, out);

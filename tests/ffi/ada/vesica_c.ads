@@ -990,7 +990,7 @@ package Vesica_C is
       Integer_64; Parts : Integer_64; Output : System.Address; Distance : System.Address) return Integer_64
      with Import, Convention => C, External_Name => "vesica_join_nearest_f32";
 
-   --  What share of a's area does b cover?
+   --  A ratio by which detections are compared: IoU and its relatives, as `ratio` says.
    function Vesica_Ratio_F64 (Ratio : Integer_32; Kind_A : Integer_32; Numbers_A : System.Address; Kind_B :
       Integer_32; Numbers_B : System.Address; Output : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_ratio_f64";
@@ -1067,7 +1067,7 @@ package Vesica_C is
       System.Address; Kept : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_suppress_soft_f64";
 
-   --  What share of a's area does b cover?
+   --  A ratio by which detections are compared: IoU and its relatives, as `ratio` says.
    function Vesica_Ratio_F32 (Ratio : Integer_32; Kind_A : Integer_32; Numbers_A : System.Address; Kind_B :
       Integer_32; Numbers_B : System.Address; Output : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_ratio_f32";

@@ -1633,7 +1633,7 @@ module vesica_c
       type(c_ptr), value :: distance
     end function
 
-    !> What share of a's area does b cover?
+    !> A ratio by which detections are compared: IoU and its relatives, as `ratio` says.
     integer(c_int32_t) function vesica_ratio_f64(ratio, kind_a, numbers_a, kind_b, numbers_b, out) bind(c)
       import
       integer(c_int32_t), value :: ratio
@@ -1788,7 +1788,7 @@ module vesica_c
       type(c_ptr), value :: kept
     end function
 
-    !> What share of a's area does b cover?
+    !> A ratio by which detections are compared: IoU and its relatives, as `ratio` says.
     integer(c_int32_t) function vesica_ratio_f32(ratio, kind_a, numbers_a, kind_b, numbers_b, out) bind(c)
       import
       integer(c_int32_t), value :: ratio

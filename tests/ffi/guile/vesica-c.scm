@@ -382,7 +382,7 @@
 (c vesica_index_nearest_f32 int64 '* '* int32 '* int64 float '* '*)
 ;; Which items of index_b are nearest to each item of sets_a?
 (c vesica_join_nearest_f32 int64 '* int32 '* '* int32 int64 float int64 int64 '* '*)
-;; What share of a's area does b cover?
+;; A ratio by which detections are compared: IoU and its relatives, as `ratio` says.
 (c vesica_ratio_f64 int32 int32 int32 '* int32 '* '*)
 ;; A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f64.
 (c vesica_ratio_many_f64 int64 int32 '* '* '*)
@@ -412,7 +412,7 @@
 (c vesica_suppress_soft_scratch int64 int64)
 ;; Soft suppression (soft-NMS): a shape that a better one covers is not dropped, but gets a lower score.
 (c vesica_suppress_soft_f64 int32 '* '* '* int32 int32 double double int64 '* int64 '* '* '*)
-;; What share of a's area does b cover?
+;; A ratio by which detections are compared: IoU and its relatives, as `ratio` says.
 (c vesica_ratio_f32 int32 int32 int32 '* int32 '* '*)
 ;; A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f32.
 (c vesica_ratio_many_f32 int64 int32 '* '* '*)

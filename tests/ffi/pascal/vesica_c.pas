@@ -708,7 +708,7 @@ function vesica_index_nearest_f32(index: Pointer; sets: PVesicaShapesF32; set_co
 function vesica_join_nearest_f32(sets_a: PVesicaShapesF32; set_count_a: Int32; index_b: Pointer; sets_b:
   PVesicaShapesF32; set_count_b: Int32; k: Int64; within: Single; part: Int64; parts: Int64; output: PInt64;
   distance: PSingle): Int64; cdecl; external vesica_library;
-// What share of a's area does b cover?
+// A ratio by which detections are compared: IoU and its relatives, as `ratio` says.
 function vesica_ratio_f64(ratio: Int32; kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble;
   output: PDouble): Int32; cdecl; external vesica_library;
 // A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f64.
@@ -754,7 +754,7 @@ function vesica_suppress_soft_scratch(count: Int64): Int64; cdecl; external vesi
 function vesica_suppress_soft_f64(shapes: PVesicaShapesF64; scores: PDouble; labels: PInt32; ratio: Int32; decay:
   Int32; parameter: Double; least_score: Double; most: Int64; scratch: Pointer; scratch_size: Int64; keep: PInt64;
   decayed: PDouble; kept: PInt64): Int32; cdecl; external vesica_library;
-// What share of a's area does b cover?
+// A ratio by which detections are compared: IoU and its relatives, as `ratio` says.
 function vesica_ratio_f32(ratio: Int32; kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle;
   output: PSingle): Int32; cdecl; external vesica_library;
 // A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f32.

@@ -389,7 +389,7 @@ our @FUNCTIONS = (
     # Which items of index_b are nearest to each item of sets_a?
     [vesica_join_nearest_f32 => ['opaque', 'sint32', 'opaque', 'opaque', 'sint32', 'sint64', 'float', 'sint64',
         'sint64', 'opaque', 'opaque'] => 'sint64'],
-    # What share of a's area does b cover?
+    # A ratio by which detections are compared: IoU and its relatives, as `ratio` says.
     [vesica_ratio_f64 => ['sint32', 'sint32', 'double[]', 'sint32', 'double[]', 'opaque'] => 'sint32'],
     # A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f64.
     [vesica_ratio_many_f64 => ['sint32', 'opaque', 'opaque', 'opaque'] => 'sint64'],
@@ -421,7 +421,7 @@ our @FUNCTIONS = (
     # Soft suppression (soft-NMS): a shape that a better one covers is not dropped, but gets a lower score.
     [vesica_suppress_soft_f64 => ['opaque', 'opaque', 'opaque', 'sint32', 'sint32', 'double', 'double', 'sint64',
         'opaque', 'sint64', 'opaque', 'opaque', 'opaque'] => 'sint32'],
-    # What share of a's area does b cover?
+    # A ratio by which detections are compared: IoU and its relatives, as `ratio` says.
     [vesica_ratio_f32 => ['sint32', 'sint32', 'float[]', 'sint32', 'float[]', 'opaque'] => 'sint32'],
     # A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f32.
     [vesica_ratio_many_f32 => ['sint32', 'opaque', 'opaque', 'opaque'] => 'sint64'],

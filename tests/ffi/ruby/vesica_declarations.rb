@@ -378,7 +378,7 @@ module Vesica
     # Which items of index_b are nearest to each item of sets_a?
     'int64_t vesica_join_nearest_f32(void *, int, void *, void *, int, int64_t, float, int64_t, int64_t, void *,
         void *)',
-    # What share of a's area does b cover?
+    # A ratio by which detections are compared: IoU and its relatives, as `ratio` says.
     'int vesica_ratio_f64(int, int, void *, int, void *, void *)',
     # A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f64.
     'int64_t vesica_ratio_many_f64(int, void *, void *, void *)',
@@ -409,7 +409,7 @@ module Vesica
     # Soft suppression (soft-NMS): a shape that a better one covers is not dropped, but gets a lower score.
     'int vesica_suppress_soft_f64(void *, void *, void *, int, int, double, double, int64_t, void *, int64_t, void *,
         void *, void *)',
-    # What share of a's area does b cover?
+    # A ratio by which detections are compared: IoU and its relatives, as `ratio` says.
     'int vesica_ratio_f32(int, int, void *, int, void *, void *)',
     # A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f32.
     'int64_t vesica_ratio_many_f32(int, void *, void *, void *)',
