@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The header promises that calls about arrays or an index need at most 256 KiB of stack. Measured on a thread whose stack was painted first,
-// with numbers so far apart in magnitude that the exact stage is deepest.
+// The header promises that calls about arrays or an index need at most 256 KiB of stack. Measured on a thread whose
+// stack was painted first, with numbers so far apart in magnitude that the exact stage is deepest.
 #include <gtest/gtest.h>
 #include <pthread.h>
 #include <vesica.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Finds the positive zero of a function over all magnitudes, from its sign and the step of Newton's method alone: first
-/// the exponent of the zero, then the zero.
+/// Finds the positive zero of a function over all magnitudes, from its sign and the step of Newton's method alone:
+/// first the exponent of the zero, then the zero.
 #pragma once
 
 #include <vesica/arithmetic/wide.hpp>
