@@ -160,7 +160,7 @@ VESICA_API int64_t vesica_index_step_f64(int32_t step, int64_t part, int64_t par
  * one, an array of count 1. out has room for `capacity` items. With capacity 0, out and state may be NULL.
  * Returns: the number of items written; with capacity 0, how many there are.
  * Accuracy: exact, if there are sets.
- * Cost: about 2 us, and up to 50 ns a shape that is found.
+ * Cost: about 0.5 us for a few shapes that are found, 2 us for 1,000 boxes.
  */
 VESICA_API int64_t vesica_index_select_f64(const void *index, const vesica_shapes_f64 *sets, int32_t set_count,
                                            const vesica_shapes_f64 *one, int64_t *out, int64_t capacity,

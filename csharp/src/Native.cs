@@ -1598,7 +1598,7 @@ namespace Vesica
         /// VESICA_E_ARGUMENT (a number or a size is out of range, a pointer is not aligned, sets are not the index's,
         /// the state is from another call).</para>
         /// <para>Accuracy: exact, if there are sets.</para>
-        /// <para>Cost: about 2 us, and up to 50 ns a shape that is found.</para>
+        /// <para>Cost: about 0.5 us for a few shapes that are found, 2 us for 1,000 boxes.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1719,7 +1719,7 @@ namespace Vesica
         /// VESICA_E_ARGUMENT (a number or a size is out of range, a pointer is not aligned, sets are not the index's,
         /// the state is from another call).</para>
         /// <para>Accuracy: exact, if there are sets.</para>
-        /// <para>Cost: about 2 us, and up to 50 ns a shape that is found.</para>
+        /// <para>Cost: about 0.5 us for a few shapes that are found, 2 us for 1,000 boxes.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

@@ -2382,7 +2382,8 @@ shape's. one, an array of count 1. out has room for `capacity` items. With capac
 NULL. Returns: the number of items written; with capacity 0, how many there are. Errors: VESICA_E_NULL,
 VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a number or a size is
 out of range, a pointer is not aligned, sets are not the index's, the state is from another call). Accuracy:
-exact, if there are sets. Cost: about 2 us, and up to 50 ns a shape that is found. Since: 0.1.""",
+exact, if there are sets. Cost: about 0.5 us for a few shapes that are found, 2 us for 1,000 boxes. Since:
+0.1.""",
     ),
     "vesica_join_f64": (
         c_int64,
@@ -2510,7 +2511,8 @@ shape's. one, an array of count 1. out has room for `capacity` items. With capac
 NULL. Returns: the number of items written; with capacity 0, how many there are. Errors: VESICA_E_NULL,
 VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a number or a size is
 out of range, a pointer is not aligned, sets are not the index's, the state is from another call). Accuracy:
-exact, if there are sets. Cost: about 2 us, and up to 50 ns a shape that is found. Since: 0.1.""",
+exact, if there are sets. Cost: about 0.5 us for a few shapes that are found, 2 us for 1,000 boxes. Since:
+0.1.""",
     ),
     "vesica_join_f32": (
         c_int64,
