@@ -525,7 +525,8 @@ VESICA_API int32_t vesica_shapes_from_records_f64(int32_t kind, int64_t count, c
  * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
  * exceeds the address space).
  * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
- * Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+ * Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more where
+ * numbers are copied first (docs/benchmarks.md).
  * Since: 0.1.
  */
 

@@ -82,7 +82,7 @@ VESICA_API int32_t vesica_cast_f64(int32_t kind_a, const double *numbers_a, int3
  * range gets NaN for all its numbers, and all others are written as usual. The call then returns VESICA_E_SHAPE if a
  * shape is invalid, else the error of such an element.
  * Accuracy: every result has the same bits as vesica_cast_f64.
- * Cost: that of vesica_cast_f64 for each pair; with AVX2 or AVX-512 a fourth to an eighth of it, except for pairs that
+ * Cost: that of vesica_cast_f64 for each pair; with AVX2 or AVX-512 a half to an eighth of it, except for pairs that
  * overlap at the start.
  */
 VESICA_API int64_t vesica_cast_many_f64(const vesica_shapes_f64 *a, const vesica_shapes_f64 *b, const double *vx,
@@ -96,7 +96,7 @@ VESICA_API int64_t vesica_cast_many_f64(const vesica_shapes_f64 *a, const vesica
  * Returns: its index, or the count of `many` if none is touched. *out is its contact, the normal pointing to `one`.
  * Errors: those of vesica_cast_f64. VESICA_E_SHAPE if any shape is invalid. VESICA_E_RANGE only if vesica_cast_f64
  * returns it for a shape that might be touched first.
- * Cost: 5 to 10 ns a shape that is missed.
+ * Cost: 5 to 20 ns a shape that is missed.
  */
 VESICA_API int64_t vesica_cast_first_f64(const vesica_shapes_f64 *one, const vesica_shapes_f64 *many, double vx,
                                          double vy, double t_end, vesica_impact_f64 *out);

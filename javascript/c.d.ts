@@ -568,7 +568,8 @@ export interface C {
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
-   * Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+   * Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more where
+   * numbers are copied first (docs/benchmarks.md).
    * Since: 0.1.
    */
   vesica_relation_many_f64(a: number, b: number, out: number): bigint;
@@ -583,7 +584,8 @@ export interface C {
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
-   * Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+   * Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more where
+   * numbers are copied first (docs/benchmarks.md).
    * Since: 0.1.
    */
   vesica_contains_many_f64(a: number, b: number, out: number): bigint;
@@ -598,7 +600,8 @@ export interface C {
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
-   * Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+   * Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more where
+   * numbers are copied first (docs/benchmarks.md).
    * Since: 0.1.
    */
   vesica_nearest_many_f64(a: number, b: number, distance: number, ax: number, ay: number, bx: number,
@@ -615,7 +618,8 @@ export interface C {
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
-   * Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+   * Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more where
+   * numbers are copied first (docs/benchmarks.md).
    * Since: 0.1.
    */
   vesica_boundary_distance_many_f64(a: number, b: number, distance: number, ax: number, ay: number, bx: number,
@@ -631,7 +635,8 @@ export interface C {
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
-   * Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+   * Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more where
+   * numbers are copied first (docs/benchmarks.md).
    * Since: 0.1.
    */
   vesica_depth_many_f64(a: number, b: number, depth: number, x: number, y: number): bigint;
@@ -646,7 +651,8 @@ export interface C {
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
-   * Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+   * Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more where
+   * numbers are copied first (docs/benchmarks.md).
    * Since: 0.1.
    */
   vesica_area_many_f64(a: number, b: number, out: number): bigint;
@@ -663,7 +669,8 @@ export interface C {
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
-   * Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+   * Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more where
+   * numbers are copied first (docs/benchmarks.md).
    * Since: 0.1.
    */
   vesica_iou_many_f64(a: number, b: number, out: number): bigint;
@@ -1292,7 +1299,8 @@ export interface C {
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
-   * Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+   * Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more where
+   * numbers are copied first (docs/benchmarks.md).
    * Since: 0.1.
    */
   vesica_relation_many_f32(a: number, b: number, out: number): bigint;
@@ -1307,7 +1315,8 @@ export interface C {
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
-   * Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+   * Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more where
+   * numbers are copied first (docs/benchmarks.md).
    * Since: 0.1.
    */
   vesica_contains_many_f32(a: number, b: number, out: number): bigint;
@@ -1322,7 +1331,8 @@ export interface C {
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
-   * Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+   * Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more where
+   * numbers are copied first (docs/benchmarks.md).
    * Since: 0.1.
    */
   vesica_nearest_many_f32(a: number, b: number, distance: number, ax: number, ay: number, bx: number,
@@ -1339,7 +1349,8 @@ export interface C {
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
-   * Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+   * Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more where
+   * numbers are copied first (docs/benchmarks.md).
    * Since: 0.1.
    */
   vesica_boundary_distance_many_f32(a: number, b: number, distance: number, ax: number, ay: number, bx: number,
@@ -1355,7 +1366,8 @@ export interface C {
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
-   * Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+   * Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more where
+   * numbers are copied first (docs/benchmarks.md).
    * Since: 0.1.
    */
   vesica_depth_many_f32(a: number, b: number, depth: number, x: number, y: number): bigint;
@@ -1370,7 +1382,8 @@ export interface C {
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
-   * Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+   * Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more where
+   * numbers are copied first (docs/benchmarks.md).
    * Since: 0.1.
    */
   vesica_area_many_f32(a: number, b: number, out: number): bigint;
@@ -1387,7 +1400,8 @@ export interface C {
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
-   * Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+   * Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more where
+   * numbers are copied first (docs/benchmarks.md).
    * Since: 0.1.
    */
   vesica_iou_many_f32(a: number, b: number, out: number): bigint;
@@ -2348,7 +2362,7 @@ export interface C {
    * shape, a velocity that is not finite or a result out of range gets NaN for all its numbers, and all others are
    * written as usual. The call then returns VESICA_E_SHAPE if a shape is invalid, else the error of such an element.
    * Accuracy: every result has the same bits as vesica_cast_f64. Cost: that of vesica_cast_f64 for each pair; with AVX2
-   * or AVX-512 a fourth to an eighth of it, except for pairs that overlap at the start. Since: 0.1.
+   * or AVX-512 a half to an eighth of it, except for pairs that overlap at the start. Since: 0.1.
    */
   vesica_cast_many_f64(a: number, b: number, vx: number, vy: number, stride: number, t_end: number, t: number,
     x: number, y: number, nx: number, ny: number): bigint;
@@ -2360,7 +2374,7 @@ export interface C {
    * Returns: its index, or the count of `many` if none is touched. *out is its contact, the normal pointing to `one`.
    * Errors: those of vesica_cast_f64. VESICA_E_SHAPE if any shape is invalid. VESICA_E_RANGE only if vesica_cast_f64
    * returns it for a shape that might be touched first.
-   * Cost: 5 to 10 ns a shape that is missed.
+   * Cost: 5 to 20 ns a shape that is missed.
    * Since: 0.1.
    */
   vesica_cast_first_f64(one: number, many: number, vx: number, vy: number, t_end: number, out: number): bigint;
@@ -2535,7 +2549,7 @@ export interface C {
    * shape, a velocity that is not finite or a result out of range gets NaN for all its numbers, and all others are
    * written as usual. The call then returns VESICA_E_SHAPE if a shape is invalid, else the error of such an element.
    * Accuracy: every result has the same bits as vesica_cast_f32. Cost: that of vesica_cast_f32 for each pair; with AVX2
-   * or AVX-512 a fourth to an eighth of it, except for pairs that overlap at the start. Since: 0.1.
+   * or AVX-512 a half to an eighth of it, except for pairs that overlap at the start. Since: 0.1.
    */
   vesica_cast_many_f32(a: number, b: number, vx: number, vy: number, stride: number, t_end: number, t: number,
     x: number, y: number, nx: number, ny: number): bigint;
@@ -2547,7 +2561,7 @@ export interface C {
    * Returns: its index, or the count of `many` if none is touched. *out is its contact, the normal pointing to `one`.
    * Errors: those of vesica_cast_f32. VESICA_E_SHAPE if any shape is invalid. VESICA_E_RANGE only if vesica_cast_f32
    * returns it for a shape that might be touched first.
-   * Cost: 5 to 10 ns a shape that is missed.
+   * Cost: 5 to 20 ns a shape that is missed.
    * Since: 0.1.
    */
   vesica_cast_first_f32(one: number, many: number, vx: number, vy: number, t_end: number, out: number): bigint;

@@ -428,7 +428,8 @@ namespace Vesica
         /// is not 0, or an array that exceeds the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
-        /// <para>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.</para>
+        /// <para>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30
+        /// ns more where numbers are copied first (docs/benchmarks.md).</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -446,7 +447,8 @@ namespace Vesica
         /// is not 0, or an array that exceeds the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
-        /// <para>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.</para>
+        /// <para>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30
+        /// ns more where numbers are copied first (docs/benchmarks.md).</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -465,7 +467,8 @@ namespace Vesica
         /// is not 0, or an array that exceeds the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
-        /// <para>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.</para>
+        /// <para>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30
+        /// ns more where numbers are copied first (docs/benchmarks.md).</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -485,7 +488,8 @@ namespace Vesica
         /// is not 0, or an array that exceeds the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
-        /// <para>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.</para>
+        /// <para>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30
+        /// ns more where numbers are copied first (docs/benchmarks.md).</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -504,7 +508,8 @@ namespace Vesica
         /// is not 0, or an array that exceeds the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
-        /// <para>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.</para>
+        /// <para>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30
+        /// ns more where numbers are copied first (docs/benchmarks.md).</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -522,7 +527,8 @@ namespace Vesica
         /// is not 0, or an array that exceeds the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
-        /// <para>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.</para>
+        /// <para>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30
+        /// ns more where numbers are copied first (docs/benchmarks.md).</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -542,7 +548,8 @@ namespace Vesica
         /// is not 0, or an array that exceeds the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
-        /// <para>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.</para>
+        /// <para>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30
+        /// ns more where numbers are copied first (docs/benchmarks.md).</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1047,7 +1054,8 @@ namespace Vesica
         /// is not 0, or an array that exceeds the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
-        /// <para>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.</para>
+        /// <para>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30
+        /// ns more where numbers are copied first (docs/benchmarks.md).</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1065,7 +1073,8 @@ namespace Vesica
         /// is not 0, or an array that exceeds the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
-        /// <para>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.</para>
+        /// <para>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30
+        /// ns more where numbers are copied first (docs/benchmarks.md).</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1084,7 +1093,8 @@ namespace Vesica
         /// is not 0, or an array that exceeds the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
-        /// <para>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.</para>
+        /// <para>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30
+        /// ns more where numbers are copied first (docs/benchmarks.md).</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1104,7 +1114,8 @@ namespace Vesica
         /// is not 0, or an array that exceeds the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
-        /// <para>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.</para>
+        /// <para>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30
+        /// ns more where numbers are copied first (docs/benchmarks.md).</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1123,7 +1134,8 @@ namespace Vesica
         /// is not 0, or an array that exceeds the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
-        /// <para>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.</para>
+        /// <para>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30
+        /// ns more where numbers are copied first (docs/benchmarks.md).</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1141,7 +1153,8 @@ namespace Vesica
         /// is not 0, or an array that exceeds the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
-        /// <para>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.</para>
+        /// <para>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30
+        /// ns more where numbers are copied first (docs/benchmarks.md).</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1161,7 +1174,8 @@ namespace Vesica
         /// is not 0, or an array that exceeds the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
-        /// <para>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.</para>
+        /// <para>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30
+        /// ns more where numbers are copied first (docs/benchmarks.md).</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2339,7 +2353,7 @@ namespace Vesica
         /// result out of range gets NaN for all its numbers, and all others are written as usual. The call then returns
         /// VESICA_E_SHAPE if a shape is invalid, else the error of such an element.</para>
         /// <para>Accuracy: every result has the same bits as vesica_cast_f64.</para>
-        /// <para>Cost: that of vesica_cast_f64 for each pair; with AVX2 or AVX-512 a fourth to an eighth of it, except
+        /// <para>Cost: that of vesica_cast_f64 for each pair; with AVX2 or AVX-512 a half to an eighth of it, except
         /// for pairs that overlap at the start.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -2355,7 +2369,7 @@ namespace Vesica
         /// pointing to `one`.</para>
         /// <para>Errors: those of vesica_cast_f64. VESICA_E_SHAPE if any shape is invalid. VESICA_E_RANGE only if
         /// vesica_cast_f64 returns it for a shape that might be touched first.</para>
-        /// <para>Cost: 5 to 10 ns a shape that is missed.</para>
+        /// <para>Cost: 5 to 20 ns a shape that is missed.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2590,7 +2604,7 @@ namespace Vesica
         /// result out of range gets NaN for all its numbers, and all others are written as usual. The call then returns
         /// VESICA_E_SHAPE if a shape is invalid, else the error of such an element.</para>
         /// <para>Accuracy: every result has the same bits as vesica_cast_f32.</para>
-        /// <para>Cost: that of vesica_cast_f32 for each pair; with AVX2 or AVX-512 a fourth to an eighth of it, except
+        /// <para>Cost: that of vesica_cast_f32 for each pair; with AVX2 or AVX-512 a half to an eighth of it, except
         /// for pairs that overlap at the start.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -2606,7 +2620,7 @@ namespace Vesica
         /// pointing to `one`.</para>
         /// <para>Errors: those of vesica_cast_f32. VESICA_E_SHAPE if any shape is invalid. VESICA_E_RANGE only if
         /// vesica_cast_f32 returns it for a shape that might be touched first.</para>
-        /// <para>Cost: 5 to 10 ns a shape that is missed.</para>
+        /// <para>Cost: 5 to 20 ns a shape that is missed.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

@@ -1017,7 +1017,8 @@ results are 0 (bytes) or NaN (numbers), and all others are written as usual. Bef
 VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
 (counts that are negative or do not agree, reserved is not 0, or an array that exceeds the address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
-layout. Cost: a pair takes a fifth of the time of the function for two shapes, to about as much. Since: 0.1.""",
+layout. Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30
+ns more where numbers are copied first (docs/benchmarks.md). Since: 0.1.""",
     ),
     "vesica_contains_many_f64": (
         c_int64,
@@ -1033,7 +1034,8 @@ or NaN (numbers), and all others are written as usual. Before anything is writte
 count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or
 do not agree, reserved is not 0, or an array that exceeds the address space). Accuracy: every result has the
 same bits as the function for two shapes, on every instruction set, in every layout. Cost: a pair takes a
-fifth of the time of the function for two shapes, to about as much. Since: 0.1.""",
+fifth of the time of the function for two shapes to about as much, and up to 30 ns more where numbers are
+copied first (docs/benchmarks.md). Since: 0.1.""",
     ),
     "vesica_nearest_many_f64": (
         c_int64,
@@ -1049,7 +1051,8 @@ results are 0 (bytes) or NaN (numbers), and all others are written as usual. Bef
 VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
 (counts that are negative or do not agree, reserved is not 0, or an array that exceeds the address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
-layout. Cost: a pair takes a fifth of the time of the function for two shapes, to about as much. Since: 0.1.""",
+layout. Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30
+ns more where numbers are copied first (docs/benchmarks.md). Since: 0.1.""",
     ),
     "vesica_boundary_distance_many_f64": (
         c_int64,
@@ -1066,8 +1069,8 @@ invalid: its results are 0 (bytes) or NaN (numbers), and all others are written 
 written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND,
 VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that exceeds the
 address space). Accuracy: every result has the same bits as the function for two shapes, on every
-instruction set, in every layout. Cost: a pair takes a fifth of the time of the function for two shapes, to
-about as much. Since: 0.1.""",
+instruction set, in every layout. Cost: a pair takes a fifth of the time of the function for two shapes to
+about as much, and up to 30 ns more where numbers are copied first (docs/benchmarks.md). Since: 0.1.""",
     ),
     "vesica_depth_many_f64": (
         c_int64,
@@ -1083,7 +1086,8 @@ be NULL. Returns: how many depths are > 0. Errors: VESICA_E_SHAPE if an element 
 (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are
 negative or do not agree, reserved is not 0, or an array that exceeds the address space). Accuracy: every
 result has the same bits as the function for two shapes, on every instruction set, in every layout. Cost: a
-pair takes a fifth of the time of the function for two shapes, to about as much. Since: 0.1.""",
+pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more where
+numbers are copied first (docs/benchmarks.md). Since: 0.1.""",
     ),
     "vesica_area_many_f64": (
         c_int64,
@@ -1099,7 +1103,8 @@ be NULL. Returns: how many areas are > 0. Errors: VESICA_E_SHAPE if an element i
 (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are
 negative or do not agree, reserved is not 0, or an array that exceeds the address space). Accuracy: every
 result has the same bits as the function for two shapes, on every instruction set, in every layout. Cost: a
-pair takes a fifth of the time of the function for two shapes, to about as much. Since: 0.1.""",
+pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more where
+numbers are copied first (docs/benchmarks.md). Since: 0.1.""",
     ),
     "vesica_iou_many_f64": (
         c_int64,
@@ -1118,7 +1123,8 @@ be NULL. Returns: how many are > 0. Errors: VESICA_E_SHAPE if an element is inva
 (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are
 negative or do not agree, reserved is not 0, or an array that exceeds the address space). Accuracy: every
 result has the same bits as the function for two shapes, on every instruction set, in every layout. Cost: a
-pair takes a fifth of the time of the function for two shapes, to about as much. Since: 0.1.""",
+pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more where
+numbers are copied first (docs/benchmarks.md). Since: 0.1.""",
     ),
     "vesica_overlap_matrix_f64": (
         c_int64,
@@ -1849,7 +1855,8 @@ results are 0 (bytes) or NaN (numbers), and all others are written as usual. Bef
 VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
 (counts that are negative or do not agree, reserved is not 0, or an array that exceeds the address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
-layout. Cost: a pair takes a fifth of the time of the function for two shapes, to about as much. Since: 0.1.""",
+layout. Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30
+ns more where numbers are copied first (docs/benchmarks.md). Since: 0.1.""",
     ),
     "vesica_contains_many_f32": (
         c_int64,
@@ -1865,7 +1872,8 @@ or NaN (numbers), and all others are written as usual. Before anything is writte
 count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or
 do not agree, reserved is not 0, or an array that exceeds the address space). Accuracy: every result has the
 same bits as the function for two shapes, on every instruction set, in every layout. Cost: a pair takes a
-fifth of the time of the function for two shapes, to about as much. Since: 0.1.""",
+fifth of the time of the function for two shapes to about as much, and up to 30 ns more where numbers are
+copied first (docs/benchmarks.md). Since: 0.1.""",
     ),
     "vesica_nearest_many_f32": (
         c_int64,
@@ -1881,7 +1889,8 @@ results are 0 (bytes) or NaN (numbers), and all others are written as usual. Bef
 VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
 (counts that are negative or do not agree, reserved is not 0, or an array that exceeds the address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
-layout. Cost: a pair takes a fifth of the time of the function for two shapes, to about as much. Since: 0.1.""",
+layout. Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30
+ns more where numbers are copied first (docs/benchmarks.md). Since: 0.1.""",
     ),
     "vesica_boundary_distance_many_f32": (
         c_int64,
@@ -1898,8 +1907,8 @@ invalid: its results are 0 (bytes) or NaN (numbers), and all others are written 
 written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND,
 VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that exceeds the
 address space). Accuracy: every result has the same bits as the function for two shapes, on every
-instruction set, in every layout. Cost: a pair takes a fifth of the time of the function for two shapes, to
-about as much. Since: 0.1.""",
+instruction set, in every layout. Cost: a pair takes a fifth of the time of the function for two shapes to
+about as much, and up to 30 ns more where numbers are copied first (docs/benchmarks.md). Since: 0.1.""",
     ),
     "vesica_depth_many_f32": (
         c_int64,
@@ -1915,7 +1924,8 @@ be NULL. Returns: how many depths are > 0. Errors: VESICA_E_SHAPE if an element 
 (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are
 negative or do not agree, reserved is not 0, or an array that exceeds the address space). Accuracy: every
 result has the same bits as the function for two shapes, on every instruction set, in every layout. Cost: a
-pair takes a fifth of the time of the function for two shapes, to about as much. Since: 0.1.""",
+pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more where
+numbers are copied first (docs/benchmarks.md). Since: 0.1.""",
     ),
     "vesica_area_many_f32": (
         c_int64,
@@ -1931,7 +1941,8 @@ be NULL. Returns: how many areas are > 0. Errors: VESICA_E_SHAPE if an element i
 (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are
 negative or do not agree, reserved is not 0, or an array that exceeds the address space). Accuracy: every
 result has the same bits as the function for two shapes, on every instruction set, in every layout. Cost: a
-pair takes a fifth of the time of the function for two shapes, to about as much. Since: 0.1.""",
+pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more where
+numbers are copied first (docs/benchmarks.md). Since: 0.1.""",
     ),
     "vesica_iou_many_f32": (
         c_int64,
@@ -1950,7 +1961,8 @@ be NULL. Returns: how many are > 0. Errors: VESICA_E_SHAPE if an element is inva
 (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are
 negative or do not agree, reserved is not 0, or an array that exceeds the address space). Accuracy: every
 result has the same bits as the function for two shapes, on every instruction set, in every layout. Cost: a
-pair takes a fifth of the time of the function for two shapes, to about as much. Since: 0.1.""",
+pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more where
+numbers are copied first (docs/benchmarks.md). Since: 0.1.""",
     ),
     "vesica_overlap_matrix_f32": (
         c_int64,
@@ -3113,8 +3125,8 @@ how many touch, including those that overlap at the start. Errors: those of vesi
 an invalid shape, a velocity that is not finite or a result out of range gets NaN for all its numbers, and
 all others are written as usual. The call then returns VESICA_E_SHAPE if a shape is invalid, else the error
 of such an element. Accuracy: every result has the same bits as vesica_cast_f64. Cost: that of
-vesica_cast_f64 for each pair; with AVX2 or AVX-512 a fourth to an eighth of it, except for pairs that
-overlap at the start. Since: 0.1.""",
+vesica_cast_f64 for each pair; with AVX2 or AVX-512 a half to an eighth of it, except for pairs that overlap
+at the start. Since: 0.1.""",
     ),
     "vesica_cast_first_f64": (
         c_int64,
@@ -3127,7 +3139,7 @@ with the lowest index.
 Requires: one, the shape that moves, an array of count 1; vx, vy and t_end as vesica_cast_f64. Returns: its
 index, or the count of `many` if none is touched. *out is its contact, the normal pointing to `one`. Errors:
 those of vesica_cast_f64. VESICA_E_SHAPE if any shape is invalid. VESICA_E_RANGE only if vesica_cast_f64
-returns it for a shape that might be touched first. Cost: 5 to 10 ns a shape that is missed. Since: 0.1.""",
+returns it for a shape that might be touched first. Cost: 5 to 20 ns a shape that is missed. Since: 0.1.""",
     ),
     "vesica_sweep_bounds_f64": (
         c_int32,
@@ -3344,8 +3356,8 @@ how many touch, including those that overlap at the start. Errors: those of vesi
 an invalid shape, a velocity that is not finite or a result out of range gets NaN for all its numbers, and
 all others are written as usual. The call then returns VESICA_E_SHAPE if a shape is invalid, else the error
 of such an element. Accuracy: every result has the same bits as vesica_cast_f32. Cost: that of
-vesica_cast_f32 for each pair; with AVX2 or AVX-512 a fourth to an eighth of it, except for pairs that
-overlap at the start. Since: 0.1.""",
+vesica_cast_f32 for each pair; with AVX2 or AVX-512 a half to an eighth of it, except for pairs that overlap
+at the start. Since: 0.1.""",
     ),
     "vesica_cast_first_f32": (
         c_int64,
@@ -3358,7 +3370,7 @@ with the lowest index.
 Requires: one, the shape that moves, an array of count 1; vx, vy and t_end as vesica_cast_f32. Returns: its
 index, or the count of `many` if none is touched. *out is its contact, the normal pointing to `one`. Errors:
 those of vesica_cast_f32. VESICA_E_SHAPE if any shape is invalid. VESICA_E_RANGE only if vesica_cast_f32
-returns it for a shape that might be touched first. Cost: 5 to 10 ns a shape that is missed. Since: 0.1.""",
+returns it for a shape that might be touched first. Cost: 5 to 20 ns a shape that is missed. Since: 0.1.""",
     ),
     "vesica_sweep_bounds_f32": (
         c_int32,

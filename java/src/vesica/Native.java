@@ -488,7 +488,8 @@ final class Native {
    * <p>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
    * layout.
    *
-   * <p>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+   * <p>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+   * where numbers are copied first (docs/benchmarks.md).
    *
    * <p>Since: 0.1.
    */
@@ -511,7 +512,8 @@ final class Native {
    * <p>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
    * layout.
    *
-   * <p>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+   * <p>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+   * where numbers are copied first (docs/benchmarks.md).
    *
    * <p>Since: 0.1.
    */
@@ -534,7 +536,8 @@ final class Native {
    * <p>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
    * layout.
    *
-   * <p>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+   * <p>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+   * where numbers are copied first (docs/benchmarks.md).
    *
    * <p>Since: 0.1.
    */
@@ -558,7 +561,8 @@ final class Native {
    * <p>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
    * layout.
    *
-   * <p>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+   * <p>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+   * where numbers are copied first (docs/benchmarks.md).
    *
    * <p>Since: 0.1.
    */
@@ -581,7 +585,8 @@ final class Native {
    * <p>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
    * layout.
    *
-   * <p>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+   * <p>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+   * where numbers are copied first (docs/benchmarks.md).
    *
    * <p>Since: 0.1.
    */
@@ -604,7 +609,8 @@ final class Native {
    * <p>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
    * layout.
    *
-   * <p>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+   * <p>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+   * where numbers are copied first (docs/benchmarks.md).
    *
    * <p>Since: 0.1.
    */
@@ -630,7 +636,8 @@ final class Native {
    * <p>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
    * layout.
    *
-   * <p>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+   * <p>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+   * where numbers are copied first (docs/benchmarks.md).
    *
    * <p>Since: 0.1.
    */
@@ -1232,7 +1239,8 @@ final class Native {
    * <p>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
    * layout.
    *
-   * <p>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+   * <p>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+   * where numbers are copied first (docs/benchmarks.md).
    *
    * <p>Since: 0.1.
    */
@@ -1255,7 +1263,8 @@ final class Native {
    * <p>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
    * layout.
    *
-   * <p>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+   * <p>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+   * where numbers are copied first (docs/benchmarks.md).
    *
    * <p>Since: 0.1.
    */
@@ -1278,7 +1287,8 @@ final class Native {
    * <p>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
    * layout.
    *
-   * <p>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+   * <p>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+   * where numbers are copied first (docs/benchmarks.md).
    *
    * <p>Since: 0.1.
    */
@@ -1302,7 +1312,8 @@ final class Native {
    * <p>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
    * layout.
    *
-   * <p>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+   * <p>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+   * where numbers are copied first (docs/benchmarks.md).
    *
    * <p>Since: 0.1.
    */
@@ -1325,7 +1336,8 @@ final class Native {
    * <p>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
    * layout.
    *
-   * <p>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+   * <p>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+   * where numbers are copied first (docs/benchmarks.md).
    *
    * <p>Since: 0.1.
    */
@@ -1348,7 +1360,8 @@ final class Native {
    * <p>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
    * layout.
    *
-   * <p>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+   * <p>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+   * where numbers are copied first (docs/benchmarks.md).
    *
    * <p>Since: 0.1.
    */
@@ -1374,7 +1387,8 @@ final class Native {
    * <p>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
    * layout.
    *
-   * <p>Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+   * <p>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+   * where numbers are copied first (docs/benchmarks.md).
    *
    * <p>Since: 0.1.
    */
@@ -2811,7 +2825,7 @@ final class Native {
    *
    * <p>Accuracy: every result has the same bits as vesica_cast_f64.
    *
-   * <p>Cost: that of vesica_cast_f64 for each pair; with AVX2 or AVX-512 a fourth to an eighth of it, except for pairs
+   * <p>Cost: that of vesica_cast_f64 for each pair; with AVX2 or AVX-512 a half to an eighth of it, except for pairs
    * that overlap at the start.
    *
    * <p>Since: 0.1.
@@ -2832,7 +2846,7 @@ final class Native {
    * <p>Errors: those of vesica_cast_f64. VESICA_E_SHAPE if any shape is invalid. VESICA_E_RANGE only if vesica_cast_f64
    * returns it for a shape that might be touched first.
    *
-   * <p>Cost: 5 to 10 ns a shape that is missed.
+   * <p>Cost: 5 to 20 ns a shape that is missed.
    *
    * <p>Since: 0.1.
    */
@@ -3124,7 +3138,7 @@ final class Native {
    *
    * <p>Accuracy: every result has the same bits as vesica_cast_f32.
    *
-   * <p>Cost: that of vesica_cast_f32 for each pair; with AVX2 or AVX-512 a fourth to an eighth of it, except for pairs
+   * <p>Cost: that of vesica_cast_f32 for each pair; with AVX2 or AVX-512 a half to an eighth of it, except for pairs
    * that overlap at the start.
    *
    * <p>Since: 0.1.
@@ -3145,7 +3159,7 @@ final class Native {
    * <p>Errors: those of vesica_cast_f32. VESICA_E_SHAPE if any shape is invalid. VESICA_E_RANGE only if vesica_cast_f32
    * returns it for a shape that might be touched first.
    *
-   * <p>Cost: 5 to 10 ns a shape that is missed.
+   * <p>Cost: 5 to 20 ns a shape that is missed.
    *
    * <p>Since: 0.1.
    */

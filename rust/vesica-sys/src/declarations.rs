@@ -969,7 +969,8 @@ extern "C" {
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+    /// Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+    /// where numbers are copied first (docs/benchmarks.md).
     ///
     /// Since: 0.1.
     pub fn vesica_relation_many_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut u8) -> i64;
@@ -988,7 +989,8 @@ extern "C" {
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+    /// Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+    /// where numbers are copied first (docs/benchmarks.md).
     ///
     /// Since: 0.1.
     pub fn vesica_contains_many_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut u8) -> i64;
@@ -1007,7 +1009,8 @@ extern "C" {
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+    /// Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+    /// where numbers are copied first (docs/benchmarks.md).
     ///
     /// Since: 0.1.
     pub fn vesica_nearest_many_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, distance: *mut f64, ax: *mut f64,
@@ -1028,7 +1031,8 @@ extern "C" {
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+    /// Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+    /// where numbers are copied first (docs/benchmarks.md).
     ///
     /// Since: 0.1.
     pub fn vesica_boundary_distance_many_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, distance: *mut f64,
@@ -1048,7 +1052,8 @@ extern "C" {
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+    /// Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+    /// where numbers are copied first (docs/benchmarks.md).
     ///
     /// Since: 0.1.
     pub fn vesica_depth_many_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, depth: *mut f64, x: *mut f64,
@@ -1068,7 +1073,8 @@ extern "C" {
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+    /// Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+    /// where numbers are copied first (docs/benchmarks.md).
     ///
     /// Since: 0.1.
     pub fn vesica_area_many_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut f64) -> i64;
@@ -1090,7 +1096,8 @@ extern "C" {
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+    /// Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+    /// where numbers are copied first (docs/benchmarks.md).
     ///
     /// Since: 0.1.
     pub fn vesica_iou_many_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut f64) -> i64;
@@ -1883,7 +1890,8 @@ extern "C" {
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+    /// Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+    /// where numbers are copied first (docs/benchmarks.md).
     ///
     /// Since: 0.1.
     pub fn vesica_relation_many_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut u8) -> i64;
@@ -1902,7 +1910,8 @@ extern "C" {
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+    /// Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+    /// where numbers are copied first (docs/benchmarks.md).
     ///
     /// Since: 0.1.
     pub fn vesica_contains_many_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut u8) -> i64;
@@ -1921,7 +1930,8 @@ extern "C" {
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+    /// Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+    /// where numbers are copied first (docs/benchmarks.md).
     ///
     /// Since: 0.1.
     pub fn vesica_nearest_many_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, distance: *mut f32, ax: *mut f32,
@@ -1942,7 +1952,8 @@ extern "C" {
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+    /// Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+    /// where numbers are copied first (docs/benchmarks.md).
     ///
     /// Since: 0.1.
     pub fn vesica_boundary_distance_many_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, distance: *mut f32,
@@ -1962,7 +1973,8 @@ extern "C" {
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+    /// Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+    /// where numbers are copied first (docs/benchmarks.md).
     ///
     /// Since: 0.1.
     pub fn vesica_depth_many_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, depth: *mut f32, x: *mut f32,
@@ -1982,7 +1994,8 @@ extern "C" {
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+    /// Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+    /// where numbers are copied first (docs/benchmarks.md).
     ///
     /// Since: 0.1.
     pub fn vesica_area_many_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut f32) -> i64;
@@ -2004,7 +2017,8 @@ extern "C" {
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: a pair takes a fifth of the time of the function for two shapes, to about as much.
+    /// Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+    /// where numbers are copied first (docs/benchmarks.md).
     ///
     /// Since: 0.1.
     pub fn vesica_iou_many_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut f32) -> i64;
@@ -3276,7 +3290,7 @@ extern "C" {
     ///
     /// Accuracy: every result has the same bits as vesica_cast_f64.
     ///
-    /// Cost: that of vesica_cast_f64 for each pair; with AVX2 or AVX-512 a fourth to an eighth of it, except for pairs
+    /// Cost: that of vesica_cast_f64 for each pair; with AVX2 or AVX-512 a half to an eighth of it, except for pairs
     /// that overlap at the start.
     ///
     /// Since: 0.1.
@@ -3293,7 +3307,7 @@ extern "C" {
     /// Errors: those of vesica_cast_f64. VESICA_E_SHAPE if any shape is invalid. VESICA_E_RANGE only if vesica_cast_f64
     /// returns it for a shape that might be touched first.
     ///
-    /// Cost: 5 to 10 ns a shape that is missed.
+    /// Cost: 5 to 20 ns a shape that is missed.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_first_f64(one: *const Shapes<f64>, many: *const Shapes<f64>, vx: f64, vy: f64, t_end: f64,
@@ -3551,7 +3565,7 @@ extern "C" {
     ///
     /// Accuracy: every result has the same bits as vesica_cast_f32.
     ///
-    /// Cost: that of vesica_cast_f32 for each pair; with AVX2 or AVX-512 a fourth to an eighth of it, except for pairs
+    /// Cost: that of vesica_cast_f32 for each pair; with AVX2 or AVX-512 a half to an eighth of it, except for pairs
     /// that overlap at the start.
     ///
     /// Since: 0.1.
@@ -3568,7 +3582,7 @@ extern "C" {
     /// Errors: those of vesica_cast_f32. VESICA_E_SHAPE if any shape is invalid. VESICA_E_RANGE only if vesica_cast_f32
     /// returns it for a shape that might be touched first.
     ///
-    /// Cost: 5 to 10 ns a shape that is missed.
+    /// Cost: 5 to 20 ns a shape that is missed.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_first_f32(one: *const Shapes<f32>, many: *const Shapes<f32>, vx: f32, vy: f32, t_end: f32,
