@@ -16,7 +16,7 @@ inline bool aligned(const void* p) noexcept {
   return reinterpret_cast<std::uintptr_t>(p) % static_cast<std::uintptr_t>(index::alignment) == 0;
 }
 
-/// Whether shapes of this kind can be suppressed: their areas are compared.
+/// Whether shapes of this kind can be suppressed: their areas are compared. (Today each kind has a form.)
 inline bool has_area(int32_t kind) noexcept { return kind >= VESICA_CIRCLE && has_form(kind); }
 
 template <class T>

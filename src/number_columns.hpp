@@ -77,6 +77,7 @@ class NumberColumns {
       pick(from.number_[k], copy_[k]);
       number_[k] = copy_[k];
     }
+    for (int k = field_count(kind_); k < max_fields; ++k) number_[k] = number_[0];  // as set_numbers()
     if (has_areas_) pick(from.area_, area_);
     pick(from.reach_, reach_);
   }

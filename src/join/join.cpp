@@ -93,14 +93,14 @@ class Runner {
   std::int64_t first() const noexcept { return first_; }
   std::int64_t last() const noexcept { return last_; }
 
-  /// Begins at an entry of block_a with block_b, or where these do not meet with what follows in block_a.
+  /// Begins at an entry of block_a with block_b. (Of a made-up state, whose blocks do not meet, at what follows.)
   void begin_at(std::int64_t block_a, std::int64_t block_b, std::int32_t entry) noexcept {
     block_a_ = block_a;
     next_b_ = block_b;
     first_entry_ = entry;
   }
 
-  /// The next candidates, about `wanted` and at most 64 more: returns how many, 0 at the end.
+  /// The next candidates, about `wanted` and at most 32 more: returns how many, 0 at the end.
   std::int32_t gather(std::int32_t wanted) noexcept {
     Scratch& s = scratch_;
     std::int32_t n = 0;

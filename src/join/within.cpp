@@ -57,21 +57,26 @@ double greatest_extent(const Kernels& kernels, const Sets& sets) noexcept {
 }
 
 /// How much wider a shape's window is than its box, so that it holds all shapes that are within the distance. An
-/// ellipse may be found near to what is farther away by the error of its own distance, less than 8 u times the largest
-/// size of both shapes or offset of their centres.
+/// ellipse may be found near to what is farther away by less than 9 u of the scale: the largest half length of both
+/// shapes, or offset of their centres. The sum of the distance and both extents is at least that.
 class Room {
  public:
-  explicit Room(const JoinWithin& join) noexcept : distance_(join.distance) {
-    if (!(join.distance > 0) || !(has_ellipses(join.a) || has_ellipses(join.b))) return;
-    share_ = 0x1p-49;
-    // The extent of a whole index costs no look at its shapes, and mostly adds nothing to a window.
-    const auto& whole = View(join.index_b).header().bounds;
-    size_ = View(join.index_b).header().placed == 0 ? 0 : extent(whole[0], whole[1], whole[2], whole[3]);
-    if (!(size_ * share_ <= 0x1p-6 * distance_)) size_ = greatest_extent(join.kernels, join.b);
+  explicit Room(const JoinWithin& join) noexcept : join_(join), view_(join.index_b) {
+    const bool widens = join.distance > 0 && (has_ellipses(join.a) || has_ellipses(join.b));
+    share_ = widens ? 0x1p-49 : 0;
+    const auto& whole = view_.header().bounds;
+    size_ = view_.header().placed == 0 ? 0 : extent(whole[0], whole[1], whole[2], whole[3]);
   }
-  void widen(double (&box)[4]) const noexcept {
-    const double sizes = share_ == 0 ? 0 : distance_ + size_ + extent(box[0], box[1], box[2], box[3]);
-    const double room = distance_ * (1 + 0x1p-50) + share_ * sizes + 0x1p-1060;
+
+  /// around: the extent of a block of shapes like this one. The extent of all of B costs no look at its shapes, and
+  /// mostly widens a window by nothing beside that; else the greatest one of its shapes is found.
+  void widen(double around, double (&box)[4]) noexcept {
+    if (!is_of_shapes_ && share_ * size_ > 0x1p-10 * around) {
+      size_ = greatest_extent(join_.kernels, join_.b);
+      is_of_shapes_ = true;
+    }
+    const double sizes = share_ == 0 ? 0 : join_.distance + size_ + extent(box[0], box[1], box[2], box[3]);
+    const double room = join_.distance * (1 + 0x1p-50) + share_ * sizes + 0x1p-1060;
     for (int side = 0; side < 4; ++side) {
       const double outward = room + 0x1p-51 * __builtin_fabs(box[side]);  // the sum is rounded too
       box[side] += side < 2 ? -outward : outward;
@@ -79,7 +84,10 @@ class Room {
   }
 
  private:
-  double distance_, share_ = 0, size_ = 0;
+  const JoinWithin& join_;
+  View view_;
+  double share_, size_;
+  bool is_of_shapes_ = false;
 };
 
 /// A shape as doubles.
@@ -116,6 +124,9 @@ class Walk {
     for (std::int64_t number = 0; number < a_.blocks() && first < end; ++number) {
       const Block& block = a_.block(number);
       const std::int64_t after = first + block.count;
+      double around[4];
+      a_.box_of(number, around);
+      around_ = extent(around[0], around[1], around[2], around[3]);
       for (std::int64_t place = begin > first ? begin : first; place < after && place < end; ++place) {
         if (!pairs_of(place, item_at(block, static_cast<std::int32_t>(place - first)), from, found)) return;
         from = 0;
@@ -131,7 +142,7 @@ class Walk {
   bool pairs_of(std::int64_t place, std::uint32_t item, std::int64_t from, const Found& found) noexcept {
     double box[4];
     bounds_of_item(join_.kernels, join_.a, item, box);
-    room_.widen(box);
+    room_.widen(around_, box);
     const Shape shape(join_.a, item);
     std::int64_t list[block_list];
     for (std::int32_t listed = block_list; listed == block_list;) {
@@ -162,6 +173,7 @@ class Walk {
   View a_, b_;
   bool self_;
   Room room_;
+  double around_ = 0;  // the extent of the block of A
   std::uint32_t candidate_[block_items + leaf_items];
 };
 

@@ -104,6 +104,21 @@ TEST(JoinWithin, DistanceZeroIsOverlap) {
   EXPECT_TRUE(sorted(pairs_within(a, b, 0, 1, 500)) == sorted(join(VESICA_JOIN_OVERLAP, a, b)));
 }
 
+/// Pairs that only an ellipse's rounding makes near: their boxes are farther apart than the distance.
+TEST(JoinWithin, NearlyWithin) {
+  constexpr double distance = 1e-3, beyond = 1e-9 + distance + 4e-16;
+  const Indexed<double> needle(Records<double>{VESICA_ELLIPSE, {0, 0, 0, 1, 1, 1e-9}});
+  const Indexed<double> point(Records<double>{VESICA_POINT, {beyond, 0}});
+  const Indexed<double> edge(Records<double>{VESICA_SEGMENT, {beyond, -9, beyond, 9}});
+  for (const Indexed<double>* other : {&point, &edge}) {
+    ASSERT_EQ(vesica_within_f64(VESICA_ELLIPSE, needle.laid[0].numbers.data(), other->laid[0].kind,
+                                other->laid[0].numbers.data(), distance),
+              VESICA_WITHIN_NEARLY);
+    EXPECT_EQ(call(needle, *other, distance, 0, 1, nullptr, nullptr, 0, nullptr), 1);
+    EXPECT_EQ(call(*other, needle, distance, 0, 1, nullptr, nullptr, 0, nullptr), 1);
+  }
+}
+
 /// A shape far out must not widen the windows of all others: this would compare 200 million pairs then.
 TEST(JoinWithin, OneItemFarOut) {
   for (const std::int32_t kind : {VESICA_CIRCLE, VESICA_ELLIPSE}) {
