@@ -358,7 +358,7 @@ VESICA_API int32_t vesica_bounds_f64(int32_t kind, const double *numbers, vesica
  * Returns: 1 if the shapes share a point (touching counts), 0 if not.
  * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
  * Accuracy: exact.
- * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+ * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
  * Since: 0.1.
  */
 

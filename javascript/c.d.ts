@@ -240,7 +240,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_point_point_f64(a: number, b: number): number;
@@ -250,7 +250,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_point_segment_f64(a: number, b: number): number;
@@ -260,7 +260,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_point_circle_f64(a: number, b: number): number;
@@ -270,7 +270,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_point_aabb_f64(a: number, b: number): number;
@@ -280,7 +280,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_point_rect_f64(a: number, b: number): number;
@@ -290,7 +290,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_point_ellipse_f64(a: number, b: number): number;
@@ -300,7 +300,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_segment_segment_f64(a: number, b: number): number;
@@ -310,7 +310,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_segment_circle_f64(a: number, b: number): number;
@@ -320,7 +320,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_segment_aabb_f64(a: number, b: number): number;
@@ -330,7 +330,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_segment_rect_f64(a: number, b: number): number;
@@ -340,7 +340,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_segment_ellipse_f64(a: number, b: number): number;
@@ -350,7 +350,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_circle_circle_f64(a: number, b: number): number;
@@ -360,7 +360,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_circle_aabb_f64(a: number, b: number): number;
@@ -370,7 +370,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_circle_rect_f64(a: number, b: number): number;
@@ -380,7 +380,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_circle_ellipse_f64(a: number, b: number): number;
@@ -390,7 +390,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_aabb_aabb_f64(a: number, b: number): number;
@@ -400,7 +400,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_aabb_rect_f64(a: number, b: number): number;
@@ -410,7 +410,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_aabb_ellipse_f64(a: number, b: number): number;
@@ -420,7 +420,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_rect_rect_f64(a: number, b: number): number;
@@ -430,7 +430,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_rect_ellipse_f64(a: number, b: number): number;
@@ -440,7 +440,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_ellipse_ellipse_f64(a: number, b: number): number;
@@ -971,7 +971,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_point_point_f32(a: number, b: number): number;
@@ -981,7 +981,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_point_segment_f32(a: number, b: number): number;
@@ -991,7 +991,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_point_circle_f32(a: number, b: number): number;
@@ -1001,7 +1001,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_point_aabb_f32(a: number, b: number): number;
@@ -1011,7 +1011,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_point_rect_f32(a: number, b: number): number;
@@ -1021,7 +1021,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_point_ellipse_f32(a: number, b: number): number;
@@ -1031,7 +1031,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_segment_segment_f32(a: number, b: number): number;
@@ -1041,7 +1041,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_segment_circle_f32(a: number, b: number): number;
@@ -1051,7 +1051,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_segment_aabb_f32(a: number, b: number): number;
@@ -1061,7 +1061,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_segment_rect_f32(a: number, b: number): number;
@@ -1071,7 +1071,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_segment_ellipse_f32(a: number, b: number): number;
@@ -1081,7 +1081,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_circle_circle_f32(a: number, b: number): number;
@@ -1091,7 +1091,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_circle_aabb_f32(a: number, b: number): number;
@@ -1101,7 +1101,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_circle_rect_f32(a: number, b: number): number;
@@ -1111,7 +1111,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_circle_ellipse_f32(a: number, b: number): number;
@@ -1121,7 +1121,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_aabb_aabb_f32(a: number, b: number): number;
@@ -1131,7 +1131,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_aabb_rect_f32(a: number, b: number): number;
@@ -1141,7 +1141,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_aabb_ellipse_f32(a: number, b: number): number;
@@ -1151,7 +1151,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_rect_rect_f32(a: number, b: number): number;
@@ -1161,7 +1161,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_rect_ellipse_f32(a: number, b: number): number;
@@ -1171,7 +1171,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+   * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
    * Since: 0.1.
    */
   vesica_overlap_ellipse_ellipse_f32(a: number, b: number): number;
@@ -1734,7 +1734,7 @@ export interface C {
    * Returns: 0; at step 4 what vesica_index_build_f64 returns.
    * Errors: those of vesica_index_build_f64. VESICA_E_ARGUMENT also if step, part or parts is out of range, or if the
    * scratch is not that of step 0 of a build that has not ended.
-   * Cost: steps 0 and 4 are short; the work is in the others, about evenly.
+   * Cost: in all that of the build: three fifths in step 1; a tenth in step 0, which cannot be divided.
    * Since: 0.1.
    */
   vesica_index_step_f64(step: number, part: bigint, parts: bigint, sets: number, set_count: number, index: number,
@@ -1843,7 +1843,7 @@ export interface C {
    * Returns: 0; at step 4 what vesica_index_build_f32 returns.
    * Errors: those of vesica_index_build_f32. VESICA_E_ARGUMENT also if step, part or parts is out of range, or if the
    * scratch is not that of step 0 of a build that has not ended.
-   * Cost: steps 0 and 4 are short; the work is in the others, about evenly.
+   * Cost: in all that of the build: three fifths in step 1; a tenth in step 0, which cannot be divided.
    * Since: 0.1.
    */
   vesica_index_step_f32(step: number, part: bigint, parts: bigint, sets: number, set_count: number, index: number,
@@ -2386,7 +2386,7 @@ export interface C {
    * Errors: those of vesica_cast_f64; VESICA_E_RANGE if a side would overflow.
    * Accuracy: a side that does not move is that of vesica_bounds_f64. One that moves is too far out by at most four
    * units in the last place of the largest of three numbers: the side at rest, the way it moves, and where it ends.
-   * Cost: a few ns more than vesica_bounds_f64.
+   * Cost: 15 ns more than vesica_bounds_f64.
    * Since: 0.1.
    */
   vesica_sweep_bounds_f64(kind: number, numbers: number, vx: number, vy: number, t_end: number, out: number): number;
@@ -2573,7 +2573,7 @@ export interface C {
    * Errors: those of vesica_cast_f32; VESICA_E_RANGE if a side would overflow.
    * Accuracy: a side that does not move is that of vesica_bounds_f32. One that moves is too far out by at most four
    * units in the last place of the largest of three numbers: the side at rest, the way it moves, and where it ends.
-   * Cost: a few ns more than vesica_bounds_f32.
+   * Cost: 15 ns more than vesica_bounds_f32.
    * Since: 0.1.
    */
   vesica_sweep_bounds_f32(kind: number, numbers: number, vx: number, vy: number, t_end: number, out: number): number;

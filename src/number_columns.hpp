@@ -51,14 +51,14 @@ class NumberColumns {
     set_numbers(shapes, begin, n, whole_vectors(n), kernels);
   }
 
-  /// Computes the areas, unless they are known.
-  void find_areas(ShapeArea shape_area) noexcept {
-    if (has_areas_) return;
+  /// Computes the areas, if the query has them and unless they are known.
+  void find_areas(const Query& query) noexcept {
+    if (has_areas_ || query.shape_area == nullptr) return;
     has_areas_ = true;
     for (std::int32_t i = 0; i < n_; ++i) {
       double numbers[max_fields];
       element(i, numbers);
-      area_[i] = shape_area(kind_, numbers);
+      area_[i] = query.shape_area(kind_, numbers);
     }
     for (std::int32_t i = n_; i < end_; ++i) area_[i] = area_[0];
   }

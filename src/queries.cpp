@@ -23,9 +23,8 @@ struct Pairs {
   NumberColumns& first() noexcept { return reversed() ? b : a; }
   NumberColumns& second() noexcept { return reversed() ? a : b; }
   void find_areas(const Query& query) noexcept {
-    if (query.shape_area == nullptr) return;
-    a.find_areas(query.shape_area);
-    b.find_areas(query.shape_area);
+    a.find_areas(query);
+    b.find_areas(query);
   }
 };
 
@@ -146,7 +145,7 @@ class Engine {
                                NumberColumns& room) noexcept {
     if (!from.repeated()) room.gather(from, list, count);
     NumberColumns& out = from.repeated() ? from : room;
-    if (query.shape_area != nullptr) out.find_areas(query.shape_area);
+    out.find_areas(query);
     return out.operand();
   }
 
@@ -166,7 +165,7 @@ class Engine {
   }
 
   /// Calls the scalar function for all pairs, or only for those that a kernel left open by a NaN.
-  void ask_scalar(const Query& query, Pairs& pairs, bool all, Results& results) noexcept {
+  void ask_scalar(const Query& query, const Pairs& pairs, bool all, Results& results) noexcept {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     const PairFunction answer_pair = query.doubles.of[pairs.a.kind()][pairs.b.kind()];
     for (std::int32_t i = 0; i < pairs.n; ++i) {
@@ -227,7 +226,7 @@ QueryTally query_matrix(const Query& query, const KernelTable& kernels, const Sh
   for (std::int64_t begin = 0; begin < b.count; begin += query_block) {
     pairs.n = block_length(b.count - begin, query_block);
     pairs.b.set(b, begin, pairs.n, query, kernels);
-    if (a.count > 1 && query.shape_area != nullptr) pairs.b.find_areas(query.shape_area);  // once for all rows
+    if (a.count > 1) pairs.b.find_areas(query);  // once for all rows
     for (std::int64_t row = 0; row < a.count; ++row) {
       pairs.a.set(element(a, row), 0, pairs.n, query, kernels);
       engine.answer<Out>(pairs, results);

@@ -646,7 +646,7 @@ sides; at worst 6 us. Since: 0.1.""",
 Are the two points the same?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_segment_f64": (
@@ -657,7 +657,7 @@ decide; at worst 25 us. Since: 0.1.""",
 Does the point lie on the segment? End points count.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_circle_f64": (
@@ -668,7 +668,7 @@ decide; at worst 25 us. Since: 0.1.""",
 Does the point lie in the disc or on its rim?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_aabb_f64": (
@@ -679,7 +679,7 @@ decide; at worst 25 us. Since: 0.1.""",
 Does the point lie in the box or on its outline?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_rect_f64": (
@@ -690,7 +690,7 @@ decide; at worst 25 us. Since: 0.1.""",
 Does the point lie in the rectangle or on its outline?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_ellipse_f64": (
@@ -701,7 +701,7 @@ decide; at worst 25 us. Since: 0.1.""",
 Does the point lie in the ellipse or on its outline?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_segment_segment_f64": (
@@ -712,7 +712,7 @@ decide; at worst 25 us. Since: 0.1.""",
 Do the segments share a point? End points count, and so do stretches along one line.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_segment_circle_f64": (
@@ -723,7 +723,7 @@ decide; at worst 25 us. Since: 0.1.""",
 Does the segment meet the disc? A tangent segment does.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_segment_aabb_f64": (
@@ -734,7 +734,7 @@ decide; at worst 25 us. Since: 0.1.""",
 Does the segment meet the box? A segment inside it does.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_segment_rect_f64": (
@@ -745,7 +745,7 @@ decide; at worst 25 us. Since: 0.1.""",
 Does the segment meet the rectangle? A segment inside it does.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_segment_ellipse_f64": (
@@ -756,7 +756,7 @@ decide; at worst 25 us. Since: 0.1.""",
 Does the segment meet the ellipse? A tangent segment does.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_circle_circle_f64": (
@@ -767,7 +767,7 @@ decide; at worst 25 us. Since: 0.1.""",
 Do the discs share a point? Discs that touch from outside do.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_circle_aabb_f64": (
@@ -778,7 +778,7 @@ decide; at worst 25 us. Since: 0.1.""",
 Do the disc and the box share a point?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_circle_rect_f64": (
@@ -789,7 +789,7 @@ decide; at worst 25 us. Since: 0.1.""",
 Do the disc and the rectangle share a point?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_circle_ellipse_f64": (
@@ -800,7 +800,7 @@ decide; at worst 25 us. Since: 0.1.""",
 Do the disc and the ellipse share a point?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_aabb_aabb_f64": (
@@ -811,7 +811,7 @@ decide; at worst 25 us. Since: 0.1.""",
 Do the boxes share a point? Boxes that share an edge or a corner do.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_aabb_rect_f64": (
@@ -822,7 +822,7 @@ decide; at worst 25 us. Since: 0.1.""",
 Do the box and the rectangle share a point?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_aabb_ellipse_f64": (
@@ -833,7 +833,7 @@ decide; at worst 25 us. Since: 0.1.""",
 Do the box and the ellipse share a point?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_rect_rect_f64": (
@@ -844,7 +844,7 @@ decide; at worst 25 us. Since: 0.1.""",
 Do the rectangles share a point? Rectangles that share an edge or a corner do.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_rect_ellipse_f64": (
@@ -855,7 +855,7 @@ decide; at worst 25 us. Since: 0.1.""",
 Do the rectangle and the ellipse share a point? They do if one is inside the other.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_ellipse_ellipse_f64": (
@@ -866,7 +866,7 @@ decide; at worst 25 us. Since: 0.1.""",
 Do the ellipses share a point? They do if one is inside the other.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_aabb_from_corners_f64": (
@@ -1484,7 +1484,7 @@ sides; at worst 6 us. Since: 0.1.""",
 Are the two points the same?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_segment_f32": (
@@ -1495,7 +1495,7 @@ decide; at worst 25 us. Since: 0.1.""",
 Does the point lie on the segment? End points count.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_circle_f32": (
@@ -1506,7 +1506,7 @@ decide; at worst 25 us. Since: 0.1.""",
 Does the point lie in the disc or on its rim?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_aabb_f32": (
@@ -1517,7 +1517,7 @@ decide; at worst 25 us. Since: 0.1.""",
 Does the point lie in the box or on its outline?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_rect_f32": (
@@ -1528,7 +1528,7 @@ decide; at worst 25 us. Since: 0.1.""",
 Does the point lie in the rectangle or on its outline?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_ellipse_f32": (
@@ -1539,7 +1539,7 @@ decide; at worst 25 us. Since: 0.1.""",
 Does the point lie in the ellipse or on its outline?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_segment_segment_f32": (
@@ -1550,7 +1550,7 @@ decide; at worst 25 us. Since: 0.1.""",
 Do the segments share a point? End points count, and so do stretches along one line.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_segment_circle_f32": (
@@ -1561,7 +1561,7 @@ decide; at worst 25 us. Since: 0.1.""",
 Does the segment meet the disc? A tangent segment does.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_segment_aabb_f32": (
@@ -1572,7 +1572,7 @@ decide; at worst 25 us. Since: 0.1.""",
 Does the segment meet the box? A segment inside it does.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_segment_rect_f32": (
@@ -1583,7 +1583,7 @@ decide; at worst 25 us. Since: 0.1.""",
 Does the segment meet the rectangle? A segment inside it does.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_segment_ellipse_f32": (
@@ -1594,7 +1594,7 @@ decide; at worst 25 us. Since: 0.1.""",
 Does the segment meet the ellipse? A tangent segment does.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_circle_circle_f32": (
@@ -1605,7 +1605,7 @@ decide; at worst 25 us. Since: 0.1.""",
 Do the discs share a point? Discs that touch from outside do.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_circle_aabb_f32": (
@@ -1616,7 +1616,7 @@ decide; at worst 25 us. Since: 0.1.""",
 Do the disc and the box share a point?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_circle_rect_f32": (
@@ -1627,7 +1627,7 @@ decide; at worst 25 us. Since: 0.1.""",
 Do the disc and the rectangle share a point?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_circle_ellipse_f32": (
@@ -1638,7 +1638,7 @@ decide; at worst 25 us. Since: 0.1.""",
 Do the disc and the ellipse share a point?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_aabb_aabb_f32": (
@@ -1649,7 +1649,7 @@ decide; at worst 25 us. Since: 0.1.""",
 Do the boxes share a point? Boxes that share an edge or a corner do.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_aabb_rect_f32": (
@@ -1660,7 +1660,7 @@ decide; at worst 25 us. Since: 0.1.""",
 Do the box and the rectangle share a point?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_aabb_ellipse_f32": (
@@ -1671,7 +1671,7 @@ decide; at worst 25 us. Since: 0.1.""",
 Do the box and the ellipse share a point?
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_rect_rect_f32": (
@@ -1682,7 +1682,7 @@ decide; at worst 25 us. Since: 0.1.""",
 Do the rectangles share a point? Rectangles that share an edge or a corner do.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_rect_ellipse_f32": (
@@ -1693,7 +1693,7 @@ decide; at worst 25 us. Since: 0.1.""",
 Do the rectangle and the ellipse share a point? They do if one is inside the other.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_overlap_ellipse_ellipse_f32": (
@@ -1704,7 +1704,7 @@ decide; at worst 25 us. Since: 0.1.""",
 Do the ellipses share a point? They do if one is inside the other.
 
 Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
 decide; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_aabb_from_corners_f32": (
@@ -2377,8 +2377,8 @@ all calls.
 Requires: 0 <= step <= 4 and 0 <= part < parts; parts is 1 in steps 0 and 4. The rest is as for the build.
 Returns: 0; at step 4 what vesica_index_build_f64 returns. Errors: those of vesica_index_build_f64.
 VESICA_E_ARGUMENT also if step, part or parts is out of range, or if the scratch is not that of step 0 of a
-build that has not ended. Cost: steps 0 and 4 are short; the work is in the others, about evenly. Since:
-0.1.""",
+build that has not ended. Cost: in all that of the build: three fifths in step 1; a tenth in step 0, which
+cannot be divided. Since: 0.1.""",
     ),
     "vesica_index_select_f64": (
         c_int64,
@@ -2506,8 +2506,8 @@ all calls.
 Requires: 0 <= step <= 4 and 0 <= part < parts; parts is 1 in steps 0 and 4. The rest is as for the build.
 Returns: 0; at step 4 what vesica_index_build_f32 returns. Errors: those of vesica_index_build_f32.
 VESICA_E_ARGUMENT also if step, part or parts is out of range, or if the scratch is not that of step 0 of a
-build that has not ended. Cost: steps 0 and 4 are short; the work is in the others, about evenly. Since:
-0.1.""",
+build that has not ended. Cost: in all that of the build: three fifths in step 1; a tenth in step 0, which
+cannot be divided. Since: 0.1.""",
     ),
     "vesica_index_select_f32": (
         c_int64,
@@ -3151,7 +3151,7 @@ A box that holds a shape throughout its motion, t from 0 to t_end. The shape tou
 Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: 0. Errors: those of
 vesica_cast_f64; VESICA_E_RANGE if a side would overflow. Accuracy: a side that does not move is that of
 vesica_bounds_f64. One that moves is too far out by at most four units in the last place of the largest of
-three numbers: the side at rest, the way it moves, and where it ends. Cost: a few ns more than
+three numbers: the side at rest, the way it moves, and where it ends. Cost: 15 ns more than
 vesica_bounds_f64. Since: 0.1.""",
     ),
     "vesica_index_cast_f64": (
@@ -3382,7 +3382,7 @@ A box that holds a shape throughout its motion, t from 0 to t_end. The shape tou
 Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: 0. Errors: those of
 vesica_cast_f32; VESICA_E_RANGE if a side would overflow. Accuracy: a side that does not move is that of
 vesica_bounds_f32. One that moves is too far out by at most four units in the last place of the largest of
-three numbers: the side at rest, the way it moves, and where it ends. Cost: a few ns more than
+three numbers: the side at rest, the way it moves, and where it ends. Cost: 15 ns more than
 vesica_bounds_f32. Since: 0.1.""",
     ),
     "vesica_index_cast_f32": (

@@ -240,8 +240,8 @@ class Runner {
     }
     for (int k = 0; k < kind_count * kind_count; ++k) {
       const std::int32_t from = begin[k], length = begin[k + 1] - from;
-      if (length > 0)
-        decide_run(k / kind_count, k % kind_count, s.sorted_a + from, s.sorted_b + from, length, s.sorted + from);
+      if (length == 0) continue;
+      decide_run(k / kind_count, k % kind_count, s.sorted_a + from, s.sorted_b + from, length, s.sorted + from);
     }
     for (std::int32_t i = 0; i < n; ++i) s.verdict[s.order[i]] = s.sorted[i];
   }

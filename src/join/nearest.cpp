@@ -185,8 +185,8 @@ class Search {
     }
   }
 
-  /// Not where all results are as near as an item can be, and have lower numbers: so of many shapes that overlap the
-  /// one few are measured.
+  /// Whether an item could be among the results: not if k are found that are as near as its bound and have lower
+  /// numbers. So of many shapes that overlap the one asked about, few are measured.
   bool may_be_taken(Entry e) const noexcept {
     if (query_.k == 0 || found_ < query_.k) return true;
     return bound_of(e) < static_cast<double>(distance_[0]) || static_cast<std::uint32_t>(e) < out_[0];

@@ -68,8 +68,8 @@ class Room {
     size_ = view_.header().placed == 0 ? 0 : extent(whole[0], whole[1], whole[2], whole[3]);
   }
 
-  /// around: the extent of a block of shapes like this one. The extent of all of B costs no look at its shapes, and
-  /// mostly widens a window by nothing beside that; else the greatest one of its shapes is found.
+  /// around: the extent of the shape's block, beside which the window should not grow much. The extent of all of B is
+  /// known without a look at its shapes, and mostly does. Where it does not, that of B's greatest shape is found.
   void widen(double around, double (&box)[4]) noexcept {
     if (!is_of_shapes_ && share_ * size_ > 0x1p-10 * around) {
       size_ = greatest_extent(join_.kernels, join_.b);

@@ -566,7 +566,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_point_f64(a: *const Point<f64>, b: *const Point<f64>) -> i32;
@@ -578,7 +578,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_segment_f64(a: *const Point<f64>, b: *const Segment<f64>) -> i32;
@@ -590,7 +590,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_circle_f64(a: *const Point<f64>, b: *const Circle<f64>) -> i32;
@@ -602,7 +602,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_aabb_f64(a: *const Point<f64>, b: *const Aabb<f64>) -> i32;
@@ -614,7 +614,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_rect_f64(a: *const Point<f64>, b: *const Rect<f64>) -> i32;
@@ -626,7 +626,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_ellipse_f64(a: *const Point<f64>, b: *const Ellipse<f64>) -> i32;
@@ -638,7 +638,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_segment_f64(a: *const Segment<f64>, b: *const Segment<f64>) -> i32;
@@ -650,7 +650,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_circle_f64(a: *const Segment<f64>, b: *const Circle<f64>) -> i32;
@@ -662,7 +662,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_aabb_f64(a: *const Segment<f64>, b: *const Aabb<f64>) -> i32;
@@ -674,7 +674,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_rect_f64(a: *const Segment<f64>, b: *const Rect<f64>) -> i32;
@@ -686,7 +686,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_ellipse_f64(a: *const Segment<f64>, b: *const Ellipse<f64>) -> i32;
@@ -698,7 +698,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_circle_circle_f64(a: *const Circle<f64>, b: *const Circle<f64>) -> i32;
@@ -710,7 +710,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_circle_aabb_f64(a: *const Circle<f64>, b: *const Aabb<f64>) -> i32;
@@ -722,7 +722,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_circle_rect_f64(a: *const Circle<f64>, b: *const Rect<f64>) -> i32;
@@ -734,7 +734,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_circle_ellipse_f64(a: *const Circle<f64>, b: *const Ellipse<f64>) -> i32;
@@ -746,7 +746,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_aabb_aabb_f64(a: *const Aabb<f64>, b: *const Aabb<f64>) -> i32;
@@ -758,7 +758,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_aabb_rect_f64(a: *const Aabb<f64>, b: *const Rect<f64>) -> i32;
@@ -770,7 +770,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_aabb_ellipse_f64(a: *const Aabb<f64>, b: *const Ellipse<f64>) -> i32;
@@ -782,7 +782,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_rect_rect_f64(a: *const Rect<f64>, b: *const Rect<f64>) -> i32;
@@ -794,7 +794,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_rect_ellipse_f64(a: *const Rect<f64>, b: *const Ellipse<f64>) -> i32;
@@ -806,7 +806,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_ellipse_ellipse_f64(a: *const Ellipse<f64>, b: *const Ellipse<f64>) -> i32;
@@ -1487,7 +1487,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_point_f32(a: *const Point<f32>, b: *const Point<f32>) -> i32;
@@ -1499,7 +1499,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_segment_f32(a: *const Point<f32>, b: *const Segment<f32>) -> i32;
@@ -1511,7 +1511,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_circle_f32(a: *const Point<f32>, b: *const Circle<f32>) -> i32;
@@ -1523,7 +1523,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_aabb_f32(a: *const Point<f32>, b: *const Aabb<f32>) -> i32;
@@ -1535,7 +1535,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_rect_f32(a: *const Point<f32>, b: *const Rect<f32>) -> i32;
@@ -1547,7 +1547,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_ellipse_f32(a: *const Point<f32>, b: *const Ellipse<f32>) -> i32;
@@ -1559,7 +1559,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_segment_f32(a: *const Segment<f32>, b: *const Segment<f32>) -> i32;
@@ -1571,7 +1571,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_circle_f32(a: *const Segment<f32>, b: *const Circle<f32>) -> i32;
@@ -1583,7 +1583,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_aabb_f32(a: *const Segment<f32>, b: *const Aabb<f32>) -> i32;
@@ -1595,7 +1595,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_rect_f32(a: *const Segment<f32>, b: *const Rect<f32>) -> i32;
@@ -1607,7 +1607,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_ellipse_f32(a: *const Segment<f32>, b: *const Ellipse<f32>) -> i32;
@@ -1619,7 +1619,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_circle_circle_f32(a: *const Circle<f32>, b: *const Circle<f32>) -> i32;
@@ -1631,7 +1631,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_circle_aabb_f32(a: *const Circle<f32>, b: *const Aabb<f32>) -> i32;
@@ -1643,7 +1643,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_circle_rect_f32(a: *const Circle<f32>, b: *const Rect<f32>) -> i32;
@@ -1655,7 +1655,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_circle_ellipse_f32(a: *const Circle<f32>, b: *const Ellipse<f32>) -> i32;
@@ -1667,7 +1667,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_aabb_aabb_f32(a: *const Aabb<f32>, b: *const Aabb<f32>) -> i32;
@@ -1679,7 +1679,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_aabb_rect_f32(a: *const Aabb<f32>, b: *const Rect<f32>) -> i32;
@@ -1691,7 +1691,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_aabb_ellipse_f32(a: *const Aabb<f32>, b: *const Ellipse<f32>) -> i32;
@@ -1703,7 +1703,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_rect_rect_f32(a: *const Rect<f32>, b: *const Rect<f32>) -> i32;
@@ -1715,7 +1715,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_rect_ellipse_f32(a: *const Rect<f32>, b: *const Ellipse<f32>) -> i32;
@@ -1727,7 +1727,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_ellipse_ellipse_f32(a: *const Ellipse<f32>, b: *const Ellipse<f32>) -> i32;
@@ -2473,7 +2473,7 @@ extern "C" {
     /// Errors: those of vesica_index_build_f64. VESICA_E_ARGUMENT also if step, part or parts is out of range, or if
     /// the scratch is not that of step 0 of a build that has not ended.
     ///
-    /// Cost: steps 0 and 4 are short; the work is in the others, about evenly.
+    /// Cost: in all that of the build: three fifths in step 1; a tenth in step 0, which cannot be divided.
     ///
     /// Since: 0.1.
     pub fn vesica_index_step_f64(step: i32, part: i64, parts: i64, sets: *const Shapes<f64>, set_count: i32,
@@ -2622,7 +2622,7 @@ extern "C" {
     /// Errors: those of vesica_index_build_f32. VESICA_E_ARGUMENT also if step, part or parts is out of range, or if
     /// the scratch is not that of step 0 of a build that has not ended.
     ///
-    /// Cost: steps 0 and 4 are short; the work is in the others, about evenly.
+    /// Cost: in all that of the build: three fifths in step 1; a tenth in step 0, which cannot be divided.
     ///
     /// Since: 0.1.
     pub fn vesica_index_step_f32(step: i32, part: i64, parts: i64, sets: *const Shapes<f32>, set_count: i32,
@@ -3323,7 +3323,7 @@ extern "C" {
     /// Accuracy: a side that does not move is that of vesica_bounds_f64. One that moves is too far out by at most four
     /// units in the last place of the largest of three numbers: the side at rest, the way it moves, and where it ends.
     ///
-    /// Cost: a few ns more than vesica_bounds_f64.
+    /// Cost: 15 ns more than vesica_bounds_f64.
     ///
     /// Since: 0.1.
     pub fn vesica_sweep_bounds_f64(kind: i32, numbers: *const f64, vx: f64, vy: f64, t_end: f64,
@@ -3598,7 +3598,7 @@ extern "C" {
     /// Accuracy: a side that does not move is that of vesica_bounds_f32. One that moves is too far out by at most four
     /// units in the last place of the largest of three numbers: the side at rest, the way it moves, and where it ends.
     ///
-    /// Cost: a few ns more than vesica_bounds_f32.
+    /// Cost: 15 ns more than vesica_bounds_f32.
     ///
     /// Since: 0.1.
     pub fn vesica_sweep_bounds_f32(kind: i32, numbers: *const f32, vx: f32, vy: f32, t_end: f32,

@@ -70,9 +70,7 @@ int undecided(const vesica::Query& query, const vesica::KernelTable& table, int 
     constexpr std::int32_t n = vesica::query_block;
     first.set(view(kind_a, pairs.a), block * n, n, query, table);
     second.set(view(kind_b, pairs.b), block * n, n, query, table);
-    for (auto* shapes : {&first, &second}) {
-      if (query.shape_area != nullptr) shapes->find_areas(query.shape_area);
-    }
+    for (auto* shapes : {&first, &second}) shapes->find_areas(query);
     double known[n], results[vesica::max_results][n];
     for (std::int32_t i = 0; i < n; ++i) {
       const auto at = static_cast<std::size_t>(block * n + i);
