@@ -28,6 +28,24 @@ Shape load(const void* numbers) noexcept {
   return shape;
 }
 
+/// A kind of shape without its scalar.
+template <template <class> class Shape>
+struct Named {};
+
+/// action(Named<Shape>), or error_kind.
+template <class Action>
+constexpr std::int32_t with_name(std::int32_t kind, Action action) noexcept {
+  switch (kind) {
+#define VESICA_CASE(name, Name)               \
+  case static_cast<std::int32_t>(Kind::name): \
+    return action(Named<Name>{});
+    VESICA_EACH_SHAPE(VESICA_CASE)
+#undef VESICA_CASE
+    default:
+      return error_kind;
+  }
+}
+
 /// action(shape), or error_kind for a shape that it does not take.
 template <class Shape, class Action>
 std::int32_t call_with(const void* numbers, Action& action) noexcept {
@@ -42,41 +60,22 @@ std::int32_t call_with(const void* numbers, Action& action) noexcept {
 template <class T, class Action>
 std::int32_t with_shape(std::int32_t kind, const T* numbers, Action action) noexcept {
   if (numbers == nullptr) return error_null;
-  switch (kind) {
-#define VESICA_CASE(name, Name)               \
-  case static_cast<std::int32_t>(Kind::name): \
-    return call_with<Name<T>>(numbers, action);
-    VESICA_EACH_SHAPE(VESICA_CASE)
-#undef VESICA_CASE
-    default:
-      return error_kind;
-  }
+  return with_name(kind,
+                   [&]<template <class> class Shape>(Named<Shape>) { return call_with<Shape<T>>(numbers, action); });
 }
 
 /// The numbers a shape of this kind has, or error_kind.
 constexpr std::int32_t field_count(std::int32_t kind) noexcept {
-  switch (kind) {
-#define VESICA_CASE(name, Name)               \
-  case static_cast<std::int32_t>(Kind::name): \
-    return ShapeTraits<Name<double>>::fields;
-    VESICA_EACH_SHAPE(VESICA_CASE)
-#undef VESICA_CASE
-    default:
-      return error_kind;
-  }
+  return with_name(kind, []<template <class> class Shape>(Named<Shape>) -> std::int32_t {
+    return ShapeTraits<Shape<double>>::fields;
+  });
 }
 
 /// Whether shapes of this kind have a form.
 constexpr bool has_form(std::int32_t kind) noexcept {
-  switch (kind) {
-#define VESICA_CASE(name, Name)               \
-  case static_cast<std::int32_t>(Kind::name): \
-    return HasForm<Name<double>>;
-    VESICA_EACH_SHAPE(VESICA_CASE)
-#undef VESICA_CASE
-    default:
-      return false;
-  }
+  return with_name(kind, []<template <class> class Shape>(Named<Shape>) -> std::int32_t {
+           return HasForm<Shape<double>> ? 1 : 0;
+         }) == 1;
 }
 
 }  // namespace vesica

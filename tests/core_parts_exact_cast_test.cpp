@@ -250,6 +250,7 @@ TEST(ExactCastParts, FloorByTrials) {
   EXPECT_EQ(floor(0x1.8p1023, before(0x1.8p1023)), before(0x1.8p1023));
   EXPECT_EQ(floor(1, 0x1.8p1023), 0x1.8p1023);
   EXPECT_EQ(floor(1, largest), infinity);
+  EXPECT_EQ(floor(0, 0), 0) << "before all doubles above 0";
 }
 
 /// Contact before all times that trials know is told by one of them.
@@ -261,6 +262,17 @@ TEST(ExactCastParts, FloorBeforeAllTrials) {
   };
   EXPECT_EQ(TrialSearch(ask, 0x1p-500).floor(0, {largest, infinity}, 0), -1);
   EXPECT_EQ(asked, 1);
+}
+
+/// Trials that are known from some time on: the search ends where it asks one before that.
+TEST(ExactCastParts, FloorWithoutTheFirstTrials) {
+  const auto floor = [](double t0) {
+    const auto ask = [t0](double t) { return Trial{t >= 0x1p-400, t > t0}; };
+    return TrialSearch(ask).floor(0, {largest, infinity}, 0);
+  };
+  EXPECT_EQ(floor(0x1p-450), -1);
+  EXPECT_EQ(floor(0x1.8p-3), 0x1.8p-3);
+  EXPECT_EQ(floor(largest), infinity);
 }
 
 /// Two ellipses whose contact rounds to a place of more digits than there is room for.
@@ -285,6 +297,10 @@ TEST(ExactCastParts, TrialAtTheTimeItself) {
   EXPECT_TRUE(yes.known && yes.after && yes.has_value && yes.value.value < 0);
   const Trial exactly = LeadingContact::exactly_at(pair_of(a, b, -1, 0), 6);
   EXPECT_TRUE(exactly.known && !exactly.after && !exactly.has_value);
+  // One of 2^-45 beside one of 1: the first digits that are tried lose some of the others.
+  const Circle<double> large{0, 0, 1}, small{1, 0, 0x1p-45};
+  const Trial of_more = LeadingContact::exactly_at(pair_of(large, small, 1, 0), 0x1p-45);
+  EXPECT_TRUE(of_more.known && !of_more.after && !of_more.has_value);
 }
 
 /// A start in the middle of contact, where digits do not tell on which side of the witness it is.

@@ -195,6 +195,28 @@ TEST(Leading, PolynomialsOfLongNumbers) {
   EXPECT_GT(differing, 500 * properties::repeat());
 }
 
+/// a b - c^2, where it is 0 or far less than either product; of few limbs and of so many that columns from the top are
+/// given up. Its sign is always certain.
+TEST(Leading, ProductsLessSquares) {
+  Random random(properties::seed());
+  int zeros = 0, negative = 0;
+  for (int i = 0; i < 2000 * properties::repeat(); ++i) {
+    const int most = random.chance(0.5) ? 1000 : 60;
+    const auto length = [&] { return exact::from_double(std::ldexp(1 + random.unit(), random.integer(-most, most))); };
+    const auto degree_4 = [&] { return square(length() * length() - length() * length()) + length(); };
+    const Number<4> x = degree_4(), y = degree_4();
+    const Number<8> a = about(square(x), random), b = square(y), c = about(x * y, random);
+    const auto found = exact::product_less_square(a, b, c);
+    const mpq_class truth = value(a) * value(b) - value(c) * value(c);
+    EXPECT_TRUE(found.sign_is_certain()) << "seed " << properties::seed();
+    expect_within_bound(found, truth);
+    zeros += truth == 0 ? 1 : 0;
+    negative += truth < 0 ? 1 : 0;
+  }
+  EXPECT_GT(zeros, 100 * properties::repeat());
+  EXPECT_GT(negative, 300 * properties::repeat());
+}
+
 // Halfway between two doubles, and so little from there that leading digits do not tell.
 TEST(Leading, RoundsTiesByWhatIsFarBelow) {
   const auto itself = [](const auto& x) { return x; };

@@ -64,4 +64,20 @@ TEST(RatioOfTheCore, HasTheBitsOfTheLibrary) {
   expect_the_same_bits<vesica::Rect<float>, vesica::Rect<float>>();
 }
 
+/// A quotient of areas of any powers of two, either of which may be beyond doubles, or nearly 0.
+TEST(RatioOfTheCore, QuotientsOfMeasures) {
+  const auto quotient = [](double x, int power_of_x, double y, int power_of_y) {
+    return vesica::detail::ratio::quotient({x, power_of_x}, {y, power_of_y});
+  };
+  EXPECT_EQ(quotient(6, 0, 3, 0), 2);
+  EXPECT_EQ(quotient(6, -1500, 3, -1490), 0x1p-9);
+  EXPECT_EQ(quotient(6, 0, 3, 1000), 0x1p-999);
+  EXPECT_EQ(quotient(6, 1020, 3, 0), 0x1p1021);
+  EXPECT_EQ(quotient(0x1p-950, 0, 0x1p-940, 0), 0x1p-10);
+  EXPECT_EQ(quotient(0x1p-950, 0, 1, 0), 0x1p-950);
+  EXPECT_EQ(quotient(0, 0, 3, 0), 0);
+  EXPECT_EQ(quotient(0, -2000, 3, 1000), 0);
+  EXPECT_EQ(quotient(6, -1500, 3, 0), 0) << "too small";
+}
+
 }  // namespace
