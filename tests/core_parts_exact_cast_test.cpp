@@ -250,7 +250,6 @@ TEST(ExactCastParts, FloorByTrials) {
   EXPECT_EQ(floor(0x1.8p1023, before(0x1.8p1023)), before(0x1.8p1023));
   EXPECT_EQ(floor(1, 0x1.8p1023), 0x1.8p1023);
   EXPECT_EQ(floor(1, largest), infinity);
-  EXPECT_EQ(floor(0, 0), 0) << "before all doubles above 0";
 }
 
 /// Contact before all times that trials know is told by one of them.
@@ -266,13 +265,15 @@ TEST(ExactCastParts, FloorBeforeAllTrials) {
 
 /// Trials that are known from some time on: the search ends where it asks one before that.
 TEST(ExactCastParts, FloorWithoutTheFirstTrials) {
-  const auto floor = [](double t0) {
-    const auto ask = [t0](double t) { return Trial{t >= 0x1p-400, t > t0}; };
+  const auto floor = [](double t0, double known) {
+    const auto ask = [=](double t) { return Trial{t >= known, t > t0}; };
     return TrialSearch(ask).floor(0, {largest, infinity}, 0);
   };
-  EXPECT_EQ(floor(0x1p-450), -1);
-  EXPECT_EQ(floor(0x1.8p-3), 0x1.8p-3);
-  EXPECT_EQ(floor(largest), infinity);
+  EXPECT_EQ(floor(0x1p-450, 0x1p-400), -1);
+  EXPECT_EQ(floor(0x1.8p-3, 0x1p-400), 0x1.8p-3);
+  EXPECT_EQ(floor(largest, 0x1p-400), infinity);
+  EXPECT_EQ(floor(0x1p-450, 0), 0x1p-450);
+  EXPECT_EQ(floor(0, 0), 0);
 }
 
 /// Two ellipses whose contact rounds to a place of more digits than there is room for.
@@ -297,9 +298,9 @@ TEST(ExactCastParts, TrialAtTheTimeItself) {
   EXPECT_TRUE(yes.known && yes.after && yes.has_value && yes.value.value < 0);
   const Trial exactly = LeadingContact::exactly_at(pair_of(a, b, -1, 0), 6);
   EXPECT_TRUE(exactly.known && !exactly.after && !exactly.has_value);
-  // One of 2^-45 beside one of 1: the first digits that are tried lose some of the others.
-  const Circle<double> large{0, 0, 1}, small{1, 0, 0x1p-45};
-  const Trial of_more = LeadingContact::exactly_at(pair_of(large, small, 1, 0), 0x1p-45);
+  // One of 2^-90 beside one of 1: the first digits that are tried lose some of the others.
+  const Circle<double> large{0, 0, 1}, small{1, 0, 0x1p-90};
+  const Trial of_more = LeadingContact::exactly_at(pair_of(large, small, 1, 0), 0x1p-90);
   EXPECT_TRUE(of_more.known && !of_more.after && !of_more.has_value);
 }
 

@@ -14,56 +14,95 @@ inline double ratio(const arithmetic::Scaled& y, const arithmetic::Scaled& x) no
   return arithmetic::scale(y.value / x.value, y.exponent - x.exponent);
 }
 
+/// A time, and what a trial there told.
+struct TriedTime {
+  double time;
+  Trial trial;
+};
+
 /// The doubles between which contact begins, by their ranks.
 class Bracket {
  public:
-  Bracket(double no, double yes, const Trial& at_no, const Trial& at_yes) noexcept
-      : no_(arithmetic::rank(no)), yes_(arithmetic::rank(yes)), at_no_(at_no), at_yes_(at_yes) {}
+  /// Of the last time tried before contact, the one before that, and the first tried after. Ranks are as times are
+  /// within a power of two: what is farther off tells nothing.
+  Bracket(const TriedTime& no, const TriedTime& earlier_no, const TriedTime& yes) noexcept
+      : no_(no),
+        yes_(yes),
+        earlier_no_(2 * earlier_no.time < no.time ? TriedTime{0, {}} : earlier_no),
+        earlier_(earlier_no_),
+        before_(way()) {}
 
   /// No double is between. Else next() is the rank of one.
-  bool is_closed() const noexcept { return yes_ - no_ <= 1; }
-  double floor() const noexcept { return arithmetic::at_rank<double>(no_); }
+  bool is_closed() const noexcept { return way() <= 1; }
+  double floor() const noexcept { return arithmetic::at_rank<double>(no_.rank); }
   std::uint64_t next() noexcept {
-    const std::uint64_t way = yes_ - no_;
-    const double whole = static_cast<double>(way);
-    double share = 0.5 * whole;
     // Every fourth trial halves the way, unless it is a sixteenth of what it was four trials ago.
     const bool may_halve = ++trials_ % 4 == 0;
-    const bool quick = !may_halve || way <= before_ / 16;
-    if (may_halve) before_ = way;
-    const double most = static_cast<double>(way - 1);
-    if (quick && at_no_.has_value && at_yes_.has_value) {
-      share = lane::min(whole / (1 - ratio(at_yes_.value, at_no_.value)), most);
-    } else if (quick && at_no_.has_value && at_earlier_no_.has_value) {
-      // Where contact begins with a double zero no value is negative. Its root falls straight; a little farther than to
-      // 0, and then a little less far.
-      const double falling = std::sqrt(ratio(at_earlier_no_.value, at_no_.value));
-      const double to_zero = static_cast<double>(no_ - earlier_no_) / (falling - 1);
-      share = lane::min((was_after_ ? 0.98 : repeated_ ? 2 : 1.02) * to_zero, (1 - 0x1p-8) * whole);
-      if (was_after_ && repeated_) share = 0.5 * whole;
-    }
-    if (!(share <= most)) share = 0.5 * whole;
-    return no_ + (share < 1 ? 1 : static_cast<std::uint64_t>(share));
+    const bool quick = !may_halve || way() <= before_ / 16;
+    if (may_halve) before_ = way();
+    const double whole = static_cast<double>(way()), most = static_cast<double>(way() - 1);
+    double share = quick ? zero_from_no() : 0.5 * whole;
+    if (!(share <= most)) share = quick && share <= whole ? most : 0.5 * whole;
+    return no_.rank + (share < 1 ? 1 : static_cast<std::uint64_t>(share));
   }
   void narrow(std::uint64_t at, const Trial& trial) noexcept {
     repeated_ = trials_ > 1 && trial.after == was_after_;
     was_after_ = trial.after;
-    if (trial.after) {
-      yes_ = at;
-      at_yes_ = trial;
-      if (repeated_) at_no_.value.value *= 0.5;  // the Illinois rule: else one end might stay
-    } else {
-      earlier_no_ = no_;
-      at_earlier_no_ = at_no_;
-      no_ = at;
-      at_no_ = trial;
-      if (repeated_) at_yes_.value.value *= 0.5;
-    }
+    margin_ = repeated_ ? most_margin : lane::max(margin_ * margin_, 0x1p-30);
+    End& end = trial.after ? yes_ : no_;
+    if (!trial.after) earlier_no_ = end;
+    earlier_ = end;
+    end = {at, trial};
   }
 
  private:
-  std::uint64_t no_, yes_, earlier_no_ = 0, before_ = ~std::uint64_t{0};
-  Trial at_no_, at_yes_, at_earlier_no_;
+  struct End {
+    std::uint64_t rank;
+    Trial trial;
+    End(std::uint64_t its_rank, const Trial& its_trial) noexcept : rank(its_rank), trial(its_trial) {}
+    explicit End(const TriedTime& x) noexcept : End(arithmetic::rank(x.time), x.trial) {}
+    bool has_value() const noexcept { return trial.has_value; }
+  };
+
+  static constexpr double unknown = std::numeric_limits<double>::quiet_NaN(), most_margin = 0.125;
+
+  std::uint64_t way() const noexcept { return yes_.rank - no_.rank; }
+
+  /// How far the values' zero is from the last time before contact, in ranks.
+  double zero_from_no() const noexcept {
+    const double whole = static_cast<double>(way());
+    if (!no_.has_value()) return unknown;
+    if (!yes_.has_value()) return double_zero_from_no(whole);
+    // The parabola through three values, scaled to 1 at 0 and y < 0 at 1, is 0 at 1 / (1 + x), x^2 + slope x + y = 0.
+    const double y = ratio(yes_.trial.value, no_.trial.value), slope = 1 + y - bend(y, whole);
+    const double root = std::sqrt(slope * slope - 4 * y);
+    const double x = slope > 0 ? -2 * y / (slope + root) : 0.5 * (root - slope), from_no = whole / (1 + x);
+    if (!repeated_) return from_no;
+    // Twice as far from an end that has moved twice, so that the other does too.
+    return was_after_ ? whole - lane::min(2 * (x * from_no), 0.5 * whole) : lane::min(2 * from_no, 0.5 * whole);
+  }
+  /// The coefficient of the square, of a parabola through the value before too; 0 where that does not tell it.
+  double bend(double y, double whole) const noexcept {
+    const double u = static_cast<double>(static_cast<std::int64_t>(earlier_.rank - no_.rank)) / whole;
+    const bool is_distinct = std::fabs(u) > 0x1p-40 && std::fabs(u - 1) > 0x1p-40;
+    if (!earlier_.has_value() || !is_distinct) return 0;
+    const double bend = ((ratio(earlier_.trial.value, no_.trial.value) - 1) / u - (y - 1)) / (u - 1);
+    return std::fabs(bend) < 0x1p100 ? bend : 0;
+  }
+  /// Where contact begins with a double zero no value is negative. Its root falls straight; a little farther than to 0,
+  /// and then a little less far, ever less little.
+  double double_zero_from_no(double whole) const noexcept {
+    if (!earlier_no_.has_value()) return unknown;
+    const double falling = std::sqrt(ratio(earlier_no_.trial.value, no_.trial.value));
+    const double to_zero = static_cast<double>(no_.rank - earlier_no_.rank) / (falling - 1);
+    if (was_after_ && repeated_) return 0.5 * whole;
+    const double factor = was_after_ ? 1 - margin_ : repeated_ ? 2 : 1 + margin_;
+    return lane::min(factor * to_zero, (1 - 0x1p-8) * whole);
+  }
+
+  End no_, yes_, earlier_no_, earlier_;  ///< earlier_: where that end was that has moved last
+  double margin_ = most_margin;
+  std::uint64_t before_;
   int trials_ = 0;
   bool was_after_ = false, repeated_ = false;
 };
@@ -82,17 +121,17 @@ class TrialSearch {
   /// A guess above 0 is T(n) of some n (bound.hpp), which is not after contact, and mostly not long before it. Where
   /// wide formulas do not tell the time, it is often 0, or beside `start`, or about the witness, which it never is
   /// after. Else first the power of two is bisected, from the guess on, then the zero of the discriminant is approached
-  /// by secants.
+  /// by parabolas.
   double floor(double start, const Between& witness, double guess) noexcept {
     if (begins_about(guess) || begins_about(start)) return narrowed();
-    if (no_ == 0) {
+    if (no_.time == 0) {
       const Trial first = ask_(least_);
       if (first.known && first.after) return least_ > least_double ? -1 : 0;
-      if (first.known) no_ = least_, at_no_ = first;
+      if (first.known) no_ = {least_, first};
     }
     if (!begins_at(witness)) {
       bisect_powers(guess);
-      if (!lost_ && yes_ > largest && !is_after(largest)) return yes_;
+      if (!lost_ && yes_.time > largest && !is_after(largest)) return yes_.time;
     }
     return narrowed();
   }
@@ -101,20 +140,20 @@ class TrialSearch {
   VESICA_COLD bool is_after(double t) noexcept {
     const Trial trial = ask_(t);
     lost_ = lost_ || !trial.known;
-    (trial.after ? yes_ : no_) = t;
-    (trial.after ? at_yes_ : at_no_) = trial;
+    if (!trial.after) earlier_no_ = no_;
+    (trial.after ? yes_ : no_) = {t, trial};
     return trial.after;
   }
 
   /// Whether contact begins about a time: that is tried, and then others ever farther from it.
   VESICA_COLD bool begins_about(double t) noexcept {
-    if (!(no_ < t && t < yes_)) return false;
+    if (!(no_.time < t && t < yes_.time)) return false;
     const bool after = is_after(t);
     for (std::uint64_t way = 1; way < 0x100000; way *= 64) {
       const std::uint64_t rank = arithmetic::rank(t);
-      if (after ? rank <= arithmetic::rank(no_) + way : rank + way >= arithmetic::rank(yes_)) break;
+      if (after ? rank <= arithmetic::rank(no_.time) + way : rank + way >= arithmetic::rank(yes_.time)) break;
       t = arithmetic::at_rank<double>(after ? rank - way : rank + way);
-      const Trial &at = after ? at_yes_ : at_no_, earlier = at;
+      const Trial &at = (after ? yes_ : no_).trial, earlier = at;
       if (is_after(t) != after) return true;
       if (earlier.has_value && ratio(at.value, earlier.value) > 1 - 0x1p-12) break;  // it is 0 far from here
     }
@@ -122,27 +161,26 @@ class TrialSearch {
   }
 
   bool begins_at(const Between& witness) noexcept {
-    if (!(witness.least > 0 && witness.most <= yes_ && witness.most <= largest)) return false;
-    if (witness.least > no_ && is_after(witness.least)) return false;
-    yes_ = witness.most;
-    at_yes_ = {};
+    if (!(witness.least > 0 && witness.most <= yes_.time && witness.most <= largest)) return false;
+    if (witness.least > no_.time && is_after(witness.least)) return false;
+    yes_ = {witness.most, {}};
     return true;
   }
 
   /// Between what is known: from the guess on by steps that double; then where values say that they would be 0 if they
   /// fell straight, for so long as that is quicker than to go halfway.
   void bisect_powers(double guess) noexcept {
-    int least = no_ == 0 ? -1074 : arithmetic::exponent_of(no_) - 1;
-    int most = yes_ <= largest ? arithmetic::exponent_of(yes_) : 1024;
+    int least = no_.time == 0 ? -1074 : arithmetic::exponent_of(no_.time) - 1;
+    int most = yes_.time <= largest ? arithmetic::exponent_of(yes_.time) : 1024;
     int at = guess > 0 ? arithmetic::exponent_of(guess) : most;
     bool values_tell = true;
     for (int step = 1; !lost_ && most - least > 1; step *= 2) {
       const int way = most - least;
       const bool is_guessed = least < at && at < most;
-      const bool is_told = !is_guessed && values_tell && at_no_.has_value && at_yes_.has_value;
+      const bool is_told = !is_guessed && values_tell && no_.trial.has_value && yes_.trial.has_value;
       if (!is_guessed) at = (most + least) / 2;
       if (is_told) {
-        const int told = most + exponent(at_no_.value) - exponent(at_yes_.value);
+        const int told = most + exponent(no_.trial.value) - exponent(yes_.trial.value);
         at = told <= least ? least + 1 : told >= most ? most - 1 : told;
       }
       const bool after = is_after(arithmetic::scale_far(1, at));
@@ -154,7 +192,7 @@ class TrialSearch {
   static int exponent(const arithmetic::Scaled& x) noexcept { return x.exponent + arithmetic::exponent_of(x.value); }
 
   VESICA_COLD double narrowed() noexcept {
-    Bracket bracket(no_, yes_, at_no_, at_yes_);
+    Bracket bracket(no_, earlier_no_, yes_);
     while (!lost_ && !bracket.is_closed()) {
       const std::uint64_t at = bracket.next();
       const Trial trial = ask_(arithmetic::at_rank<double>(at));
@@ -165,8 +203,8 @@ class TrialSearch {
   }
 
   const Ask& ask_;
-  double least_, no_ = 0, yes_ = Limits::infinity();
-  Trial at_no_, at_yes_;
+  double least_;
+  TriedTime no_{0, {}}, earlier_no_{0, {}}, yes_{Limits::infinity(), {}};
   bool lost_ = false;
 };
 
