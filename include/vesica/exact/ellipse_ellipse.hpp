@@ -58,6 +58,11 @@ template <int A, int B, int D>
 constexpr int sign_with_root(const Number<A>& a, const Number<B>& b, const Number<D>& delta) noexcept {
   const int root_sign = delta.sign == 0 ? 0 : b.sign;
   if (a.sign * root_sign >= 0) return a.sign + root_sign > 0 ? 1 : a.sign + root_sign < 0 ? -1 : 0;
+  const auto value = [](const auto& rest, const auto& slope, const auto& d) {
+    return square(slope) * d - square(rest);
+  };
+  int sign = 0;
+  if (leading_digits_tell(sign, value, a, b, delta)) return root_sign * sign;
   return root_sign * compare_product_with_square(square(b), delta, a);
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <vesica/arithmetic/scaled.hpp>
-#include <vesica/exact/leading.hpp>
+#include <vesica/exact/digits.hpp>
 
 namespace vesica::exact {
 
@@ -39,12 +39,12 @@ constexpr auto digits_of(const Leading<limbs>& x) noexcept {
 }
 
 /// rounded() of leading digits, if the missing digits cannot change the result.
-template <int limbs>
-constexpr bool rounds_surely(const Leading<limbs>& x, vesica::detail::arithmetic::Scaled& out) noexcept {
+template <class Kept>
+constexpr bool rounds_surely(const Kept& x, vesica::detail::arithmetic::Scaled& out) noexcept {
   if (!x.sign_is_certain()) return false;
   auto kept = digits_of(x);
   out = rounded(kept);
-  if (x.error == Leading<limbs>::nothing) return true;
+  if (x.error == x.nothing) return true;
   if (x.error < std::int64_t{64} * x.low) return false;  // beyond the digits kept
   decltype(kept) missing;
   const int place = static_cast<int>(x.error - std::int64_t{64} * x.low);
@@ -66,7 +66,8 @@ constexpr vesica::detail::arithmetic::Scaled rounded_value(const Polynomial& val
   vesica::detail::arithmetic::Scaled out{0, 0};
   if ((is_long(x) || ...)) {
     if (detail::rounds_surely(value(Leading<few_limbs>(x)...), out)) return out;
-    if (((x.size > 2 * more_limbs) || ...) && detail::rounds_surely(value(Leading<more_limbs>(x)...), out)) return out;
+    if (((x.size > 2 * more_limbs) || ...) && detail::rounds_surely(value(DigitsOf<more_limbs>(x)...), out)) return out;
+    if (((x.size > 2 * most_limbs) || ...) && detail::rounds_surely(value(DigitsOf<most_limbs>(x)...), out)) return out;
   }
   return rounded(value(x...));
 }
