@@ -174,15 +174,16 @@ class LeadingContact {
 
   static Trial from_discriminant(const exact::ContactCubic& p) noexcept {
     const auto told_by = [](const auto& x) { return Trial{true, x.sign < 0, x.sign != 0, scaled(x.span(), x.sign)}; };
-    const Few few = leading_discriminant(p);
+    const int dense = exact::detail::dense_limbs(p);
+    // Of few limbs that cost time the whole discriminant is there as soon as more leading digits.
+    const Few few = dense > 3 * exact::some_limbs ? leading_discriminant(p) : exact::detail::discriminant<Few>(p);
     if (few.sign_is_certain()) return told_by(few);
-    const Digits more = discriminant_from_digits(p);
-    if (more.sign_is_certain()) return told_by(more);
+    if (dense > 3 * exact::some_limbs) {
+      const Digits more = exact::detail::discriminant(p, dense > 64 ? Digits::most_limbs : exact::more_limbs);
+      if (more.sign_is_certain()) return told_by(more);
+    }
     const exact::DiscriminantParts d(p);
     return told_by(exact::product_less_square(d.four_a, d.c, d.b));
-  }
-  static Digits discriminant_from_digits(const exact::ContactCubic& p) noexcept {
-    return exact::detail::discriminant(p, exact::detail::telling_limbs(exact::detail::dense_limbs(p)));
   }
   /// Of the exact coefficients.
   static Few leading_discriminant(const exact::ContactCubic& p) noexcept {

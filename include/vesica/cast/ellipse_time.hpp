@@ -38,12 +38,12 @@ class EllipseTime {
     Digits share = digits(find_share(), most_limbs);
     Terms<Rough> few = terms<Rough>();
     ShareSearch search;
-    for (int i = 0, digit_steps = 0;; ++i) {
+    for (int i = 0, far_steps = 0;; ++i) {
       const Evaluated at = limbs_ == 0 ? evaluate(rough(share), few) : evaluate(share.with_limbs(limbs_));
       const WideTime found{at.time, at.is_near};
       if (at.is_near && at.is_below_all_doubles()) return {Rough(crossings::Real(1.0), 0, least_exponent), true};
       if (found.tells() || i == most_steps || (at.more_digits && !has_digits_for(at.time))) return found;
-      if (limbs_ > 0 && ++digit_steps == most_digit_steps) return found;
+      if (limbs_ > 0 && !at.is_near && ++far_steps == most_far_steps) return found;
       // A step of 100 bits gains some 200. Of a direction that is not near only its side is asked.
       if (at.more_digits && (at.is_near || at.step.sign() == 0)) limbs_ += exact::few_limbs;
       const Wide l = wide(share), step = wide(at.step);
@@ -60,7 +60,7 @@ class EllipseTime {
  private:
   static constexpr int least_exponent = -1100;  ///< below those of doubles
   static constexpr int most_steps = 20;         ///< of Newton's method, each of some 100 bits
-  static constexpr int most_digit_steps = 6;    ///< of these from digits, each as dear as two trials
+  static constexpr int most_far_steps = 4;      ///< of these by digits from a direction that is not near
   static constexpr int most_trials = 60;        ///< before them, of l
   static constexpr int most_limbs = exact::more_limbs;
   static_assert(most_limbs % exact::few_limbs == 0);

@@ -100,7 +100,7 @@ int sum_of_roots(const Number<A>& a, const Number<X>& x, const Number<B>& b, con
   const auto difference = [](const auto& p, const auto& q, const auto& r, const auto& s) {
     return square(p) * q - square(r) * s;
   };
-  return a.sign * exact::sign_of(difference, a, x, b, y);
+  return a.sign * exact::sign_of_high_degree(difference, a, x, b, y);
 }
 
 /// The same from leading digits: 0 where these do not tell.

@@ -140,4 +140,16 @@ VESICA_CALLED constexpr Digits times(int factor, const Digits& a) noexcept {
   return product;
 }
 
+/// As sign_of(), of a polynomial of so high a degree that twice as many leading digits may be worth while.
+template <class Polynomial, int... Degree>
+constexpr int sign_of_high_degree(const Polynomial& value, const Number<Degree>&... x) noexcept {
+  int sign = 0;
+  if (detail::leading_digits_tell(sign, value, x...)) return sign;
+  if ((detail::is_longer(x, most_limbs) || ...)) {
+    const Digits digits = value(DigitsOf<most_limbs>(x)...);
+    if (digits.sign_is_certain()) return digits.sign;
+  }
+  return value(x...).sign;
+}
+
 }  // namespace vesica::exact
