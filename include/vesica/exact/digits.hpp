@@ -2,6 +2,7 @@
 /// Leading digits of long numbers, as many as are asked for at run time: one function serves all precisions.
 #pragma once
 
+#include <initializer_list>
 #include <vesica/exact/leading.hpp>
 
 namespace vesica::exact {
@@ -140,16 +141,29 @@ VESICA_CALLED constexpr Digits times(int factor, const Digits& a) noexcept {
   return product;
 }
 
-/// As sign_of(), of a polynomial of so high a degree that twice as many leading digits may be worth while.
+namespace detail {
+
+/// As leading_digits_tell(), of a polynomial of so high a degree that twice as many digits may be worth while.
+template <class Polynomial, int... Degree>
+constexpr bool many_digits_tell(int& sign, const Polynomial& value, const Number<Degree>&... x) noexcept {
+  if (!(is_long(x) || ...)) return false;
+  if (digits_tell<few_limbs>(sign, value, x...)) return true;
+  for (const int limbs : {some_limbs, more_limbs, most_limbs}) {
+    if (!(is_longer(x, limbs) || ...)) return false;
+    const Digits digits = value(Digits(x, limbs)...);
+    sign = digits.sign;
+    if (digits.sign_is_certain()) return true;
+  }
+  return false;
+}
+
+}  // namespace detail
+
+/// As sign_of(), of a polynomial of a high degree.
 template <class Polynomial, int... Degree>
 constexpr int sign_of_high_degree(const Polynomial& value, const Number<Degree>&... x) noexcept {
   int sign = 0;
-  if (detail::leading_digits_tell(sign, value, x...)) return sign;
-  if ((detail::is_longer(x, most_limbs) || ...)) {
-    const Digits digits = value(DigitsOf<most_limbs>(x)...);
-    if (digits.sign_is_certain()) return digits.sign;
-  }
-  return value(x...).sign;
+  return detail::many_digits_tell(sign, value, x...) ? sign : value(x...).sign;
 }
 
 }  // namespace vesica::exact

@@ -62,7 +62,7 @@ constexpr int sign_with_root(const Number<A>& a, const Number<B>& b, const Numbe
     return square(slope) * d - square(rest);
   };
   int sign = 0;
-  if (leading_digits_tell(sign, value, a, b, delta)) return root_sign * sign;
+  if (many_digits_tell(sign, value, a, b, delta)) return root_sign * sign;
   return root_sign * compare_product_with_square(square(b), delta, a);
 }
 

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstddef>
-#include <initializer_list>
 #include <vesica/exact/columns.hpp>
 #include <vesica/exact/number.hpp>
 

@@ -2,6 +2,7 @@
 /// From exact numbers back to floating point.
 #pragma once
 
+#include <initializer_list>
 #include <vesica/arithmetic/scaled.hpp>
 #include <vesica/exact/digits.hpp>
 
@@ -66,8 +67,9 @@ constexpr vesica::detail::arithmetic::Scaled rounded_value(const Polynomial& val
   vesica::detail::arithmetic::Scaled out{0, 0};
   if ((is_long(x) || ...)) {
     if (detail::rounds_surely(value(Leading<few_limbs>(x)...), out)) return out;
-    if (((x.size > 2 * more_limbs) || ...) && detail::rounds_surely(value(DigitsOf<more_limbs>(x)...), out)) return out;
-    if (((x.size > 2 * most_limbs) || ...) && detail::rounds_surely(value(DigitsOf<most_limbs>(x)...), out)) return out;
+    for (const int limbs : {more_limbs, most_limbs}) {
+      if (((x.size > 2 * limbs) || ...) && detail::rounds_surely(value(Digits(x, limbs)...), out)) return out;
+    }
   }
   return rounded(value(x...));
 }
