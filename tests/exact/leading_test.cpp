@@ -266,6 +266,7 @@ struct OfEight {
   template <class... Same>
   static void expect_positive(const Same&... x) {
     EXPECT_EQ(exact::sign_of(sum, x...), 1);
+    EXPECT_EQ(exact::sign_of_high_degree(sum, x...), 1);
     EXPECT_GT(exact::rounded_value(sum, x...).value, 0);
   }
 };

@@ -145,7 +145,6 @@ class LeadingContact {
 
  private:
   VESICA_CALLED static arithmetic::Scaled scaled(exact::detail::Span x, int sign) noexcept {
-    if (x.size == 0) return {0, 0};
     const auto digit = [&x](int i) { return static_cast<double>(x.limb[x.size - i]); };
     return {sign * (digit(1) * 0x1p-64 + digit(2) * 0x1p-128), 64 * (x.low + x.size)};
   }
@@ -173,7 +172,9 @@ class LeadingContact {
   }
 
   static Trial from_discriminant(const exact::ContactCubic& p) noexcept {
-    const auto told_by = [](const auto& x) { return Trial{true, x.sign < 0, x.sign != 0, scaled(x.span(), x.sign)}; };
+    const auto told_by = [](const auto& x) {
+      return x.sign == 0 ? Trial{true, false} : Trial{true, x.sign < 0, true, scaled(x.span(), x.sign)};
+    };
     const int dense = exact::detail::dense_limbs(p);
     // Of few limbs that cost time the whole discriminant is there as soon as more leading digits.
     const Few few = dense > 3 * exact::some_limbs ? leading_discriminant(p) : exact::detail::discriminant<Few>(p);

@@ -42,7 +42,7 @@ class Bracket {
     if (may_halve) before_ = way();
     const double whole = static_cast<double>(way()), most = static_cast<double>(way() - 1);
     double share = quick ? zero_from_no() : 0.5 * whole;
-    if (!(share <= most)) share = quick && share <= whole ? most : 0.5 * whole;
+    if (!(share <= most)) share = share <= whole ? most : 0.5 * whole;
     return no_.rank + (share < 1 ? 1 : static_cast<std::uint64_t>(share));
   }
   void narrow(std::uint64_t at, const Trial& trial) noexcept {
@@ -101,7 +101,7 @@ class Bracket {
   }
 
   End no_, yes_, earlier_no_, earlier_;  ///< earlier_: where that end was that has moved last
-  double margin_ = most_margin;
+  double margin_ = most_margin;          ///< by which share a double zero is missed on purpose
   std::uint64_t before_;
   int trials_ = 0;
   bool was_after_ = false, repeated_ = false;
