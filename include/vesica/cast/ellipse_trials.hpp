@@ -23,8 +23,8 @@ struct TriedTime {
 /// The doubles between which contact begins, by their ranks.
 class Bracket {
  public:
-  /// Of the last time tried before contact, the one before that, and the first tried after. Ranks are as times are
-  /// within a power of two: what is farther off tells nothing.
+  /// Of the last time tried before contact, the one tried before that, and the first tried after contact. Ranks grow as
+  /// times do only within a power of two: a time farther off tells nothing.
   Bracket(const TriedTime& no, const TriedTime& earlier_no, const TriedTime& yes) noexcept
       : no_(no),
         yes_(yes),
@@ -78,7 +78,7 @@ class Bracket {
     const double root = std::sqrt(slope * slope - 4 * y);
     const double x = slope > 0 ? -2 * y / (slope + root) : 0.5 * (root - slope), from_no = whole / (1 + x);
     if (!repeated_) return from_no;
-    // Twice as far from an end that has moved twice, so that the other does too.
+    // Twice as far from an end that has moved twice, so that the other one moves too.
     return was_after_ ? whole - lane::min(2 * (x * from_no), 0.5 * whole) : lane::min(2 * from_no, 0.5 * whole);
   }
   /// The coefficient of the square, of a parabola through the value before too; 0 where that does not tell it.
@@ -89,8 +89,8 @@ class Bracket {
     const double bend = ((ratio(earlier_.trial.value, no_.trial.value) - 1) / u - (y - 1)) / (u - 1);
     return std::fabs(bend) < 0x1p100 ? bend : 0;
   }
-  /// Where contact begins with a double zero no value is negative. Its root falls straight; a little farther than to 0,
-  /// and then a little less far, ever less little.
+  /// Where contact begins with a double zero no value is negative, and the values' roots fall straight. The place where
+  /// they are 0 is missed on purpose, first to the one side, then to the other, by less each time.
   double double_zero_from_no(double whole) const noexcept {
     if (!earlier_no_.has_value()) return unknown;
     const double falling = std::sqrt(ratio(earlier_no_.trial.value, no_.trial.value));
@@ -100,8 +100,9 @@ class Bracket {
     return lane::min(factor * to_zero, (1 - 0x1p-8) * whole);
   }
 
-  End no_, yes_, earlier_no_, earlier_;  ///< earlier_: where that end was that has moved last
-  double margin_ = most_margin;          ///< by which share a double zero is missed on purpose
+  End no_, yes_, earlier_no_;
+  End earlier_;                  ///< where that end was that has moved last
+  double margin_ = most_margin;  ///< by which share a double zero is missed on purpose
   std::uint64_t before_;
   int trials_ = 0;
   bool was_after_ = false, repeated_ = false;
