@@ -176,10 +176,11 @@ class LeadingContact {
       return x.sign == 0 ? Trial{true, false} : Trial{true, x.sign < 0, true, scaled(x.span(), x.sign)};
     };
     const int dense = exact::detail::dense_limbs(p);
-    // Of few limbs that cost time the whole discriminant is there as soon as more leading digits.
-    const Few few = dense > 3 * exact::some_limbs ? leading_discriminant(p) : exact::detail::discriminant<Few>(p);
+    // Of few limbs that cost time the whole discriminant is there as soon, as in exact::discriminant_sign().
+    const bool is_dense = dense > 3 * exact::some_limbs;
+    const Few few = is_dense ? leading_discriminant(p) : exact::detail::discriminant<Few>(p);
     if (few.sign_is_certain()) return told_by(few);
-    if (dense > 3 * exact::some_limbs) {
+    if (is_dense) {
       const Digits more = exact::detail::discriminant(p, dense > 64 ? Digits::most_limbs : exact::more_limbs);
       if (more.sign_is_certain()) return told_by(more);
     }
