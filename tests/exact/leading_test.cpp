@@ -15,6 +15,7 @@
 #include <vesica/exact/rounded.hpp>
 #include <vesica/shape_area.hpp>
 
+#include "exact/values.hpp"
 #include "properties/random.hpp"
 
 namespace {
@@ -22,29 +23,9 @@ namespace {
 using namespace vesica;
 using exact::Limb;
 using exact::Number;
+using exact_values::about, exact_values::any_number, exact_values::integer, exact_values::power_of_two,
+    exact_values::value;
 using properties::Random;
-
-mpq_class power_of_two(std::int64_t exponent) {
-  mpq_class x = 1;
-  const auto bits = static_cast<mp_bitcnt_t>(exponent < 0 ? -exponent : exponent);
-  if (exponent < 0) {
-    mpq_div_2exp(x.get_mpq_t(), x.get_mpq_t(), bits);
-  } else {
-    mpq_mul_2exp(x.get_mpq_t(), x.get_mpq_t(), bits);
-  }
-  return x;
-}
-
-mpz_class integer(const Limb* limbs, int n) {
-  mpz_class x;
-  mpz_import(x.get_mpz_t(), static_cast<std::size_t>(n), -1, sizeof(Limb), 0, 0, limbs);
-  return x;
-}
-
-template <int Degree>
-mpq_class value(const Number<Degree>& x) {
-  return mpq_class(x.sign * integer(x.limb, x.size)) * power_of_two(std::int64_t{64} * x.low);
-}
 
 template <class Kept>
 mpq_class value(const exact::LeadingLimbs<Kept>& x) {
@@ -86,14 +67,6 @@ TEST(Sparse, ProductsAndSquares) {
   EXPECT_GT(left, 0);
 }
 
-/// A number as the ellipses' polynomials have them: a sum of products of lengths of any exponents.
-Number<8> any_number(Random& random) {
-  const auto length = [&] { return exact::from_double(std::ldexp(1 + random.unit(), random.integer(-1000, 1000))); };
-  const auto degree_2 = [&] { return length() * length() - length() * length(); };
-  const auto degree_4 = [&] { return degree_2() * degree_2() + square(degree_2()); };
-  return degree_4() * degree_4() - square(degree_4());
-}
-
 template <class Kept>
 void expect_within_bound(const Kept& x, const mpq_class& truth) {
   if (x.error == x.nothing) {
@@ -124,6 +97,13 @@ int expect_arithmetic(const Number<8>& p, const Number<8>& q) {
   return none.sign_is_certain() ? 1 : 0;
 }
 
+/// Digits whose count the type names.
+template <int count>
+struct DigitsOf : exact::Digits {
+  explicit DigitsOf(const Number<8>& x) : Digits(x, count) {}
+  DigitsOf(const Digits& x) : Digits(x) {}
+};
+
 /// Factors whose lowest limb is anywhere: what is not formed of a product is in its error, and a product that fits is
 /// exact.
 TEST(Leading, ProductsOfAnyLowestLimb) {
@@ -153,7 +133,7 @@ TEST(Leading, ProductsOfAnyLowestLimb) {
 
 /// Of numbers whose limbs are counted by the compiler, and at run time.
 TEST(Leading, WithinItsBound) {
-  using exact::DigitsOf, exact::Leading, exact::few_limbs, exact::some_limbs, exact::more_limbs, exact::most_limbs;
+  using exact::Leading, exact::few_limbs, exact::some_limbs, exact::more_limbs, exact::most_limbs;
   Random random(properties::seed());
   int certain = 0;
   for (int i = 0; i < 2000 * properties::repeat(); ++i) {
@@ -170,13 +150,6 @@ TEST(Leading, WithinItsBound) {
   EXPECT_EQ(certain, 0);
 }
 
-/// The same number, or one that differs by as little or as much as any double.
-Number<8> about(const Number<8>& x, Random& random) {
-  if (random.chance(0.3)) return x;
-  const auto tiny = exact::from_double(std::ldexp(1 + random.unit(), random.integer(-1000, 1000)));
-  return random.chance(0.5) ? x + tiny : x - tiny;
-}
-
 // Signs and roundings from the leading digits are those of all digits.
 TEST(Leading, PolynomialsOfLongNumbers) {
   Random random(properties::seed());
@@ -186,7 +159,6 @@ TEST(Leading, PolynomialsOfLongNumbers) {
     const Number<8> a = any_number(random), b = any_number(random), c = about(a, random), d = about(b, random);
     const auto truth = difference(a, b, c, d);
     EXPECT_EQ(exact::sign_of(difference, a, b, c, d), truth.sign) << "seed " << properties::seed();
-    EXPECT_EQ(exact::sign_of_high_degree(difference, a, b, c, d), truth.sign) << "seed " << properties::seed();
     const auto rounded = exact::rounded_value(difference, a, b, c, d), expected = exact::rounded(truth);
     EXPECT_TRUE(rounded.value == expected.value && rounded.exponent == expected.exponent)
         << "seed " << properties::seed();
@@ -194,28 +166,6 @@ TEST(Leading, PolynomialsOfLongNumbers) {
   }
   EXPECT_GT(ties, 50 * properties::repeat());
   EXPECT_GT(differing, 500 * properties::repeat());
-}
-
-/// a b - c^2, where it is 0 or far less than either product; of few limbs and of so many that columns from the top are
-/// given up. Its sign is always certain.
-TEST(Leading, ProductsLessSquares) {
-  Random random(properties::seed());
-  int zeros = 0, negative = 0;
-  for (int i = 0; i < 2000 * properties::repeat(); ++i) {
-    const int most = random.chance(0.5) ? 1000 : 60;
-    const auto length = [&] { return exact::from_double(std::ldexp(1 + random.unit(), random.integer(-most, most))); };
-    const auto degree_4 = [&] { return square(length() * length() - length() * length()) + length(); };
-    const Number<4> x = degree_4(), y = degree_4();
-    const Number<8> a = about(square(x), random), b = square(y), c = about(x * y, random);
-    const auto found = exact::product_less_square(a, b, c);
-    const mpq_class truth = value(a) * value(b) - value(c) * value(c);
-    EXPECT_TRUE(found.sign_is_certain()) << "seed " << properties::seed();
-    expect_within_bound(found, truth);
-    zeros += truth == 0 ? 1 : 0;
-    negative += truth < 0 ? 1 : 0;
-  }
-  EXPECT_GT(zeros, 100 * properties::repeat());
-  EXPECT_GT(negative, 300 * properties::repeat());
 }
 
 // Halfway between two doubles, and so little from there that leading digits do not tell.
@@ -266,7 +216,6 @@ struct OfEight {
   template <class... Same>
   static void expect_positive(const Same&... x) {
     EXPECT_EQ(exact::sign_of(sum, x...), 1);
-    EXPECT_EQ(exact::sign_of_high_degree(sum, x...), 1);
     EXPECT_GT(exact::rounded_value(sum, x...).value, 0);
   }
 };
@@ -350,26 +299,6 @@ TEST(Sparse, OfFewRunsAndOfNoMoreLimbsThanThereIsRoomFor) {
   EXPECT_FALSE(multiplied(gap(40), runs_of(48, 0)));
 }
 
-// In each column the products of a number's limbs by themselves are those of two equal numbers; none are beyond its
-// ends.
-TEST(Columns, OfASquare) {
-  Random random(properties::seed());
-  for (int size = 1; size < 6; ++size) {
-    std::vector<Limb> limbs;
-    for (int i = 0; i < size; ++i) limbs.push_back(random.bits() | 1);
-    for (const int low : {-3, 0, 2}) {
-      const exact::detail::Span a{limbs.data(), low, size}, same = a;
-      for (int column = 2 * low - 4; column < 2 * (low + size) + 4; ++column) {
-        exact::detail::ColumnSum square, product;
-        square.add_square(a, column);
-        product.add(a, same, column);
-        EXPECT_TRUE(square.low == product.low && square.middle == product.middle && square.high == product.high);
-        EXPECT_EQ(square.sign() != 0, column >= 2 * low && column <= 2 * (low + size - 1)) << column;
-      }
-    }
-  }
-}
-
 TEST(Leading, ShortNumbersAreExact) {
   const exact::Leading<6> three(exact::integer(3)), four(exact::integer(4)), five(exact::integer(5));
   const exact::Leading<6> zero = square(three) + square(four) - square(five);
@@ -451,20 +380,18 @@ TEST(LongCubic, SignsAreThoseOfAllDigits) {
     const auto small = exact::exact_small_parts(p);
     expect_within_bound(exact::detail::discriminant<exact::Leading<6>>(p), discriminant);
     expect_within_bound(exact::detail::discriminant_by_offset<exact::Leading<6>>(p, small), discriminant / 3);
-    exact::Signs of_discriminant, of_containment;
+    exact::Signs of_discriminant;
     const int sign = exact::discriminant_sign(p, of_discriminant);
     if (of_discriminant.certain) {
       EXPECT_EQ(sign, sgn(discriminant)) << "seed " << properties::seed();
     }
 
     const mpq_class delta = mu * mu - 4 * d1 * d2, slope = 2 * c2 - 3 * mu;
-    const bool inside = exact::first_in_second(p, of_containment);
+    const bool inside = exact::long_first_in_second(p);
     const bool truth =
         sign_with_root(slope, -3, delta) > 0 || sign_with_root(slope * mu + 2 * d2 * (3 * d1 - c1), slope, delta) > 0;
-    if (of_containment.certain) {
-      EXPECT_EQ(inside, truth) << "seed " << properties::seed();
-    }
-    (of_discriminant.certain && of_containment.certain ? certain : not_certain) += 1;
+    EXPECT_EQ(inside, truth) << "seed " << properties::seed();
+    (of_discriminant.certain ? certain : not_certain) += 1;
   }
   EXPECT_GT(certain, 20 * not_certain);
   EXPECT_GT(certain, 1000 * properties::repeat());

@@ -13,6 +13,7 @@
 #include <vesica/exact/ellipse_ellipse.hpp>
 #include <vesica/exact/number.hpp>
 
+#include "exact/values.hpp"
 #include "properties/random.hpp"
 
 #ifdef NDEBUG
@@ -25,23 +26,8 @@ using namespace vesica;
 using exact::from_double;
 using exact::Limb;
 using exact::Number;
+using exact_values::scaled, exact_values::value;
 using properties::Random;
-
-mpq_class scaled(mpq_class x, long shift) {
-  if (shift >= 0) {
-    mpq_mul_2exp(x.get_mpq_t(), x.get_mpq_t(), static_cast<mp_bitcnt_t>(shift));
-  } else {
-    mpq_div_2exp(x.get_mpq_t(), x.get_mpq_t(), static_cast<mp_bitcnt_t>(-shift));
-  }
-  return x;
-}
-
-template <int D>
-mpq_class value(const Number<D>& n) {
-  mpz_class magnitude;
-  mpz_import(magnitude.get_mpz_t(), static_cast<std::size_t>(n.size), -1, sizeof(Limb), 0, 0, n.limb);
-  return scaled(mpq_class(n.sign * magnitude), 64L * n.low);
-}
 
 /// Neither end is a zero limb, and zero has one form.
 template <int D>

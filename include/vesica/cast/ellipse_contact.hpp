@@ -172,20 +172,14 @@ class LeadingContact {
   }
 
   static Trial from_discriminant(const exact::ContactCubic& p) noexcept {
-    const auto told_by = [](const auto& x) {
-      return x.sign == 0 ? Trial{true, false} : Trial{true, x.sign < 0, true, scaled(x.span(), x.sign)};
+    const auto told_by = [](int sign, const arithmetic::Scaled& value) {
+      return sign == 0 ? Trial{true, false} : Trial{true, sign < 0, true, value};
     };
-    const int dense = exact::detail::dense_limbs(p);
-    // Of few limbs that cost time the whole discriminant is there as soon, as in exact::discriminant_sign().
-    const bool is_dense = dense > 3 * exact::some_limbs;
+    const bool is_dense = exact::detail::is_dense(p);
     const Few few = is_dense ? leading_discriminant(p) : exact::detail::discriminant<Few>(p);
-    if (few.sign_is_certain()) return told_by(few);
-    if (is_dense) {
-      const Digits more = exact::detail::discriminant(p, dense > 64 ? Digits::most_limbs : exact::more_limbs);
-      if (more.sign_is_certain()) return told_by(more);
-    }
-    const exact::DiscriminantParts d(p);
-    return told_by(exact::product_less_square(d.four_a, d.c, d.b));
+    if (few.sign_is_certain()) return told_by(few.sign, scaled(few.span(), few.sign));
+    const exact::detail::ToldSum told = exact::detail::DiscriminantDigits(p).told();
+    return told_by(told.sign(), told.value());
   }
   /// Of the exact coefficients.
   static Few leading_discriminant(const exact::ContactCubic& p) noexcept {

@@ -97,10 +97,7 @@ inline int line_gap(const ExactReach& a, const ExactReach& b, const Number<2>& w
 template <int A, int B, int X>
 int sum_of_roots(const Number<A>& a, const Number<X>& x, const Number<B>& b, const Number<X>& y) noexcept {
   if (a.sign * b.sign >= 0) return a.sign != 0 ? a.sign : b.sign;
-  const auto difference = [](const auto& p, const auto& q, const auto& r, const auto& s) {
-    return square(p) * q - square(r) * s;
-  };
-  return a.sign * exact::sign_of_high_degree(difference, a, x, b, y);
+  return a.sign * exact::compare_squares_times(a, x, b, y);
 }
 
 /// The same from leading digits: 0 where these do not tell.

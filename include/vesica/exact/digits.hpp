@@ -2,7 +2,6 @@
 /// Leading digits of long numbers, as many as are asked for at run time: one function serves all precisions.
 #pragma once
 
-#include <initializer_list>
 #include <vesica/exact/leading.hpp>
 
 namespace vesica::exact {
@@ -49,14 +48,6 @@ struct Digits : LeadingLimbs<Digits> {
     out.error = nothing;
     return out;
   }
-};
-
-/// As many of them for all numbers of a formula, where it names a type.
-template <int count>
-struct DigitsOf : Digits {
-  template <int Degree>
-  constexpr explicit DigitsOf(const Number<Degree>& x) noexcept : Digits(x, count) {}
-  constexpr DigitsOf(const Digits& x) noexcept : Digits(x) {}
 };
 
 namespace detail {
@@ -139,31 +130,6 @@ VESICA_CALLED constexpr Digits times(int factor, const Digits& a) noexcept {
   }
   product.lose_if_any(a.error + static_cast<std::int64_t>(std::bit_width(size)));
   return product;
-}
-
-namespace detail {
-
-/// As leading_digits_tell(), of a polynomial of so high a degree that twice as many digits may be worth while.
-template <class Polynomial, int... Degree>
-constexpr bool many_digits_tell(int& sign, const Polynomial& value, const Number<Degree>&... x) noexcept {
-  if (!(is_long(x) || ...)) return false;
-  if (digits_tell<few_limbs>(sign, value, x...)) return true;
-  for (const int limbs : {some_limbs, more_limbs, most_limbs}) {
-    if (!(is_longer(x, limbs) || ...)) return false;
-    const Digits digits = value(Digits(x, limbs)...);
-    sign = digits.sign;
-    if (digits.sign_is_certain()) return true;
-  }
-  return false;
-}
-
-}  // namespace detail
-
-/// As sign_of(), of a polynomial of a high degree.
-template <class Polynomial, int... Degree>
-constexpr int sign_of_high_degree(const Polynomial& value, const Number<Degree>&... x) noexcept {
-  int sign = 0;
-  return detail::many_digits_tell(sign, value, x...) ? sign : value(x...).sign;
 }
 
 }  // namespace vesica::exact

@@ -58,12 +58,7 @@ template <int A, int B, int D>
 constexpr int sign_with_root(const Number<A>& a, const Number<B>& b, const Number<D>& delta) noexcept {
   const int root_sign = delta.sign == 0 ? 0 : b.sign;
   if (a.sign * root_sign >= 0) return a.sign + root_sign > 0 ? 1 : a.sign + root_sign < 0 ? -1 : 0;
-  const auto value = [](const auto& rest, const auto& slope, const auto& d) {
-    return square(slope) * d - square(rest);
-  };
-  int sign = 0;
-  if (many_digits_tell(sign, value, a, b, delta)) return root_sign * sign;
-  return root_sign * compare_product_with_square(square(b), delta, a);
+  return root_sign * compare_squares_times(b, delta, a, integer(1));
 }
 
 /// Ellipses about one centre, where p(x) = (1 + x) det(S1 + x S2): one contains the other iff S2 - S1 is semidefinite,
@@ -86,11 +81,7 @@ constexpr Relation concentric(const ContactCubic& p) noexcept {
 /// positive factors are numbers a + b sqrt(delta). Of q', rest + slope sqrt(delta), the rest is negative: where
 /// S1 = diag(s, t), S2 = 1 and D = (x, y) it is -2 (s x^2 + t y^2) - (s - t)^2. Degree 32.
 VESICA_CALLED constexpr bool first_in_second(const ContactCubic& p) noexcept {
-  if (is_long(p)) {
-    Signs signs;
-    const bool inside = exact::first_in_second(p, signs);
-    if (signs.certain) return inside;
-  }
+  if (is_long(p)) return long_first_in_second(p);
   const Number<0> two = integer(2), three = integer(3);
   const Number<16> delta = square(p.mu) - integer(4) * (p.d1 * p.d2);
   const Number<8> slope = two * p.c2 - three * p.mu;

@@ -4,8 +4,8 @@
 #pragma once
 
 #include <cstddef>
-#include <vesica/exact/columns.hpp>
 #include <vesica/exact/number.hpp>
+#include <vesica/exact/signed_digits.hpp>
 
 namespace vesica::exact {
 
@@ -227,7 +227,7 @@ constexpr int sign_of(const Polynomial& value, const Number<Degree>&... x) noexc
   return detail::leading_digits_tell(sign, value, x...) ? sign : value(x...).sign;
 }
 
-/// Sign of a b - c^2, with neither product formed where signs, magnitudes or leading columns tell.
+/// Sign of a b - c^2, with neither product formed where signs, magnitudes or leading digits tell.
 template <int A, int B, int C>
 constexpr int compare_product_with_square(const Number<A>& a, const Number<B>& b, const Number<C>& c) noexcept {
   int sign = a.sign * b.sign;
@@ -236,25 +236,30 @@ constexpr int compare_product_with_square(const Number<A>& a, const Number<B>& b
   const std::int64_t left = detail::top_bit(a) + detail::top_bit(b), right = 2 * detail::top_bit(c);
   if (left + 1 < right) return -1;
   if (right + 1 < left) return 1;
-  static_assert(limb_capacity(A) <= 1024 && limb_capacity(B) <= 1024 && limb_capacity(C) <= 1024);
-  return detail::columns_tell(sign, a.span(), b.span(), c.span()) ? sign : compare(a * b, square(c));
+  if (!is_long(a) && !is_long(b)) return compare(a * b, square(c));
+  detail::DigitsOfDegree<A> x(a);
+  detail::DigitsOfDegree<B> y(b);
+  detail::DigitsOfDegree<C> z(c);
+  return detail::ToldSum({{1, &x, &y}, {-1, &z, &z}}).sign();
 }
 
-/// a b - c^2 to a few leading digits, or one at least where nearly all cancel; its sign is certain.
-template <int A, int B, int C>
-constexpr Leading<few_limbs> product_less_square(const Number<A>& a, const Number<B>& b, const Number<C>& c) noexcept {
-  using Few = Leading<few_limbs>;
-  const Few few = Few(a) * Few(b) - square(Few(c));
-  if (few.sign_is_certain()) return few;
-  detail::ColumnSum sum;
-  int last = 0;
-  if (!detail::columns_tell(sum, last, a.span(), b.span(), c.span())) return Few(a * b - square(c));
-  const detail::ColumnSum size = sum.sign() < 0 ? sum.negated() : sum;
-  const Limb limb[] = {size.low, size.middle, size.high};
-  Few out;
-  out.set(sum.sign(), {limb, last, 3});
-  if (!sum.is_small()) out.error = std::int64_t{64} * last + 74;  // the columns below add less
-  return out;
+/// Sign of a^2 x - b^2 y.
+template <int A, int X, int B, int Y>
+constexpr int compare_squares_times(const Number<A>& a, const Number<X>& x, const Number<B>& b,
+                                    const Number<Y>& y) noexcept {
+  if (!is_long(a) && !is_long(x) && !is_long(b) && !is_long(y)) return compare(square(a) * x, square(b) * y);
+  const auto difference = [](const auto& p, const auto& q, const auto& r, const auto& s) {
+    return square(p) * q - square(r) * s;
+  };
+  int sign = 0;
+  if (detail::digits_tell<few_limbs>(sign, difference, a, x, b, y)) return sign;
+  detail::DigitsOfDegree<A> p(a);
+  detail::DigitsOfDegree<X> q(x);
+  detail::DigitsOfDegree<B> r(b);
+  detail::DigitsOfDegree<Y> s(y);
+  detail::DigitsOfDegree<2 * A> p_p{{1, &p, &p}};
+  detail::DigitsOfDegree<2 * B> r_r{{1, &r, &r}};
+  return detail::ToldSum({{1, &p_p, &q}, {-1, &r_r, &s}}).sign();
 }
 
 /// The signs of numbers; once one was not certain nothing is.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Signs about two ellipses from leading digits, for extreme magnitudes, where all digits would take a hundred
-/// microseconds and more.
+/// Signs about two ellipses from leading digits, for extreme magnitudes, where all digits would take up to a hundred
+/// microseconds.
 #pragma once
 
 #include <vesica/exact/contact_cubic.hpp>
-#include <vesica/exact/digits.hpp>
+#include <vesica/exact/leading.hpp>
 
 namespace vesica::exact {
 
@@ -88,36 +88,54 @@ constexpr bool first_in_second(const ContactCubic& p, const Small& parts, Signs&
   return rising > 0;
 }
 
-/// How many limbs of long coefficients have digits, c1 and c2 together.
-constexpr int dense_limbs(const ContactCubic& p) noexcept { return dense_limbs(p.c1) + dense_limbs(p.c2); }
-/// How many leading limbs of coefficients as dense are likely to tell the discriminant.
-constexpr int telling_limbs(int dense) noexcept {
-  return dense > 2 * Digits::most_limbs ? Digits::most_limbs : more_limbs;
+/// Whether c1 and c2 have so many limbs with digits that a few leading ones are sooner there than all.
+constexpr bool is_dense(const ContactCubic& p) noexcept {
+  return dense_limbs(p.c1) + dense_limbs(p.c2) > 3 * some_limbs;
 }
 
-/// From leading digits.
-VESICA_CALLED constexpr Digits discriminant(const ContactCubic& p, int limbs) noexcept {
-  const Digits d1(p.d1, limbs), c1(p.c1, limbs), c2(p.c2, limbs), d2(p.d2, limbs);
-  return discriminant(d1, c1, c2, d2, d1 * d2);
+/// The discriminant as a sum of products whose digits are formed from the top.
+class DiscriminantDigits {
+ public:
+  constexpr explicit DiscriminantDigits(const ContactCubic& p) noexcept : d1_(p.d1), c1_(p.c1), c2_(p.c2), d2_(p.d2) {}
+  constexpr ToldSum told() noexcept { return ToldSum({{1, &four_a_, &c_}, {-1, &b_, &b_}}); }
+
+ private:
+  DigitsOfDegree<8> d1_, c1_, c2_, d2_;
+  DigitsOfDegree<16> four_a_{{4, &c2_, &c2_}, {-12, &d2_, &c1_}}, b_{{1, &c1_, &c2_}, {-9, &d1_, &d2_}},
+      c_{{1, &c1_, &c1_}, {-3, &d1_, &c2_}};
+};
+
+/// By digits from the top, which tell ties too.
+constexpr bool digits_tell_first_in_second(const ContactCubic& p, const SmallParts<Number<8>>& parts) noexcept {
+  const Number<8> slope = integer(2) * p.c2 - integer(3) * p.mu, sum = parts.g + parts.al_less_2be;
+  if (slope.sign <= 0) return false;
+  const Number<0> unit = integer(1);
+  DigitsOfDegree<0> one(unit);
+  DigitsOfDegree<8> d1(p.d1), d2(p.d2), mu(p.mu), al(p.al), be(p.be), slope_(slope), sum_(sum), g(parts.g),
+      h(parts.al_less_2be), less(parts.delta_less), more(parts.delta_more);
+  DigitsOfDegree<16> delta{{1, &less, &more}};
+  if (delta.is_zero() || ToldSum({{1, &slope_, &slope_}, {-9, &delta, &one}}).sign() > 0) return true;
+  DigitsOfDegree<16> al_be{{1, &al, &be}}, turned{{2, &be, &d1}, {-1, &al, &d2}};
+  const int rising = ToldSum({{1, &delta, &sum_}, {1, &h, &turned}, {-2, &al_be, &g}}).sign();  // rise()
+  if (rising != 0) return rising > 0;
+  DigitsOfDegree<16> be_be{{1, &be, &be}}, rest{{2, &d2, &al}, {-1, &be, &mu}};
+  return ToldSum({{1, &rest, &one}}).sign() > 0 && ToldSum({{1, &be_be, &delta}, {-1, &rest, &rest}}).sign() == 0;
 }
 
 }  // namespace detail
 
-/// As the functions of the same names in ellipse_ellipse.hpp; not certain where the leading digits do not tell, or all
-/// digits tell as soon.
+/// As the functions of the same names in ellipse_ellipse.hpp; not certain where leading digits do not tell, or all digits
+/// tell as soon.
 constexpr int discriminant_sign(const ContactCubic& p, Signs& signs) noexcept {
   using Few = Leading<few_limbs>;
   const Few few = detail::discriminant<Few>(p);
   if (few.sign_is_certain()) return few.sign;
-  // Of few limbs that cost time the whole discriminant is there as soon.
-  const int dense = detail::dense_limbs(p);
-  signs.certain = dense > 3 * some_limbs;
+  signs.certain = detail::is_dense(p);
   if (!signs.certain) return 0;
   const auto parts = exact_small_parts(p);
   if (parts.delta_less.sign == 0) return detail::sign_of_discriminant_of_proportional(p);
   const Few by_offset = detail::discriminant_by_offset<Few>(p, parts);
-  if (by_offset.sign_is_certain()) return by_offset.sign;
-  return signs.of(detail::discriminant(p, detail::telling_limbs(dense)));
+  return by_offset.sign_is_certain() ? by_offset.sign : detail::DiscriminantDigits(p).told().sign();
 }
 
 constexpr bool few_digits_tell_first_in_second(bool& inside, const ContactCubic& p) noexcept {
@@ -127,13 +145,14 @@ constexpr bool few_digits_tell_first_in_second(bool& inside, const ContactCubic&
   return signs.certain;
 }
 
-constexpr bool first_in_second(const ContactCubic& p, Signs& signs) noexcept {
-  bool by_few = false;
-  if (few_digits_tell_first_in_second(by_few, p)) return by_few;
-  Signs of_small;
+/// As the function of the same name in ellipse_ellipse.hpp.
+constexpr bool long_first_in_second(const ContactCubic& p) noexcept {
+  bool inside = false;
+  if (few_digits_tell_first_in_second(inside, p)) return inside;
   const auto parts = exact_small_parts(p);
-  const bool by_small = detail::first_in_second<Leading<few_limbs>>(p, parts, of_small);
-  return of_small.certain ? by_small : detail::first_in_second<DigitsOf<more_limbs>>(p, parts, signs);
+  Signs signs;
+  inside = detail::first_in_second<Leading<few_limbs>>(p, parts, signs);
+  return signs.certain ? inside : detail::digits_tell_first_in_second(p, parts);
 }
 
 }  // namespace vesica::exact

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+// Digits from the top against GMP: they are those of the number, of any length, and no sign is told too soon.
+#include <gmpxx.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vesica/exact/leading.hpp>
+
+#include "exact/portable_limbs.hpp"
+#include "exact/values.hpp"
+#include "properties/random.hpp"
+
+namespace {
+
+using namespace vesica::exact::detail;
+using exact_values::about, exact_values::any_number, exact_values::scaled, exact_values::value;
+using properties::Random;
+using vesica::exact::from_double, vesica::exact::integer, vesica::exact::Limb, vesica::exact::Number;
+
+constexpr Digit most = (Digit{1} << (digit_bits - 1)) + 1;
+
+mpz_class integer_of(const ColumnSum& x) {
+  return mpz_class(static_cast<long>(x.high)) * (mpz_class(1) << 64) + mpz_class(static_cast<unsigned long>(x.low));
+}
+
+/// The value of all digits, each of which is in its range.
+mpq_class value(SignedDigits& x) {
+  if (x.is_zero()) return 0;
+  x.know(x.last());
+  mpz_class sum = 0;
+  for (int depth = 0; depth <= x.last(); ++depth) {
+    EXPECT_LE(std::abs(x[depth]), most);
+    sum = (sum << digit_bits) + mpz_class(static_cast<long>(x[depth]));
+  }
+  return scaled(sum, std::int64_t{digit_bits} * x.bottom());
+}
+
+// Every combination of digits at the ends of their range, and of sums to which they are added.
+TEST(ColumnSum, Products) {
+  for (const Digit a : {most, -most, Digit{0}, Digit{1}, Digit{-1}, most / 3}) {
+    for (const Digit b : {most, -most, Digit{0}, Digit{1}, Digit{-1}, -most / 5}) {
+      for (const ColumnSum sum : {ColumnSum{}, ColumnSum{~Limb{0}, ~Limb{0}}, ColumnSum{~Limb{0}, 5},
+                                  ColumnSum{0, ~Limb{0} << 40}, ColumnSum{1, Limb{1} << 60}}) {
+        ColumnSum wide = sum;
+        wide.add(a, b);
+        EXPECT_EQ(integer_of(wide), integer_of(sum) + mpz_class(static_cast<long>(a)) * static_cast<long>(b));
+        const auto portable = portable::add_product({sum.low, sum.high}, a, b);
+        EXPECT_TRUE(portable.low == wide.low && portable.high == wide.high) << a << ' ' << b;
+      }
+    }
+  }
+}
+
+TEST(ColumnSum, TimesAndDigits) {
+  Random random(properties::seed());
+  for (int i = 0; i < 10'000; ++i) {
+    const auto high = static_cast<std::int64_t>(random.bits()) >> random.integer(8, 63);
+    const ColumnSum sum{random.chance(0.2) ? 0 : random.bits(), static_cast<Limb>(high)};
+    const mpz_class truth = integer_of(sum);
+    for (const int factor : {1, -1, 2, -12, 36}) EXPECT_EQ(integer_of(sum.times(factor)), factor * truth);
+    EXPECT_EQ(sum.sign(), sgn(truth));
+    EXPECT_EQ(sum.is_small(), truth < mpz_class(1) << 69 && truth >= -(mpz_class(1) << 69));
+    ColumnSum left = sum;
+    const Digit digit = left.take_digit();
+    EXPECT_TRUE(-most < digit && digit < most - 1) << digit;
+    EXPECT_EQ((integer_of(left) << digit_bits) + mpz_class(static_cast<long>(digit)), truth);
+    if (!sum.is_small()) continue;
+    ColumnSum lower = sum;
+    lower.go_down();
+    EXPECT_EQ(integer_of(lower), truth << digit_bits);
+  }
+}
+
+TEST(SignedDigits, OfANumber) {
+  Random random(properties::seed());
+  for (int i = 0; i < 500 * properties::repeat(); ++i) {
+    const Number<8> x = any_number(random), tiny = from_double(std::ldexp(1, random.integer(-1074, 1023)));
+    for (const Number<8>& number : {x, tiny, x - tiny, x * integer(-1), Number<8>()}) {
+      DigitsOfDegree<8> digits(number);
+      EXPECT_EQ(value(digits), value(number)) << "seed " << properties::seed();
+    }
+  }
+}
+
+// 2^n - 2^-n has ones in every limb but two digits.
+TEST(SignedDigits, LongRunsOfOnesAreZeros) {
+  for (int n = 100; n < 1000; ++n) {
+    const Number<1> x = from_double(std::ldexp(1, n)) - from_double(std::ldexp(1, -n));
+    DigitsOfDegree<1> digits(x);
+    digits.know(digits.last());
+    EXPECT_LE(digits.dense(), 3) << n;
+  }
+}
+
+TEST(SignedDigits, OfSumsOfProducts) {
+  Random random(properties::seed());
+  for (int i = 0; i < 300 * properties::repeat(); ++i) {
+    const Number<8> x = any_number(random), y = random.chance(0.2) ? Number<8>() : any_number(random);
+    const Number<8> other = from_double(std::ldexp(1, random.integer(-1000, 1000)));
+    const Number<8> z = random.chance(0.3) ? about(x, random) : other;
+    DigitsOfDegree<8> a(x), b(y), c(z);
+    const mpq_class p = value(x), q = value(y), r = value(z);
+    DigitsOfDegree<16> of_one{{-9, &a, &b}}, of_two{{4, &a, &a}, {-12, &b, &c}},
+        of_three{{1, &a, &a}, {-1, &c, &c}, {1, &b, &c}};
+    EXPECT_EQ(value(of_one), -9 * p * q) << "seed " << properties::seed();
+    EXPECT_EQ(value(of_two), 4 * p * p - 12 * q * r) << "seed " << properties::seed();
+    EXPECT_EQ(value(of_three), p * p - r * r + q * r) << "seed " << properties::seed();
+    // And of such sums again.
+    DigitsOfDegree<32> again{{1, &of_one, &of_two}, {-2, &of_three, &of_three}};
+    EXPECT_EQ(value(again),
+              -9 * p * q * (4 * p * p - 12 * q * r) - 2 * (p * p - r * r + q * r) * (p * p - r * r + q * r));
+  }
+}
+
+/// x^2 y^2 against (x y)^2 with something beside them: from nothing to far more than either.
+TEST(ToldSum, SignsAndValues) {
+  Random random(properties::seed());
+  int zeros = 0, negative = 0;
+  for (int i = 0; i < 2000 * properties::repeat(); ++i) {
+    const int far = random.chance(0.5) ? 1000 : 60;
+    const auto length = [&] { return from_double(std::ldexp(1 + random.unit(), random.integer(-far, far))); };
+    const auto degree_4 = [&] { return square(length() * length() - length() * length()) + length(); };
+    const Number<4> x = degree_4(), y = degree_4();
+    const Number<8> a = about(square(x), random), b = square(y), c = about(x * y, random);
+    DigitsOfDegree<8> p(a), q(b), r(c);
+    const ToldSum told({{1, &p, &q}, {-1, &r, &r}});
+    const mpq_class truth = value(a) * value(b) - value(c) * value(c);
+    ASSERT_EQ(told.sign(), sgn(truth)) << "seed " << properties::seed();
+    EXPECT_EQ(compare_product_with_square(a, b, c), sgn(truth));
+    zeros += truth == 0 ? 1 : 0;
+    negative += truth < 0 ? 1 : 0;
+    if (truth == 0) continue;
+    const auto found = told.value();
+    const mpq_class error = scaled(mpq_class(found.value), found.exponent) - truth;
+    EXPECT_LE(abs(error), scaled(abs(truth), -49)) << "seed " << properties::seed();
+    EXPECT_TRUE(std::fabs(found.value) >= 0.5 && std::fabs(found.value) < 1);
+  }
+  EXPECT_GT(zeros, 100 * properties::repeat());
+  EXPECT_GT(negative, 300 * properties::repeat());
+}
+
+TEST(ToldSum, OfNothing) {
+  const Number<8> nothing, unit = integer(1);
+  DigitsOfDegree<8> zero(nothing), one(unit);
+  EXPECT_EQ(ToldSum({}).sign(), 0);
+  EXPECT_EQ(ToldSum({{1, &zero, &one}, {-1, &zero, &zero}}).sign(), 0);
+  EXPECT_EQ(ToldSum({{1, &one, &one}, {-1, &one, &one}}).sign(), 0);
+  EXPECT_EQ(ToldSum({{1, &zero, &one}, {-1, &one, &one}}).sign(), -1);
+}
+
+TEST(ToldSum, SquaresTimesNumbers) {
+  Random random(properties::seed());
+  int ties = 0;
+  for (int i = 0; i < 500 * properties::repeat(); ++i) {
+    const Number<8> a = any_number(random), b = any_number(random), c = about(a, random), d = about(b, random);
+    const mpq_class truth = value(a) * value(a) * value(b) - value(c) * value(c) * value(d);
+    EXPECT_EQ(vesica::exact::compare_squares_times(a, b, c, d), sgn(truth)) << "seed " << properties::seed();
+    ties += truth == 0 ? 1 : 0;
+  }
+  EXPECT_GT(ties, 10 * properties::repeat());
+}
+
+// No more digits are formed than tell the sign: here the first ones do.
+TEST(ToldSum, FormsTheDigitsThatItNeeds) {
+  Random random(properties::seed());
+  for (int i = 0; i < 100 * properties::repeat(); ++i) {
+    const Number<8> x = any_number(random), y = any_number(random);
+    const Number<8> double_x = integer(2) * x;
+    DigitsOfDegree<8> a(x), b(y), twice(double_x);
+    const ToldSum told({{1, &twice, &b}, {-1, &a, &b}});
+    EXPECT_EQ(told.sign(), x.sign * y.sign) << "seed " << properties::seed();
+    EXPECT_LE(a.dense() + b.dense() + twice.dense(), 3 * 2 * Columns::block) << "seed " << properties::seed();
+  }
+}
+
+}  // namespace
