@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <cstring>
 #include <initializer_list>
-#include <vesica/arithmetic/scaled.hpp>
 #include <vesica/scalar.hpp>
 
 #undef __SIZEOF_INT128__

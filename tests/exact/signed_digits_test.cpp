@@ -131,11 +131,15 @@ TEST(ToldSum, SignsAndValues) {
     EXPECT_EQ(compare_product_with_square(a, b, c), sgn(truth));
     zeros += truth == 0 ? 1 : 0;
     negative += truth < 0 ? 1 : 0;
-    if (truth == 0) continue;
-    const auto found = told.value();
-    const mpq_class error = scaled(mpq_class(found.value), found.exponent) - truth;
-    EXPECT_LE(abs(error), scaled(abs(truth), -49)) << "seed " << properties::seed();
-    EXPECT_TRUE(std::fabs(found.value) >= 0.5 && std::fabs(found.value) < 1);
+    const auto found = vesica::exact::leading(told);
+    EXPECT_TRUE(found.sign_is_certain());
+    const mpq_class error = abs(mpq_class(value(told.number()) - truth));
+    EXPECT_LE(error, scaled(abs(truth), -110)) << "seed " << properties::seed();
+    if (found.error == found.nothing) {
+      EXPECT_EQ(error, 0);
+    } else {
+      EXPECT_LT(error, exact_values::power_of_two(found.error));
+    }
   }
   EXPECT_GT(zeros, 100 * properties::repeat());
   EXPECT_GT(negative, 300 * properties::repeat());

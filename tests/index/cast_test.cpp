@@ -257,5 +257,28 @@ TEST(CastArguments, Refused) {
   EXPECT_EQ(all(3), 0);
 }
 
+// What a call left, with one number changed: no block, fewer than no items, or no mark.
+TEST(CastArguments, StatesMadeUp) {
+  const Indexed<double> many(rects<double>("uniform", 2000, 1));
+  const double circle[3] = {0, 0, 1e6};
+  vesica_shapes_f64 one;
+  vesica_shapes_from_records_f64(VESICA_CIRCLE, 1, circle, 0, &one);
+  std::int64_t out[3], state[4] = {};
+  const auto next = [&] {
+    return vesica_index_cast_f64(many.index.get(), many.sets.data(), many.sets.count(), &one, 1, 0, 1, out, 3, state);
+  };
+  ASSERT_EQ(next(), 3);
+  const std::int64_t sound[4] = {state[0], state[1], state[2], state[3]};
+  for (int number = 0; number < 4; ++number) {
+    for (const std::int64_t x : {std::numeric_limits<std::int64_t>::min(), std::int64_t{-2}, std::int64_t{1} << 40}) {
+      if (number == 1 && x > 0) continue;  // more items than there are: none is left
+      state[number] = x;
+      EXPECT_EQ(next(), VESICA_E_ARGUMENT) << number << ' ' << x;
+      state[number] = sound[number];
+    }
+  }
+  EXPECT_EQ(next(), 3);
+}
+
 }  // namespace
 }  // namespace index_tests

@@ -171,30 +171,17 @@ class LeadingContact {
     return n(6.1) * (by_c1 * bend1 + by_c2 * bend2) + n(3.1) * twice;
   }
 
+  /// From the exact coefficients.
   static Trial from_discriminant(const exact::ContactCubic& p) noexcept {
-    const auto told_by = [](int sign, const arithmetic::Scaled& value) {
-      return sign == 0 ? Trial{true, false} : Trial{true, sign < 0, true, value};
-    };
-    const bool is_dense = exact::detail::is_dense(p);
-    const Few few = is_dense ? leading_discriminant(p) : exact::detail::discriminant<Few>(p);
-    if (few.sign_is_certain()) return told_by(few.sign, scaled(few.span(), few.sign));
-    const exact::detail::ToldSum told = exact::detail::DiscriminantDigits(p).told();
-    return told_by(told.sign(), told.value());
+    const Few few = exact::detail::discriminant<Few>(p), told = few.sign_is_certain() ? few : told_discriminant(p);
+    return told.sign == 0 ? Trial{true, false} : Trial{true, told.sign < 0, true, scaled(told.span(), told.sign)};
   }
-  /// Of the exact coefficients.
-  static Few leading_discriminant(const exact::ContactCubic& p) noexcept {
-    const Few value = exact::detail::discriminant<Few>(p);
-    if (value.sign_is_certain()) return value;
-    return times(3, exact::detail::discriminant_by_offset<Few>(p, exact_small_parts(p)));
+  static Few told_discriminant(const exact::ContactCubic& p) noexcept {
+    return exact::leading(exact::detail::DiscriminantDigits(p).told());
   }
   /// F(0), of which all leading digits may cancel.
   VESICA_COLD static Rough exact_start(const ExactPair& pair) noexcept {
-    const exact::ContactCubic p = exact::contact_cubic(pair.a_.ellipse(), pair.b_.ellipse());
-    if (p.c1.size > 2 * exact::more_limbs) {
-      const Rough value = rough(leading_discriminant(p));
-      if (value.is_precise()) return value;
-    }
-    return Rough(exact::detail::discriminant(p.d1, p.c1, p.c2, p.d2, p.d1 * p.d2));
+    return rough(told_discriminant(exact::contact_cubic(pair.a_.ellipse(), pair.b_.ellipse())));
   }
 
   LeadingFrame first_, second_;

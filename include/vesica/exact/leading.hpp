@@ -243,6 +243,13 @@ constexpr int compare_product_with_square(const Number<A>& a, const Number<B>& b
   return detail::ToldSum({{1, &x, &y}, {-1, &z, &z}}).sign();
 }
 
+/// What is known of a sum of products; its sign is certain, and it is to 2^-110 or better.
+constexpr Leading<few_limbs> leading(const detail::ToldSum& told) noexcept {
+  Leading<few_limbs> out(told.number());
+  if (!told.is_whole()) out.lose(told.missing());
+  return out;
+}
+
 /// Sign of a^2 x - b^2 y.
 template <int A, int X, int B, int Y>
 constexpr int compare_squares_times(const Number<A>& a, const Number<X>& x, const Number<B>& b,

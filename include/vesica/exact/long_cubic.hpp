@@ -124,8 +124,7 @@ constexpr bool digits_tell_first_in_second(const ContactCubic& p, const SmallPar
 
 }  // namespace detail
 
-/// As the functions of the same names in ellipse_ellipse.hpp; not certain where leading digits do not tell, or all digits
-/// tell as soon.
+/// As the function of the same name in ellipse_ellipse.hpp; not certain where all digits tell as soon.
 constexpr int discriminant_sign(const ContactCubic& p, Signs& signs) noexcept {
   using Few = Leading<few_limbs>;
   const Few few = detail::discriminant<Few>(p);

@@ -12,7 +12,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
-#include <vesica/arithmetic/scaled.hpp>
 #include <vesica/exact/number.hpp>
 
 namespace vesica::exact::detail {
@@ -65,8 +64,20 @@ struct ColumnSum {
     const auto above = static_cast<std::int64_t>(high) >> 5;
     return above == 0 || above == -1;
   }
-  constexpr double rounded() const noexcept {
-    return static_cast<double>(static_cast<std::int64_t>(high)) * 0x1p64 + static_cast<double>(low);
+  /// As a number, in units of 2^bit.
+  constexpr Number<1> number(int bit) const noexcept {
+    const ColumnSum size = sign() < 0 ? negated() : *this;
+    const int shift = bit & 63;
+    const auto over = [shift](Limb x) { return x >> 1 >> (63 - shift); };
+    Number<1> out;
+    out.sign = sign();
+    out.low = (bit - shift) / 64;
+    out.size = 3;
+    out.limb[0] = size.low << shift;
+    out.limb[1] = size.high << shift | over(size.low);
+    out.limb[2] = over(size.high);
+    out.strip();
+    return out;
   }
 };
 
@@ -166,8 +177,8 @@ class SignedDigits {
   constexpr int lead() const noexcept { return runs_ == 0 ? known_ : run_[0].first; }
   constexpr Digit operator[](int depth) const noexcept { return digit_[depth]; }
 
-  /// Adds the products of digits at depths [first, end) by those of y, to the block of columns from `depth` on. The runs
-  /// before `run` end at `first`; more of them may, once this returns.
+  /// Adds the products of digits at depths [first, end) by those of y, to the block of columns from `depth` on. Runs
+  /// before `run` end above `first`, and so do all before what it is set to.
   constexpr void add_products(const SignedDigits& y, int depth, int first, int end, int& run,
                               Columns::Sums& sums) const noexcept {
     while (run < runs_ && run_[run].end <= first) ++run;
@@ -328,26 +339,33 @@ class DigitsOfDegree : public SignedDigits {
   Run runs_[std::size_t{capacity / 2 + 1}];
 };
 
-/// The columns of a sum of products that tell its sign, and the next one; all of them where it is 0.
-struct ToldSum {
-  ColumnSum sum, next;
-  int place;  ///< of the lowest column in the sum
-
+/// The columns of a sum of products that tell its sign, and the next two; all of them where it is 0.
+class ToldSum {
+ public:
   constexpr explicit ToldSum(std::initializer_list<Term> terms) noexcept {
     Columns columns(terms);
-    for (place = columns.top() + 1; place > columns.bottom() && sum.is_small(); --place) {
-      sum.go_down();
-      sum.add(columns.next());
+    place_ = columns.top() + 1;
+    for (; place_ > columns.bottom() && sum_.is_small(); --place_) {
+      sum_.go_down();
+      sum_.add(columns.next());
     }
-    next = columns.next();
+    for (ColumnSum& next : next_) next = columns.next();
+    is_whole_ = place_ - 2 <= columns.bottom();
   }
-  constexpr int sign() const noexcept { return sum.sign(); }
-  /// To 2^-49 of it.
-  vesica::detail::arithmetic::Scaled value() const noexcept {
-    int exponent;
-    const double value = std::frexp(sum.rounded() + next.rounded() * 0x1p-57, &exponent);
-    return {value, exponent + digit_bits * place};
+  constexpr int sign() const noexcept { return sum_.sign(); }
+  /// The number that these columns are.
+  constexpr Number<1> number() const noexcept {
+    const int bit = digit_bits * place_;
+    return sum_.number(bit) + next_[0].number(bit - digit_bits) + next_[1].number(bit - 2 * digit_bits);
   }
+  /// Whether there are no others. The columns below are less than 2^missing().
+  constexpr bool is_whole() const noexcept { return is_whole_; }
+  constexpr int missing() const noexcept { return digit_bits * (place_ - 2) + 69; }
+
+ private:
+  ColumnSum sum_, next_[2];
+  int place_;  ///< of the lowest column in the sum
+  bool is_whole_;
 };
 
 }  // namespace vesica::exact::detail
