@@ -14,9 +14,9 @@ limit() {
 }
 
 modules=$1
-limit "$modules/vesica.wasm" 1260 428
-limit "$modules/simd/vesica.wasm" 1452 485
-limit "$modules/vesica-overlap.wasm" 450 150
+limit "$modules/vesica.wasm" 1265 430
+limit "$modules/simd/vesica.wasm" 1457 487
+limit "$modules/vesica-overlap.wasm" 454 150
 limit "$modules/simd/vesica-overlap.wasm" 600 180
 limit "$modules/vesica-methods.wasm" 125 57
 [ $failures = 0 ]

@@ -59,6 +59,9 @@ struct Leading : LeadingLimbs<Leading<count>> {
   constexpr explicit Leading(const Number<Degree>& x) noexcept {
     if (x.sign != 0) set(x.sign, x.span());
   }
+  constexpr explicit Leading(const detail::AnyNumber& x) noexcept {
+    if (x.sign != 0) set(x.sign, x.magnitude);
+  }
   /// Of a magnitude that may begin with zeros.
   constexpr void set(int its_sign, detail::Span x) noexcept {
     while (x.size > 0 && x.limb[x.size - 1] == 0) --x.size;
@@ -227,20 +230,49 @@ constexpr int sign_of(const Polynomial& value, const Number<Degree>&... x) noexc
   return detail::leading_digits_tell(sign, value, x...) ? sign : value(x...).sign;
 }
 
+namespace detail {
+
+/// Sign of a b - c^2, of degree 32 at most.
+VESICA_CALLED constexpr int compare_long_product_with_square(const AnyNumber& a, const AnyNumber& b,
+                                                             const AnyNumber& c) noexcept {
+  DigitsOfDegree<16> x(a), y(b), z(c);
+  return ToldSum({{1, &x, &y}, {-1, &z, &z}}).sign();
+}
+
+/// Sign of a^2 x - b^2 y, of degree 32 at most.
+VESICA_CALLED constexpr int compare_long_squares_times(const AnyNumber& a, const AnyNumber& x, const AnyNumber& b,
+                                                       const AnyNumber& y) noexcept {
+  using Few = Leading<few_limbs>;
+  const Few few = square(Few(a)) * Few(x) - square(Few(b)) * Few(y);
+  if (few.sign_is_certain()) return few.sign;
+  DigitsOfDegree<16> p(a), q(x), r(b), s(y);
+  DigitsOfDegree<32> p_p{{1, &p, &p}}, r_r{{1, &r, &r}};
+  return ToldSum({{1, &p_p, &q}, {-1, &r_r, &s}}).sign();
+}
+
+}  // namespace detail
+
 /// Sign of a b - c^2, with neither product formed where signs, magnitudes or leading digits tell.
 template <int A, int B, int C>
 constexpr int compare_product_with_square(const Number<A>& a, const Number<B>& b, const Number<C>& c) noexcept {
-  int sign = a.sign * b.sign;
+  static_assert(A <= 16 && B <= 16 && C <= 16);
+  const int sign = a.sign * b.sign;
   if (sign <= 0 || c.sign == 0) return sign < 0 || c.sign == 0 ? sign : -1;
   // The top bit of a product is that of its factors' sum, or one below.
   const std::int64_t left = detail::top_bit(a) + detail::top_bit(b), right = 2 * detail::top_bit(c);
   if (left + 1 < right) return -1;
   if (right + 1 < left) return 1;
-  if (!is_long(a) && !is_long(b)) return compare(a * b, square(c));
-  detail::DigitsOfDegree<A> x(a);
-  detail::DigitsOfDegree<B> y(b);
-  detail::DigitsOfDegree<C> z(c);
-  return detail::ToldSum({{1, &x, &y}, {-1, &z, &z}}).sign();
+  if (is_long(a) || is_long(b)) return detail::compare_long_product_with_square(a, b, c);
+  return compare(a * b, square(c));
+}
+
+/// Sign of a^2 x - b^2 y.
+template <int A, int X, int B, int Y>
+constexpr int compare_squares_times(const Number<A>& a, const Number<X>& x, const Number<B>& b,
+                                    const Number<Y>& y) noexcept {
+  static_assert(A <= 16 && X <= 16 && B <= 16 && Y <= 16);
+  const bool is_any_long = is_long(a) || is_long(x) || is_long(b) || is_long(y);
+  return is_any_long ? detail::compare_long_squares_times(a, x, b, y) : compare(square(a) * x, square(b) * y);
 }
 
 /// What is known of a sum of products; its sign is certain, and it is to 2^-110 or better.
@@ -248,25 +280,6 @@ constexpr Leading<few_limbs> leading(const detail::ToldSum& told) noexcept {
   Leading<few_limbs> out(told.number());
   if (!told.is_whole()) out.lose(told.missing());
   return out;
-}
-
-/// Sign of a^2 x - b^2 y.
-template <int A, int X, int B, int Y>
-constexpr int compare_squares_times(const Number<A>& a, const Number<X>& x, const Number<B>& b,
-                                    const Number<Y>& y) noexcept {
-  if (!is_long(a) && !is_long(x) && !is_long(b) && !is_long(y)) return compare(square(a) * x, square(b) * y);
-  const auto difference = [](const auto& p, const auto& q, const auto& r, const auto& s) {
-    return square(p) * q - square(r) * s;
-  };
-  int sign = 0;
-  if (detail::digits_tell<few_limbs>(sign, difference, a, x, b, y)) return sign;
-  detail::DigitsOfDegree<A> p(a);
-  detail::DigitsOfDegree<X> q(x);
-  detail::DigitsOfDegree<B> r(b);
-  detail::DigitsOfDegree<Y> s(y);
-  detail::DigitsOfDegree<2 * A> p_p{{1, &p, &p}};
-  detail::DigitsOfDegree<2 * B> r_r{{1, &r, &r}};
-  return detail::ToldSum({{1, &p_p, &q}, {-1, &r_r, &s}}).sign();
 }
 
 /// The signs of numbers; once one was not certain nothing is.

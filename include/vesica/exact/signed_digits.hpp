@@ -65,7 +65,7 @@ struct ColumnSum {
     return above == 0 || above == -1;
   }
   /// As a number, in units of 2^bit.
-  constexpr Number<1> number(int bit) const noexcept {
+  VESICA_CALLED constexpr Number<1> number(int bit) const noexcept {
     const ColumnSum size = sign() < 0 ? negated() : *this;
     const int shift = bit & 63;
     const auto over = [shift](Limb x) { return x >> 1 >> (63 - shift); };
@@ -102,6 +102,17 @@ struct RunningSum : ColumnSum {
 #endif
 
 class SignedDigits;
+
+/// A number of any degree, which must outlive this.
+struct AnyNumber {
+  int sign;
+  Span magnitude;
+
+  template <int Degree>
+  constexpr AnyNumber(const Number<Degree>& x) noexcept : sign(x.sign), magnitude(x.span()) {}
+  template <int Degree>
+  AnyNumber(Number<Degree>&&) = delete;
+};
 
 /// A product of two numbers, or the square of one, so many times.
 struct Term {
@@ -167,7 +178,7 @@ class SignedDigits {
   constexpr int last() const noexcept { return top_ - bottom_; }
 
   /// Makes digits known down to this depth.
-  constexpr void know(int depth) noexcept {
+  VESICA_CALLED constexpr void know(int depth) noexcept {
     const int end = depth < last() + padding ? depth : last() + padding;
     while (known_ <= end) is_sum_ ? sum_digit() : limb_digit();
   }
@@ -179,8 +190,8 @@ class SignedDigits {
 
   /// Adds the products of digits at depths [first, end) by those of y, to the block of columns from `depth` on. Runs
   /// before `run` end above `first`, and so do all before what it is set to.
-  constexpr void add_products(const SignedDigits& y, int depth, int first, int end, int& run,
-                              Columns::Sums& sums) const noexcept {
+  VESICA_CALLED constexpr void add_products(const SignedDigits& y, int depth, int first, int end, int& run,
+                                            Columns::Sums& sums) const noexcept {
     while (run < runs_ && run_[run].end <= first) ++run;
     for (int i = run; i < runs_ && run_[i].first < end; ++i) {
       const int from = run_[i].first > first ? run_[i].first : first, to = run_[i].end < end ? run_[i].end : end;
@@ -200,14 +211,15 @@ class SignedDigits {
 
  protected:
   /// Of a number in limbs. There is room for the digits, and for half as many runs.
-  constexpr SignedDigits(Digit* room, Run* runs, int sign, const Span& x) noexcept
-      : SignedDigits(room, runs, place_below(64 * (x.low + x.size)) + 1, place_below(64 * x.low)) {
-    is_zero_ = sign == 0;
-    sign_ = sign;
-    limbs_ = x;
+  VESICA_CALLED constexpr SignedDigits(Digit* room, Run* runs, const AnyNumber& x) noexcept
+      : SignedDigits(room, runs, place_below(64 * (x.magnitude.low + x.magnitude.size)) + 1,
+                     place_below(64 * x.magnitude.low)) {
+    is_zero_ = x.sign == 0;
+    sign_ = x.sign;
+    limbs_ = x.magnitude;
   }
   /// Of a sum of products.
-  constexpr SignedDigits(Digit* room, Run* runs, const Columns& columns) noexcept
+  VESICA_CALLED constexpr SignedDigits(Digit* room, Run* runs, const Columns& columns) noexcept
       : SignedDigits(room, runs, columns.top() + 3, columns.bottom()) {
     is_zero_ = columns.top() < columns.bottom();
     is_sum_ = true;
@@ -325,12 +337,11 @@ constexpr void Columns::Product::add_square_to(Sums& sums) noexcept {
   }
 }
 
-/// Room for the digits of values of a degree. A number must outlive them.
+/// Room for the digits of values of a degree, or of a lower one.
 template <int Degree>
 class DigitsOfDegree : public SignedDigits {
  public:
-  constexpr explicit DigitsOfDegree(const Number<Degree>& x) noexcept : SignedDigits(room_, runs_, x.sign, x.span()) {}
-  explicit DigitsOfDegree(Number<Degree>&&) = delete;
+  constexpr explicit DigitsOfDegree(const AnyNumber& x) noexcept : SignedDigits(room_, runs_, x) {}
   constexpr DigitsOfDegree(std::initializer_list<Term> terms) noexcept : SignedDigits(room_, runs_, Columns(terms)) {}
 
  private:
@@ -342,7 +353,7 @@ class DigitsOfDegree : public SignedDigits {
 /// The columns of a sum of products that tell its sign, and the next two; all of them where it is 0.
 class ToldSum {
  public:
-  constexpr explicit ToldSum(std::initializer_list<Term> terms) noexcept {
+  VESICA_CALLED constexpr explicit ToldSum(std::initializer_list<Term> terms) noexcept {
     Columns columns(terms);
     place_ = columns.top() + 1;
     for (; place_ > columns.bottom() && sum_.is_small(); --place_) {
