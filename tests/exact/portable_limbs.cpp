@@ -32,9 +32,10 @@ void multiply_by_itself(const std::uint64_t* a, int n, std::uint64_t* out) {
 }
 
 LimbPair add_product(const LimbPair& sum, std::int64_t a, std::int64_t b) {
-  vesica::exact_portable::detail::ColumnSum out{sum.low, sum.high};
-  out.add(a, b);
-  return {out.low, out.high};
+  namespace detail = vesica::exact_portable::detail;
+  detail::RunningSum running(detail::ColumnSum{sum.low, sum.high});
+  running.add(a, b);
+  return {running.sum().low, running.sum().high};
 }
 
 }  // namespace portable

@@ -13,7 +13,7 @@ struct LimbPair {
 LimbPair multiply_add(std::uint64_t a, std::uint64_t b, std::uint64_t c, std::uint64_t d);
 void multiply(const std::uint64_t* a, int na, const std::uint64_t* b, int nb, std::uint64_t* out);
 void multiply_by_itself(const std::uint64_t* a, int n, std::uint64_t* out);
-/// sum + a * b, as of ColumnSum.
+/// sum + a * b, as of RunningSum.
 LimbPair add_product(const LimbPair& sum, std::int64_t a, std::int64_t b);
 
 }  // namespace portable

@@ -45,6 +45,9 @@ TEST(ColumnSum, Products) {
                                   ColumnSum{0, ~Limb{0} << 40}, ColumnSum{1, Limb{1} << 60}}) {
         ColumnSum wide = sum;
         wide.add(a, b);
+        RunningSum running(sum);
+        running.add(a, b);
+        EXPECT_TRUE(running.sum().low == wide.low && running.sum().high == wide.high) << a << ' ' << b;
         EXPECT_EQ(integer_of(wide), integer_of(sum) + mpz_class(static_cast<long>(a)) * static_cast<long>(b));
         const auto portable = portable::add_product({sum.low, sum.high}, a, b);
         EXPECT_TRUE(portable.low == wide.low && portable.high == wide.high) << a << ' ' << b;
@@ -164,6 +167,22 @@ TEST(ToldSum, SquaresTimesNumbers) {
     ties += truth == 0 ? 1 : 0;
   }
   EXPECT_GT(ties, 10 * properties::repeat());
+}
+
+// Any of the numbers may be the long one, or 0.
+TEST(ToldSum, SquaresTimesNumbersOfWhichOneIsLong) {
+  const Number<8> one = integer(1), nothing, far = square(square(square(from_double(0x1p-250))));
+  const Number<8> less = one - far, more = one + far;
+  using vesica::exact::compare_squares_times;
+  ASSERT_TRUE(is_long(less) && is_long(more) && !is_long(one));
+  EXPECT_EQ(compare_squares_times(less, one, one, one), -1);
+  EXPECT_EQ(compare_squares_times(one, less, one, one), -1);
+  EXPECT_EQ(compare_squares_times(one, one, less, one), 1);
+  EXPECT_EQ(compare_squares_times(one, one, one, less), 1);
+  EXPECT_EQ(compare_squares_times(one, one, one, more), -1);
+  EXPECT_EQ(compare_squares_times(less, nothing, one, nothing), 0);
+  EXPECT_EQ(compare_squares_times(less, one, nothing, one), 1);
+  EXPECT_EQ(compare_squares_times(more, more, more, more), 0);
 }
 
 // No more digits are formed than tell the sign: here the first ones do.
