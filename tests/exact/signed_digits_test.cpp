@@ -175,6 +175,7 @@ TEST(ToldSum, SquaresTimesNumbersOfWhichOneIsLong) {
   const Number<8> less = one - far, more = one + far;
   using vesica::exact::compare_squares_times;
   ASSERT_TRUE(is_long(less) && is_long(more) && !is_long(one));
+  EXPECT_EQ(compare_squares_times(one, one, one, one), 0);
   EXPECT_EQ(compare_squares_times(less, one, one, one), -1);
   EXPECT_EQ(compare_squares_times(one, less, one, one), -1);
   EXPECT_EQ(compare_squares_times(one, one, less, one), 1);
