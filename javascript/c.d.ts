@@ -94,7 +94,7 @@ export interface C {
    * Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe them.
    * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 70 us.
+   * Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 50 us.
    * Since: 0.1.
    */
   vesica_relation_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number): number;
@@ -124,7 +124,7 @@ export interface C {
    * where the outlines nearly coincide. Places closer to one another than that may come in either order or be equal. In
    * bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and
    * |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the
-   * scale. An aspect ratio is longer over shorter size. Cost: 1 to 10 us; at worst 90 us. Since: 0.1.
+   * scale. An aspect ratio is longer over shorter size. Cost: 1 to 10 us; at worst 70 us. Since: 0.1.
    */
   vesica_crossings_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
   /**
@@ -209,7 +209,7 @@ export interface C {
    * scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u
    * scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size. Cost: about 50
    * ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines nearly touch or
-   * coincide, or if one shape is far larger; at worst 80 us. Since: 0.1.
+   * coincide, or if one shape is far larger; at worst 60 us. Since: 0.1.
    */
   vesica_area_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
   /**
@@ -818,7 +818,7 @@ export interface C {
    * Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe them.
    * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 70 us.
+   * Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 50 us.
    * Since: 0.1.
    */
   vesica_relation_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number): number;
@@ -849,7 +849,7 @@ export interface C {
    * Each number is computed in double, within these bounds, and then rounded to float once. In bounds on errors u is
    * 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their
    * centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect
-   * ratio is longer over shorter size. Cost: 1 to 10 us; at worst 90 us. Since: 0.1.
+   * ratio is longer over shorter size. Cost: 1 to 10 us; at worst 70 us. Since: 0.1.
    */
   vesica_crossings_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
   /**
@@ -939,7 +939,7 @@ export interface C {
    * largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at
    * most 4 u times the scale. An aspect ratio is longer over shorter size. Cost: about 50 ns for two boxes, 150 ns for
    * an ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines nearly touch or coincide, or if one shape is
-   * far larger; at worst 80 us. Since: 0.1.
+   * far larger; at worst 60 us. Since: 0.1.
    */
   vesica_area_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
   /**
@@ -2699,7 +2699,7 @@ export interface C {
    * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
    * Accuracy: exact.
    * Cost: that of vesica_relation_f64; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel. At
-   * worst 80 us.
+   * worst 60 us.
    * Since: 0.1.
    */
   vesica_de9im_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, matrix: number): number;
@@ -2750,7 +2750,7 @@ export interface C {
    * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
    * Accuracy: exact.
    * Cost: that of vesica_relation_f32; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel. At
-   * worst 80 us.
+   * worst 60 us.
    * Since: 0.1.
    */
   vesica_de9im_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, matrix: number): number;

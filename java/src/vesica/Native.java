@@ -117,7 +117,7 @@ final class Native {
    *
    * <p>Accuracy: exact.
    *
-   * <p>Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 70 us.
+   * <p>Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 50 us.
    *
    * <p>Since: 0.1.
    */
@@ -158,7 +158,7 @@ final class Native {
    * of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4
    * u times the scale. An aspect ratio is longer over shorter size.
    *
-   * <p>Cost: 1 to 10 us; at worst 90 us.
+   * <p>Cost: 1 to 10 us; at worst 70 us.
    *
    * <p>Since: 0.1.
    */
@@ -278,7 +278,7 @@ final class Native {
    * longer over shorter size.
    *
    * <p>Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if
-   * outlines nearly touch or coincide, or if one shape is far larger; at worst 80 us.
+   * outlines nearly touch or coincide, or if one shape is far larger; at worst 60 us.
    *
    * <p>Since: 0.1.
    */
@@ -862,7 +862,7 @@ final class Native {
    *
    * <p>Accuracy: exact.
    *
-   * <p>Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 70 us.
+   * <p>Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 50 us.
    *
    * <p>Since: 0.1.
    */
@@ -904,7 +904,7 @@ final class Native {
    * their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An
    * aspect ratio is longer over shorter size.
    *
-   * <p>Cost: 1 to 10 us; at worst 90 us.
+   * <p>Cost: 1 to 10 us; at worst 70 us.
    *
    * <p>Since: 0.1.
    */
@@ -1028,7 +1028,7 @@ final class Native {
    * "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
    *
    * <p>Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if
-   * outlines nearly touch or coincide, or if one shape is far larger; at worst 80 us.
+   * outlines nearly touch or coincide, or if one shape is far larger; at worst 60 us.
    *
    * <p>Since: 0.1.
    */
@@ -3398,7 +3398,7 @@ final class Native {
    * <p>Accuracy: exact.
    *
    * <p>Cost: that of vesica_relation_f64; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel.
-   * At worst 80 us.
+   * At worst 60 us.
    *
    * <p>Since: 0.1.
    */
@@ -3467,7 +3467,7 @@ final class Native {
    * <p>Accuracy: exact.
    *
    * <p>Cost: that of vesica_relation_f32; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel.
-   * At worst 80 us.
+   * At worst 60 us.
    *
    * <p>Since: 0.1.
    */
