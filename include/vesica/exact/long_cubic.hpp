@@ -111,12 +111,12 @@ constexpr bool digits_tell_first_in_second(const ContactCubic& p, const SmallPar
   if (slope.sign <= 0) return false;
   const Number<0> unit = integer(1);
   DigitsOfDegree<0> one(unit);
-  DigitsOfDegree<8> d1(p.d1), d2(p.d2), mu(p.mu), al(p.al), be(p.be), slope_(slope), sum_(sum), g(parts.g),
+  DigitsOfDegree<8> d1(p.d1), d2(p.d2), mu(p.mu), al(p.al), be(p.be), slope_digits(slope), sum_digits(sum), g(parts.g),
       h(parts.al_less_2be), less(parts.delta_less), more(parts.delta_more);
   DigitsOfDegree<16> delta{{1, &less, &more}};
-  if (delta.is_zero() || ToldSum({{1, &slope_, &slope_}, {-9, &delta, &one}}).sign() > 0) return true;
+  if (delta.is_zero() || ToldSum({{1, &slope_digits, &slope_digits}, {-9, &delta, &one}}).sign() > 0) return true;
   DigitsOfDegree<16> al_be{{1, &al, &be}}, turned{{2, &be, &d1}, {-1, &al, &d2}};
-  const int rising = ToldSum({{1, &delta, &sum_}, {1, &h, &turned}, {-2, &al_be, &g}}).sign();  // rise()
+  const int rising = ToldSum({{1, &delta, &sum_digits}, {1, &h, &turned}, {-2, &al_be, &g}}).sign();  // rise()
   if (rising != 0) return rising > 0;
   DigitsOfDegree<16> be_be{{1, &be, &be}}, rest{{2, &d2, &al}, {-1, &be, &mu}};
   return ToldSum({{1, &rest, &one}}).sign() > 0 && ToldSum({{1, &be_be, &delta}, {-1, &rest, &rest}}).sign() == 0;
