@@ -19,6 +19,16 @@ struct DiscriminantParts {
         c(square(p.c1) - integer(3) * (p.d1 * p.c2)) {}
 };
 
+namespace detail {
+
+/// Of all digits.
+VESICA_CALLED constexpr int whole_discriminant_sign(const ContactCubic& p) noexcept {
+  const DiscriminantParts d(p);
+  return compare_product_with_square(d.four_a, d.c, d.b);
+}
+
+}  // namespace detail
+
 /// Sign of the discriminant of p, up to a positive factor: 1 for three real roots, 0 for a multiple one, -1 for a
 /// single real root. Degree 32.
 VESICA_CALLED constexpr int discriminant_sign(const ContactCubic& p) noexcept {
@@ -27,8 +37,7 @@ VESICA_CALLED constexpr int discriminant_sign(const ContactCubic& p) noexcept {
     const int sign = discriminant_sign(p, signs);
     if (signs.certain) return sign;
   }
-  const DiscriminantParts d(p);
-  return compare_product_with_square(d.four_a, d.c, d.b);
+  return detail::whole_discriminant_sign(p);
 }
 
 namespace detail {

@@ -124,17 +124,29 @@ constexpr bool digits_tell_first_in_second(const ContactCubic& p, const SmallPar
 
 }  // namespace detail
 
+namespace detail {
+
+/// Of functions of their own, as their numbers take stack.
+VESICA_CALLED constexpr int discriminant_sign_by_offset(const ContactCubic& p, Signs& signs) noexcept {
+  const auto parts = exact_small_parts(p);
+  if (parts.delta_less.sign == 0) return sign_of_discriminant_of_proportional(p);
+  return signs.of(discriminant_by_offset<Leading<few_limbs>>(p, parts));
+}
+VESICA_CALLED constexpr int discriminant_sign_by_digits(const ContactCubic& p) noexcept {
+  return DiscriminantDigits(p).told().sign();
+}
+
+}  // namespace detail
+
 /// As the function of the same name in ellipse_ellipse.hpp; not certain where all digits tell as soon.
 constexpr int discriminant_sign(const ContactCubic& p, Signs& signs) noexcept {
-  using Few = Leading<few_limbs>;
-  const Few few = detail::discriminant<Few>(p);
+  const Leading<few_limbs> few = detail::discriminant<Leading<few_limbs>>(p);
   if (few.sign_is_certain()) return few.sign;
   signs.certain = detail::is_dense(p);
   if (!signs.certain) return 0;
-  const auto parts = exact_small_parts(p);
-  if (parts.delta_less.sign == 0) return detail::sign_of_discriminant_of_proportional(p);
-  const Few by_offset = detail::discriminant_by_offset<Few>(p, parts);
-  return by_offset.sign_is_certain() ? by_offset.sign : detail::DiscriminantDigits(p).told().sign();
+  Signs by_offset;
+  const int sign = detail::discriminant_sign_by_offset(p, by_offset);
+  return by_offset.certain ? sign : detail::discriminant_sign_by_digits(p);
 }
 
 constexpr bool few_digits_tell_first_in_second(bool& inside, const ContactCubic& p) noexcept {

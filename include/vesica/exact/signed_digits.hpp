@@ -9,6 +9,7 @@
 /// IEEE Trans. Computers C-26 (1977) 681.
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
@@ -133,9 +134,13 @@ class Columns {
   /// The places of the uppermost column and the lowest one, which is above that if there are no products.
   constexpr int top() const noexcept { return top_; }
   constexpr int bottom() const noexcept { return bottom_; }
-  /// The sum at the next column; 0 below the lowest one.
+  /// The sum at the next column; 0 below the lowest one. Of factors that are sums themselves where `of_sums`.
+  template <bool of_sums>
   constexpr ColumnSum next() noexcept {
-    if (at_ == block) sum_block();
+    if (at_ == block) {
+      for (int i = 0; i < count_; ++i) product_[i].template know_factors<of_sums>();
+      sum_block();
+    }
     return sums_[at_++];
   }
 
@@ -147,6 +152,10 @@ class Columns {
     int depth;                   ///< of the next column, below the uppermost one of this product
     int done_x = 0, done_y = 0;  ///< so many runs of digits are too high for the columns that are left
 
+    /// Whether any product of digits lies at the next columns.
+    constexpr bool is_met() const noexcept;
+    template <bool are_sums>
+    constexpr void know_factors() noexcept;
     constexpr void add_to(Sums& sums) noexcept;
     constexpr void add_square_to(Sums& sums) noexcept;
   };
@@ -177,10 +186,15 @@ class SignedDigits {
   /// The depth of the lowest digit.
   constexpr int last() const noexcept { return top_ - bottom_; }
 
-  /// Makes digits known down to this depth.
+  /// Makes digits known down to this depth. `may_be_sum`: only then it may be one of products.
+  template <bool may_be_sum>
   VESICA_CALLED constexpr void know(int depth) noexcept {
     const int end = depth < last() + padding ? depth : last() + padding;
-    while (known_ <= end) is_sum_ ? sum_digit() : limb_digit();
+    if constexpr (may_be_sum) {
+      while (is_sum_ && known_ <= end) sum_digit();
+    }
+    assert(!is_sum_ || may_be_sum);
+    while (known_ <= end) limb_digit();
   }
   /// How many are known in all runs.
   constexpr int dense() const noexcept { return dense_; }
@@ -259,7 +273,7 @@ class SignedDigits {
   /// The sum at a column goes to its place and the two above; then the second of these lacks nothing but the carry of
   /// the first. So the digit three places up is known.
   constexpr void sum_digit() noexcept {
-    ColumnSum sum = columns_.next();
+    ColumnSum sum = columns_.next<false>();
     const Digit low = sum.take_digit(), middle = sum.take_digit(), high = static_cast<Digit>(sum.low);
     const Digit second = second_ + high, carry = (second + (Digit{1} << (digit_bits - 1))) >> digit_bits;
     append(third_ + carry);
@@ -298,33 +312,40 @@ constexpr void Columns::sum_block() noexcept {
   for (ColumnSum& sum : sums_) sum = {};
   for (int i = 0; i < count_; ++i) {
     Product& p = product_[i];
-    if (p.depth > -block) p.term.x == p.term.y ? p.add_square_to(sums_) : p.add_to(sums_);
+    if (p.is_met()) p.term.x == p.term.y ? p.add_square_to(sums_) : p.add_to(sums_);
     p.depth += block;
   }
 }
 
+constexpr bool Columns::Product::is_met() const noexcept {
+  return depth > -block && depth <= term.x->last() + term.y->last();
+}
+
+/// A digit meets none above the other factor's lead; in the middle of a square it meets itself.
+template <bool are_sums>
+constexpr void Columns::Product::know_factors() noexcept {
+  if (!is_met()) return;
+  SignedDigits &x = *term.x, &y = *term.y;
+  const int lowest = depth + block - 1, half = depth < 0 ? 0 : (depth + 1) / 2;
+  x.know<are_sums>(lowest - (&x == &y && half < y.lead() ? half : y.lead()));
+  if (&x != &y) y.know<are_sums>(lowest - x.lead());
+}
+
 constexpr void Columns::Product::add_to(Sums& sums) noexcept {
   SignedDigits &x = *term.x, &y = *term.y;
-  if (depth > x.last() + y.last()) return;
-  // A digit meets none above the other's lead.
-  const int end = depth + block;
-  x.know(end - 1 - y.lead());
-  y.know(end - 1 - x.lead());
   Sums own{};
   if (x.dense() <= y.dense()) {
-    x.add_products(y, depth, depth - y.last(), end, done_x, own);
+    x.add_products(y, depth, depth - y.last(), depth + block, done_x, own);
   } else {
-    y.add_products(x, depth, depth - x.last(), end, done_y, own);
+    y.add_products(x, depth, depth - x.last(), depth + block, done_y, own);
   }
   for (int i = 0; i < block; ++i) sums[i].add(own[i].times(term.factor));
 }
 
 /// Products of different digits once, doubled, and the squares.
 constexpr void Columns::Product::add_square_to(Sums& sums) noexcept {
-  SignedDigits& x = *term.x;
-  if (depth > 2 * x.last()) return;
-  const int half = depth < 0 ? 0 : (depth + 1) / 2, end = depth + block;
-  x.know(end - 1 - (x.lead() < half ? x.lead() : half));
+  const SignedDigits& x = *term.x;
+  const int half = depth < 0 ? 0 : (depth + 1) / 2;
   Sums own{};
   x.add_products(x, depth, depth - x.last(), half, done_x, own);
   for (int i = 0; i < block; ++i) {
@@ -337,7 +358,7 @@ constexpr void Columns::Product::add_square_to(Sums& sums) noexcept {
   }
 }
 
-/// Room for the digits of values of a degree, or of a lower one.
+/// Room for the digits of values of a degree, or of a lower one: of a number, or a sum of products of numbers.
 template <int Degree>
 class DigitsOfDegree : public SignedDigits {
  public:
@@ -358,9 +379,9 @@ class ToldSum {
     place_ = columns.top() + 1;
     for (; place_ > columns.bottom() && sum_.is_small(); --place_) {
       sum_.go_down();
-      sum_.add(columns.next());
+      sum_.add(columns.next<true>());
     }
-    for (ColumnSum& next : next_) next = columns.next();
+    for (ColumnSum& next : next_) next = columns.next<true>();
     is_whole_ = place_ - 2 <= columns.bottom();
   }
   constexpr int sign() const noexcept { return sum_.sign(); }
