@@ -156,7 +156,7 @@ constexpr bool few_digits_tell_first_in_second(bool& inside, const ContactCubic&
   return signs.certain;
 }
 
-/// As the function of the same name in ellipse_ellipse.hpp.
+/// As first_in_second() in ellipse_ellipse.hpp, of long coefficients.
 constexpr bool long_first_in_second(const ContactCubic& p) noexcept {
   bool inside = false;
   if (few_digits_tell_first_in_second(inside, p)) return inside;

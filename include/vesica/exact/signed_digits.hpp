@@ -202,8 +202,8 @@ class SignedDigits {
   constexpr int lead() const noexcept { return runs_ == 0 ? known_ : run_[0].first; }
   constexpr Digit operator[](int depth) const noexcept { return digit_[depth]; }
 
-  /// Adds the products of digits at depths [first, end) by those of y, to the block of columns from `depth` on. Runs
-  /// before `run` end above `first`, and so do all before what it is set to.
+  /// Adds the products of digits at depths [first, end) by those of y, to the block of columns from `depth` on. `run`
+  /// goes on to the first run that reaches `first`: as columns go down, no run above it is needed again.
   VESICA_CALLED constexpr void add_products(const SignedDigits& y, int depth, int first, int end, int& run,
                                             Columns::Sums& sums) const noexcept {
     while (run < runs_ && run_[run].end <= first) ++run;
