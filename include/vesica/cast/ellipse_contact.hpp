@@ -101,7 +101,7 @@ class LeadingContact {
     if (c1.sign >= 0 && c2.sign >= 0) return {true, true};
     const Few discriminant = exact::detail::discriminant(d1, c1, c2, d2, product_);
     if (!discriminant.sign_is_certain() || discriminant.sign == 0) return trial;
-    return {true, discriminant.sign < 0, true, scaled(discriminant.span(), discriminant.sign)};
+    return told(discriminant);
   }
 
   /// The same from the cubic's exact coefficients; not known where the place then is beyond exact numbers.
@@ -111,7 +111,7 @@ class LeadingContact {
       const exact::ContactCubic p = exact::contact_cubic(a.ellipse(), b.ellipse());
       trial = {true, true};
       if (p.c1.sign >= 0 && p.c2.sign >= 0) return;
-      trial = from_discriminant(p);
+      trial = told(exact::leading_discriminant(p));
       trial.value.exponent -= 16 * 64 * window.limbs();  // it is of degree 16 in offsets and axes
     });
     return trial;
@@ -126,10 +126,10 @@ class LeadingContact {
   WideTime soon(const ExactPair& pair) const noexcept {
     const Few &d1 = first_.squared_area, &d2 = second_.squared_area;
     const Few c1 = d1 + mixed_ - first_.start(), c2 = d2 + mixed_ - second_.start();
-    // Half the derivatives by c1 and c2 of a third of F.
+    // Half the derivatives of F by c1 and c2.
     const Few by_c1 = times(9, product_ * c2) + c1 * square(c2) - times(6, d2 * square(c1));
     const Few by_c2 = times(9, product_ * c1) + c2 * square(c1) - times(6, d1 * square(c2));
-    const Rough fall = rough(times(12, by_c1 * first_.half_slope() + by_c2 * second_.half_slope()));
+    const Rough fall = rough(times(4, by_c1 * first_.half_slope() + by_c2 * second_.half_slope()));
     Rough value = rough(exact::detail::discriminant(d1, c1, c2, d2, product_));
     if (!fall.is_precise() || fall.sign() <= 0) return {};
     const double size = std::fabs(rounded(value.value)) + value.error;
@@ -147,6 +147,11 @@ class LeadingContact {
   VESICA_CALLED static arithmetic::Scaled scaled(exact::detail::Span x, int sign) noexcept {
     const auto digit = [&x](int i) { return static_cast<double>(x.limb[x.size - i]); };
     return {sign * (digit(1) * 0x1p-64 + digit(2) * 0x1p-128), 64 * (x.low + x.size)};
+  }
+  /// What a discriminant says whose sign is certain.
+  static Trial told(const Few& discriminant) noexcept {
+    const int sign = discriminant.sign;
+    return {true, sign < 0, sign != 0, scaled(discriminant.span(), sign)};
   }
   static Few mixed(const PairDigits<exact::few_limbs>& pair) noexcept {
     const auto& [e, f] = pair.ellipse;
@@ -168,20 +173,12 @@ class LeadingContact {
     const Wide by_c2 = n(9) * product * c1 + c2 * c1 * c1 + n(6) * d1 * c2 * c2;
     const Wide twice = (m2 * m2 + n(12) * d2 * m1) * x1 * x1 + (m1 * m1 + n(12) * d1 * m2) * x2 * x2 +
                        n(2) * (n(9) * product + n(2) * m1 * m2) * x1 * x2;
-    return n(6.1) * (by_c1 * bend1 + by_c2 * bend2) + n(3.1) * twice;
+    return n(2.03) * (by_c1 * bend1 + by_c2 * bend2) + n(1.03) * twice;
   }
 
-  /// From the exact coefficients.
-  static Trial from_discriminant(const exact::ContactCubic& p) noexcept {
-    const Few few = exact::detail::discriminant<Few>(p), told = few.sign_is_certain() ? few : told_discriminant(p);
-    return told.sign == 0 ? Trial{true, false} : Trial{true, told.sign < 0, true, scaled(told.span(), told.sign)};
-  }
-  static Few told_discriminant(const exact::ContactCubic& p) noexcept {
-    return exact::leading(exact::detail::DiscriminantDigits(p).told());
-  }
   /// F(0), of which all leading digits may cancel.
   VESICA_COLD static Rough exact_start(const ExactPair& pair) noexcept {
-    return rough(told_discriminant(exact::contact_cubic(pair.a_.ellipse(), pair.b_.ellipse())));
+    return rough(exact::leading_discriminant(exact::contact_cubic(pair.a_.ellipse(), pair.b_.ellipse())));
   }
 
   LeadingFrame first_, second_;

@@ -62,7 +62,7 @@ VESICA_COLD inline Census exact_census(const exact::Ellipse& e, const exact::Ell
   if (roots < 0) return {2, 0, false};
   if (p.c1.sign < 0 || p.c2.sign < 0) return {0, roots > 0 ? 0 : 1, false};
   if (order != 0 && exact::detail::first_in_second(p)) {
-    if (roots > 0 || exact::detail::double_root_is_greater(p)) return {0, 0, false};
+    if (roots > 0 || exact::double_root_is_greater(p)) return {0, 0, false};
     return touching_inside(p);
   }
   if (roots > 0) return {4, 0, false};
@@ -170,9 +170,16 @@ class RoughCensus {
     if (plain.sign_is_known() || !seen_.is_long()) return plain;
     form_again();
     const Rough careful = exact::detail::discriminant<Rough>(p_);
-    if (careful.sign_is_known()) return careful;
-    const exact::SmallParts<Rough> parts{delta_less(), delta_more(), determinant(), al_less_be(), {}};
-    return exact::detail::discriminant_by_offset<Rough>(p_, parts);
+    return careful.sign_is_known() ? careful : discriminant_about_minus_one();
+  }
+  /// That of p(t - 1), which is the same. Its upper factor is k2^2 - 4 k1 d2, from what cancels less.
+  Rough discriminant_about_minus_one() const noexcept {
+    const Rough& d2 = p_.d2;
+    const Rough k0 = al_less_be(), k1 = determinant() + p_.be - k0, k2 = p_.mu - times(2, d2) - p_.be;
+    const Rough lower = square(k1) - times(4, k0 * k2);
+    const Rough upper = delta_less() * delta_more() + p_.be * (p_.be - times(2, p_.mu)) + times(4, d2 * k0);
+    const Rough ends = k0 * d2;
+    return lower * upper + ends * (times(2, k1 * k2) - times(27, ends));
   }
   /// As exact::detail::first_in_second, where its signs are known and not 0.
   bool first_in_second() noexcept {

@@ -4,41 +4,11 @@
 
 #include <vesica/exact/box_ellipse.hpp>
 #include <vesica/exact/contact_cubic.hpp>
-#include <vesica/exact/long_cubic.hpp>
+#include <vesica/exact/discriminant.hpp>
+#include <vesica/exact/long_containment.hpp>
 #include <vesica/relation_code.hpp>
 
 namespace vesica::exact {
-
-/// The discriminant of p is 4 a c - b^2, up to a positive factor.
-struct DiscriminantParts {
-  Number<16> four_a, b, c;
-
-  constexpr explicit DiscriminantParts(const ContactCubic& p) noexcept
-      : four_a(integer(4) * (square(p.c2) - integer(3) * (p.d2 * p.c1))),
-        b(p.c1 * p.c2 - integer(9) * (p.d1 * p.d2)),
-        c(square(p.c1) - integer(3) * (p.d1 * p.c2)) {}
-};
-
-namespace detail {
-
-/// Of all digits.
-VESICA_CALLED constexpr int whole_discriminant_sign(const ContactCubic& p) noexcept {
-  const DiscriminantParts d(p);
-  return compare_product_with_square(d.four_a, d.c, d.b);
-}
-
-}  // namespace detail
-
-/// Sign of the discriminant of p, up to a positive factor: 1 for three real roots, 0 for a multiple one, -1 for a
-/// single real root. Degree 32.
-VESICA_CALLED constexpr int discriminant_sign(const ContactCubic& p) noexcept {
-  if (is_long(p)) {
-    Signs signs;
-    const int sign = discriminant_sign(p, signs);
-    if (signs.certain) return sign;
-  }
-  return detail::whole_discriminant_sign(p);
-}
 
 namespace detail {
 
@@ -120,18 +90,6 @@ constexpr bool surely_inside(const ContactCubic& p, const Number<8>& difference)
          positive(t * determinant - y * (y * be - al));
 }
 
-/// Whether a double root of p is the greater of its roots, so that p'' > 0 there: x0 = -b / (2a) > -c2 / (3 d2), a > 0
-/// unless the root is triple, and then both sides are 0. Degree 24.
-constexpr bool double_root_is_greater(const ContactCubic& p) noexcept {
-  const auto beyond = [](const auto& d1, const auto& c1, const auto& c2, const auto& d2) {
-    const auto a = square(c2) - times(3, d2 * c1), b = c1 * c2 - times(9, d1 * d2);
-    return times(2, c2 * a) - times(3, d2 * b);
-  };
-  using Few = Leading<few_limbs>;
-  const Few few = beyond(Few(p.d1), Few(p.c1), Few(p.c2), Few(p.d2));
-  return few.sign_is_certain() ? few.sign > 0 : beyond(p.d1, p.c1, p.c2, p.d2).sign > 0;
-}
-
 constexpr void exchange(Number<8>& a, Number<8>& b) noexcept {
   const Number<8> first = a;
   a = b;
@@ -172,7 +130,7 @@ constexpr Relation relation(const Ellipse& e, const Ellipse& f) noexcept {
   }
   const int roots = discriminant_sign(p);
   if (roots < 0 || !(is_known || detail::first_in_second(p))) return Relation::cross;
-  const bool apart = roots > 0 || detail::double_root_is_greater(p);
+  const bool apart = roots > 0 || double_root_is_greater(p);
   const Relation inside = apart ? Relation::inside : Relation::inside_touch;
   return order < 0 ? inside : converse(inside);
 }

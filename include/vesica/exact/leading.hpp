@@ -232,11 +232,11 @@ constexpr int sign_of(const Polynomial& value, const Number<Degree>&... x) noexc
 
 namespace detail {
 
-/// Sign of a b - c^2, of degree 32 at most.
-VESICA_CALLED constexpr int compare_long_product_with_square(const AnyNumber& a, const AnyNumber& b,
-                                                             const AnyNumber& c) noexcept {
-  DigitsOfDegree<16> x(a), y(b), z(c);
-  return ToldSum({{1, &x, &y}, {-1, &z, &z}}).sign();
+/// Sign of a b - c d, of degree 32 at most; c and d may be the same number.
+VESICA_CALLED constexpr int compare_long_products(const AnyNumber& a, const AnyNumber& b, const AnyNumber& c,
+                                                  const AnyNumber& d) noexcept {
+  DigitsOfDegree<16> w(a), x(b), y(c), z(d);
+  return ToldSum({{1, &w, &x}, {-1, &y, c.magnitude.limb == d.magnitude.limb ? &y : &z}}).sign();
 }
 
 /// Sign of a^2 x - b^2 y, of degree 32 at most.
@@ -252,17 +252,39 @@ VESICA_CALLED constexpr int compare_long_squares_times(const AnyNumber& a, const
 
 }  // namespace detail
 
-/// Sign of a b - c^2, with neither product formed where signs, magnitudes or leading digits tell.
+namespace detail {
+
+/// The sign of a b - c d where signs or magnitudes tell it, else 2.
+template <int A, int B, int C, int D>
+constexpr int compare_products_roughly(const Number<A>& a, const Number<B>& b, const Number<C>& c,
+                                       const Number<D>& d) noexcept {
+  const int sign = a.sign * b.sign, other = c.sign * d.sign;
+  if (sign != other) return sign > other ? 1 : -1;
+  if (sign == 0) return 0;
+  // The top bit of a product is that of its factors' sum, or one below.
+  const std::int64_t left = top_bit(a) + top_bit(b), right = top_bit(c) + top_bit(d);
+  return left + 1 < right ? -sign : right + 1 < left ? sign : 2;
+}
+
+}  // namespace detail
+
+/// Sign of a b - c d, with neither product formed where signs, magnitudes or leading digits tell.
+template <int A, int B, int C, int D>
+constexpr int compare_products(const Number<A>& a, const Number<B>& b, const Number<C>& c,
+                               const Number<D>& d) noexcept {
+  static_assert(A <= 16 && B <= 16 && C <= 16 && D <= 16);
+  const int rough = detail::compare_products_roughly(a, b, c, d);
+  if (rough < 2) return rough;
+  if (is_long(a) || is_long(b) || is_long(c) || is_long(d)) return detail::compare_long_products(a, b, c, d);
+  return compare(a * b, c * d);
+}
+/// Sign of a b - c^2, in the same way.
 template <int A, int B, int C>
 constexpr int compare_product_with_square(const Number<A>& a, const Number<B>& b, const Number<C>& c) noexcept {
   static_assert(A <= 16 && B <= 16 && C <= 16);
-  const int sign = a.sign * b.sign;
-  if (sign <= 0 || c.sign == 0) return sign < 0 || c.sign == 0 ? sign : -1;
-  // The top bit of a product is that of its factors' sum, or one below.
-  const std::int64_t left = detail::top_bit(a) + detail::top_bit(b), right = 2 * detail::top_bit(c);
-  if (left + 1 < right) return -1;
-  if (right + 1 < left) return 1;
-  if (is_long(a) || is_long(b)) return detail::compare_long_product_with_square(a, b, c);
+  const int rough = detail::compare_products_roughly(a, b, c, c);
+  if (rough < 2) return rough;
+  if (is_long(a) || is_long(b)) return detail::compare_long_products(a, b, c, c);
   return compare(a * b, square(c));
 }
 

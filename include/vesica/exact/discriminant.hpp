@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The discriminant of the contact cubic of two ellipses, of degree 32: positive for three real roots, 0 for a multiple
+/// one, negative for a single real root.
+#pragma once
+
+#include <vesica/exact/contact_cubic.hpp>
+#include <vesica/exact/leading.hpp>
+
+namespace vesica::exact {
+
+constexpr bool is_long(const ContactCubic& p) noexcept { return is_long(p.c1) || is_long(p.c2); }
+
+namespace detail {
+
+/// That of k0 + k1 x + k2 x^2 + k3 x^3, given k0 k3. Its factors `lower` and `upper` are discriminants too, of the cubic
+/// without k3 x^3 and without k0. If two roots are close to each other and far from the third, what cancels does so
+/// within one of them.
+template <class C, class D>
+constexpr auto discriminant(const C& k0, const C& k1, const C& k2, const C& k3, const D& k0_k3) noexcept {
+  const auto lower = square(k1) - times(4, k0 * k2), upper = square(k2) - times(4, k1 * k3);
+  return lower * upper + k0_k3 * (times(2, k1 * k2) - times(27, k0_k3));
+}
+template <class Real, class Cubic>
+constexpr Real discriminant(const Cubic& p) noexcept {
+  const Real d1(p.d1), c1(p.c1), c2(p.c2), d2(p.d2);
+  return discriminant(d1, c1, c2, d2, d1 * d2);
+}
+
+/// By whole products.
+VESICA_CALLED constexpr int short_discriminant_sign(const ContactCubic& p) noexcept {
+  const Number<16> ends = p.d1 * p.d2, lower = square(p.c1) - integer(4) * (p.d1 * p.c2),
+                   upper = square(p.c2) - integer(4) * (p.c1 * p.d2),
+                   less = integer(27) * ends - integer(2) * (p.c1 * p.c2);
+  return compare_products(lower, upper, ends, less);
+}
+
+/// The coefficients of a cubic, the constant one first.
+struct Coefficients {
+  const Number<8>&k0, &k1, &k2, &k3;
+};
+
+/// The coefficients of p(t - 1). Two roots of p are close to -1 where the ellipses' centres are close to each other, as
+/// seen from an ellipse that is large or thin. Then the terms of what does not depend on where t is 0 are smaller, and
+/// fewer of their digits cancel.
+struct CubicAboutMinusOne {
+  Number<8> k0, k1, k2;
+
+  constexpr explicit CubicAboutMinusOne(const ContactCubic& p) noexcept
+      : k0(p.al - p.be), k1(p.d1 + p.d2 - p.mu + p.be - k0), k2(p.mu - p.be - integer(2) * p.d2) {}
+};
+
+/// The value of a polynomial that is the same for p(x) and p(t - 1): leading digits, so many that its sign is certain.
+template <class Polynomial>
+constexpr Leading<few_limbs> leading_invariant(const ContactCubic& p) noexcept {
+  const Coefficients plain{p.d1, p.c1, p.c2, p.d2};
+  const Leading<few_limbs> few = Polynomial::few(plain);
+  if (few.sign_is_certain()) return few;
+  const CubicAboutMinusOne q(p);
+  const Coefficients about{q.k0, q.k1, q.k2, p.d2};
+  const Leading<few_limbs> other = Polynomial::few(about);
+  if (other.sign_is_certain()) return other;
+  // The terms are smaller of which more is known. The other cubic's numbers have more digits, so a little is not enough.
+  constexpr int least_gain = 256;
+  return leading(Polynomial(other.error + least_gain < few.error ? about : plain).told());
+}
+
+/// The discriminant.
+class DiscriminantDigits {
+ public:
+  static constexpr Leading<few_limbs> few(const Coefficients& k) noexcept {
+    const Leading<few_limbs> k0(k.k0), k3(k.k3);
+    return discriminant(k0, Leading<few_limbs>(k.k1), Leading<few_limbs>(k.k2), k3, k0 * k3);
+  }
+  constexpr explicit DiscriminantDigits(const Coefficients& k) noexcept : k0_(k.k0), k1_(k.k1), k2_(k.k2), k3_(k.k3) {}
+  /// By digits from the top.
+  constexpr ToldSum told() noexcept { return ToldSum({{1, &lower_, &upper_}, {1, &ends_, &rest_}}); }
+
+ private:
+  DigitsOfDegree<8> k0_, k1_, k2_, k3_;
+  DigitsOfDegree<16> lower_{{1, &k1_, &k1_}, {-4, &k0_, &k2_}}, upper_{{1, &k2_, &k2_}, {-4, &k1_, &k3_}},
+      ends_{{1, &k0_, &k3_}}, rest_{{2, &k1_, &k2_}, {-27, &k0_, &k3_}};
+};
+
+/// 2 k2^3 - 9 k1 k2 k3 + 27 k0 k3^2.
+class DoubleRootOrderDigits {
+ public:
+  static constexpr Leading<few_limbs> few(const Coefficients& k) noexcept {
+    const Leading<few_limbs> k0(k.k0), k1(k.k1), k2(k.k2), k3(k.k3);
+    return times(2, k2) * (square(k2) - times(3, k1 * k3)) - times(3, k3) * (k1 * k2 - times(9, k0 * k3));
+  }
+  constexpr explicit DoubleRootOrderDigits(const Coefficients& k) noexcept : k0_(k.k0), k1_(k.k1), k2_(k.k2), k3_(k.k3) {}
+  constexpr ToldSum told() noexcept { return ToldSum({{2, &k2_, &a_}, {-3, &k3_, &b_}}); }
+
+ private:
+  DigitsOfDegree<8> k0_, k1_, k2_, k3_;
+  DigitsOfDegree<16> a_{{1, &k2_, &k2_}, {-3, &k1_, &k3_}}, b_{{1, &k1_, &k2_}, {-9, &k0_, &k3_}};
+};
+
+}  // namespace detail
+
+/// The leading digits of the discriminant.
+VESICA_CALLED constexpr Leading<few_limbs> leading_discriminant(const ContactCubic& p) noexcept {
+  return detail::leading_invariant<detail::DiscriminantDigits>(p);
+}
+
+constexpr int discriminant_sign(const ContactCubic& p) noexcept {
+  return is_long(p) ? leading_discriminant(p).sign : detail::short_discriminant_sign(p);
+}
+
+/// Whether a double root of p is the greater of its roots, so that p'' > 0 there: x0 = -b / (2a) > -c2 / (3 d2),
+/// a = c2^2 - 3 c1 d2 and b = c1 c2 - 9 d1 d2, a > 0 unless the root is triple, and then both sides are 0. Degree 24.
+VESICA_CALLED constexpr bool double_root_is_greater(const ContactCubic& p) noexcept {
+  return detail::leading_invariant<detail::DoubleRootOrderDigits>(p).sign > 0;
+}
+
+}  // namespace vesica::exact
