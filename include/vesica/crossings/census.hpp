@@ -77,9 +77,6 @@ struct SeenEllipses {
 
   SeenEllipses(const exact::Ellipse& first, const exact::Ellipse& second) noexcept
       : SeenEllipses(first, second, second.cx - first.cx, second.cy - first.cy) {}
-  bool is_long() const noexcept {
-    return exact::is_long(c) || exact::is_long(s) || exact::is_long(e_along) || exact::is_long(f_along);
-  }
   /// Of their areas.
   int order() const noexcept {
     const auto difference = [](const auto& a, const auto& b, const auto& axis, const auto& p, const auto& q,
@@ -130,7 +127,8 @@ struct RoughCubic {
 };
 
 /// The census by rough numbers, without multiple roots. What may be far smaller than its terms is formed again, from
-/// exact factors, where its sign is not known: most cancels in their differences.
+/// exact factors, where its sign is not known: most cancels in their differences. Not of long numbers, whose factors
+/// take as long as all digits.
 class RoughCensus {
  public:
   explicit RoughCensus(const SeenEllipses& seen) noexcept : seen_(seen), p_(seen) {}
@@ -164,22 +162,11 @@ class RoughCensus {
     if (!p_.c1.is_precise()) p_.c1 = inner(seen_.e, seen_.uu, seen_.e_along, seen_.e_across, seen_.f);
     if (!p_.c2.is_precise()) p_.c2 = inner(seen_.f, seen_.ww, seen_.f_along, seen_.f_across, seen_.e);
   }
-  Rough discriminant() noexcept {
-    const Rough plain = exact::detail::discriminant<Rough>(p_);
-    // All digits of short numbers take no longer.
-    if (plain.sign_is_known() || !seen_.is_long()) return plain;
-    form_again();
-    const Rough careful = exact::detail::discriminant<Rough>(p_);
-    return careful.sign_is_known() ? careful : discriminant_about_minus_one();
-  }
-  /// That of p(t - 1), which is the same. Its upper factor is k2^2 - 4 k1 d2, from what cancels less.
-  Rough discriminant_about_minus_one() const noexcept {
-    const Rough& d2 = p_.d2;
-    const Rough k0 = al_less_be(), k1 = determinant() + p_.be - k0, k2 = p_.mu - times(2, d2) - p_.be;
-    const Rough lower = square(k1) - times(4, k0 * k2);
-    const Rough upper = delta_less() * delta_more() + p_.be * (p_.be - times(2, p_.mu)) + times(4, d2 * k0);
-    const Rough ends = k0 * d2;
-    return lower * upper + ends * (times(2, k1 * k2) - times(27, ends));
+  /// Three times that. Where three roots are nearly equal a, b and c are small, and so are their errors.
+  Rough discriminant() const noexcept {
+    const Rough &d1 = p_.d1, &c1 = p_.c1, &c2 = p_.c2, &d2 = p_.d2;
+    const Rough a = square(c2) - times(3, d2 * c1), b = c1 * c2 - times(9, d1 * d2), c = square(c1) - times(3, d1 * c2);
+    return times(4, a * c) - square(b);
   }
   /// As exact::detail::first_in_second, where its signs are known and not 0.
   bool first_in_second() noexcept {

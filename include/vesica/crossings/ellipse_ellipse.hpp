@@ -42,52 +42,74 @@ struct Outline {
         radius(f.a * f.b * exact::dot(f.ux, f.uy, f.ux, f.uy)) {}
 };
 
+/// What the form of f along e is made of. |C|^2 - radius^2 = less more + other^2 by the greater coordinate of C, so that
+/// hardly anything cancels but what is stored.
+struct FormParts {
+  Image<3> c;
+  Image<4> p, q;
+  exact::Number<4> less, more;
+  exact::Number<3> other;
+
+  explicit FormParts(const Outline& o) noexcept : c(o.c), p(o.p), q(o.q) {
+    const bool by_x = is_greater(c.x, c.y);
+    const exact::Number<4> greater = exact::abs(by_x ? c.x : c.y);
+    less = greater - o.radius;
+    more = greater + o.radius;
+    other = by_x ? c.y : c.x;
+  }
+  /// Of the leading 8 limbs of each: right to 2^-448.
+  FormParts shortened() const noexcept {
+    FormParts out = *this;
+    for (auto* x : {&out.c.x, &out.c.y, &out.other}) shorten(*x);
+    for (auto* x : {&out.p.x, &out.p.y, &out.q.x, &out.q.y, &out.less, &out.more}) shorten(*x);
+    return out;
+  }
+  /// No product is as great as 2 to this power.
+  std::int64_t top() const noexcept {
+    std::int64_t top = std::numeric_limits<std::int64_t>::min();
+    const auto see = [&top](const auto& a, const auto& b) {
+      if (a.sign != 0 && b.sign != 0) top = std::max(top, exact::detail::top_bit(a) + exact::detail::top_bit(b));
+    };
+    see(less, more), see(other, other);
+    for (const auto* x : {&p.x, &p.y, &q.x, &q.y}) see(*x, *x);
+    see(c.x, p.x), see(c.y, p.y), see(c.x, q.x), see(c.y, q.y), see(p.x, q.x), see(p.y, q.y);
+    return top;
+  }
+
+ private:
+  template <int Degree>
+  static void shorten(exact::Number<Degree>& x) noexcept {
+    constexpr int kept = 8;
+    if (x.size <= kept) return;
+    x.low += x.size - kept;
+    exact::detail::move_limbs(x.limb + (x.size - kept), kept, x.limb);
+    x.size = kept;
+    x.strip();
+  }
+};
+
 /// Twice the form of f along e: mean + c1 cos + s1 sin + c2 cos of twice the angle + s2 sin of that. Negative within f.
 struct Harmonics {
   Fixed mean, c1, s1, c2, s2;
 
-  explicit Harmonics(const Outline& o) noexcept {
+  explicit Harmonics(const Outline& outline) noexcept {
+    const FormParts parts(outline);
     // Numbers of very unlike exponents have many limbs, of which the first almost always do.
-    if (!set(shortened(o), true)) set(o, false);
+    if (!set(parts.shortened(), true)) set(parts, false);
   }
 
  private:
-  /// The leading 8 limbs.
-  template <int Degree>
-  static exact::Number<Degree> leading(const exact::Number<Degree>& x) noexcept {
-    if (x.size <= 8) return x;
-    exact::Number<Degree> out;
-    out.sign = x.sign;
-    out.size = 8;
-    out.low = x.low + x.size - 8;
-    for (int i = 0; i < 8; ++i) out.limb[i] = x.limb[x.size - 8 + i];
-    out.strip();
-    return out;
-  }
-  static Outline shortened(Outline o) noexcept {
-    for (auto* x : {&o.c.x, &o.c.y}) *x = leading(*x);
-    for (auto* x : {&o.p.x, &o.p.y, &o.q.x, &o.q.y, &o.radius}) *x = leading(*x);
-    return o;
-  }
-  /// False where shortened numbers leave less than 320 bits: each is right to 448.
-  bool set(const Outline& o, bool is_short) noexcept {
+  /// False where shortened numbers leave less than 320 bits.
+  bool set(const FormParts& o, bool is_short) noexcept {
     const auto two = exact::integer(2), four = exact::integer(4);
-    const exact::Number<8> pp = dot(o.p, o.p), qq = dot(o.q, o.q);
-    const exact::Number<8> centre = exact::square(o.c.x) + exact::square(o.c.y) - exact::square(o.radius);
+    const exact::Number<8> pp = dot(o.p, o.p), qq = dot(o.q, o.q), centre = o.less * o.more + exact::square(o.other);
     const exact::Number<8> exact_mean = two * centre + pp + qq, exact_c1 = four * dot(o.c, o.p),
                            exact_s1 = four * dot(o.c, o.q), exact_c2 = pp - qq, exact_s2 = two * dot(o.p, o.q);
     std::int64_t top = std::numeric_limits<std::int64_t>::min();
     for (const auto* x : {&exact_mean, &exact_c1, &exact_s1, &exact_c2, &exact_s2}) {
       if (x->sign != 0) top = std::max(top, exact::detail::top_bit(*x));
     }
-    if (is_short) {
-      std::int64_t term = std::numeric_limits<std::int64_t>::min();
-      for (const auto* x : {&o.c.x, &o.c.y}) term = x->sign == 0 ? term : std::max(term, exact::detail::top_bit(*x));
-      for (const auto* x : {&o.p.x, &o.p.y, &o.q.x, &o.q.y, &o.radius}) {
-        term = x->sign == 0 ? term : std::max(term, exact::detail::top_bit(*x));
-      }
-      if (top < 2 * term - 100) return false;
-    }
+    if (is_short && top < o.top() - 100) return false;
     // Coefficients of the quartics are less than 72 times the greatest of these.
     top += 10;
     mean = fixed(exact_mean, top);
