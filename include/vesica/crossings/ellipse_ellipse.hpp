@@ -42,8 +42,8 @@ struct Outline {
         radius(f.a * f.b * exact::dot(f.ux, f.uy, f.ux, f.uy)) {}
 };
 
-/// What the form of f along e is made of. |C|^2 - radius^2 = less more + other^2 by the greater coordinate of C, so that
-/// hardly anything cancels but what is stored.
+/// What the form of f along e is made of. |C|^2 - radius^2 = less more + other^2 by the greater coordinate of C, so
+/// that it hardly cancels.
 struct FormParts {
   Image<3> c;
   Image<4> p, q;

@@ -12,9 +12,9 @@ constexpr bool is_long(const ContactCubic& p) noexcept { return is_long(p.c1) ||
 
 namespace detail {
 
-/// That of k0 + k1 x + k2 x^2 + k3 x^3, given k0 k3. Its factors `lower` and `upper` are discriminants too, of the cubic
-/// without k3 x^3 and without k0. If two roots are close to each other and far from the third, what cancels does so
-/// within one of them.
+/// That of k0 + k1 x + k2 x^2 + k3 x^3, given k0 k3. Its factors `lower` and `upper` are discriminants too, of the
+/// quadratics that are left without k3 x^3 and without k0. If two roots are close to each other and far from the third,
+/// what cancels does so within one of them.
 template <class C, class D>
 constexpr auto discriminant(const C& k0, const C& k1, const C& k2, const C& k3, const D& k0_k3) noexcept {
   const auto lower = square(k1) - times(4, k0 * k2), upper = square(k2) - times(4, k1 * k3);
@@ -49,29 +49,31 @@ struct CubicAboutMinusOne {
       : k0(p.al - p.be), k1(p.d1 + p.d2 - p.mu + p.be - k0), k2(p.mu - p.be - integer(2) * p.d2) {}
 };
 
-/// The value of a polynomial that is the same for p(x) and p(t - 1): leading digits, so many that its sign is certain.
+constexpr Coefficients coefficients(const ContactCubic& p) noexcept { return {p.d1, p.c1, p.c2, p.d2}; }
+
+/// The value of a polynomial that is the same for p(x) and p(t - 1), given what few leading digits tell: so many of
+/// them that its sign is certain.
 template <class Polynomial>
-constexpr Leading<few_limbs> leading_invariant(const ContactCubic& p) noexcept {
-  const Coefficients plain{p.d1, p.c1, p.c2, p.d2};
-  const Leading<few_limbs> few = Polynomial::few(plain);
+constexpr Leading<few_limbs> told_invariant(const ContactCubic& p, const Leading<few_limbs>& few) noexcept {
   if (few.sign_is_certain()) return few;
+  const Coefficients plain = coefficients(p);
   const CubicAboutMinusOne q(p);
   const Coefficients about{q.k0, q.k1, q.k2, p.d2};
   const Leading<few_limbs> other = Polynomial::few(about);
   if (other.sign_is_certain()) return other;
-  // The terms are smaller of which more is known. The other cubic's numbers have more digits, so a little is not enough.
+  // The terms are smaller of which more is known. The other cubic's numbers have more digits: a little is not enough.
   constexpr int least_gain = 256;
   return leading(Polynomial(other.error + least_gain < few.error ? about : plain).told());
 }
 
 /// The discriminant.
-class DiscriminantDigits {
+class Discriminant {
  public:
   static constexpr Leading<few_limbs> few(const Coefficients& k) noexcept {
     const Leading<few_limbs> k0(k.k0), k3(k.k3);
     return discriminant(k0, Leading<few_limbs>(k.k1), Leading<few_limbs>(k.k2), k3, k0 * k3);
   }
-  constexpr explicit DiscriminantDigits(const Coefficients& k) noexcept : k0_(k.k0), k1_(k.k1), k2_(k.k2), k3_(k.k3) {}
+  constexpr explicit Discriminant(const Coefficients& k) noexcept : k0_(k.k0), k1_(k.k1), k2_(k.k2), k3_(k.k3) {}
   /// By digits from the top.
   constexpr ToldSum told() noexcept { return ToldSum({{1, &lower_, &upper_}, {1, &ends_, &rest_}}); }
 
@@ -82,13 +84,14 @@ class DiscriminantDigits {
 };
 
 /// 2 k2^3 - 9 k1 k2 k3 + 27 k0 k3^2.
-class DoubleRootOrderDigits {
+class DoubleRootOrder {
  public:
   static constexpr Leading<few_limbs> few(const Coefficients& k) noexcept {
     const Leading<few_limbs> k0(k.k0), k1(k.k1), k2(k.k2), k3(k.k3);
     return times(2, k2) * (square(k2) - times(3, k1 * k3)) - times(3, k3) * (k1 * k2 - times(9, k0 * k3));
   }
-  constexpr explicit DoubleRootOrderDigits(const Coefficients& k) noexcept : k0_(k.k0), k1_(k.k1), k2_(k.k2), k3_(k.k3) {}
+  constexpr explicit DoubleRootOrder(const Coefficients& k) noexcept
+      : k0_(k.k0), k1_(k.k1), k2_(k.k2), k3_(k.k3) {}
   constexpr ToldSum told() noexcept { return ToldSum({{2, &k2_, &a_}, {-3, &k3_, &b_}}); }
 
  private:
@@ -100,17 +103,36 @@ class DoubleRootOrderDigits {
 
 /// The leading digits of the discriminant.
 VESICA_CALLED constexpr Leading<few_limbs> leading_discriminant(const ContactCubic& p) noexcept {
-  return detail::leading_invariant<detail::DiscriminantDigits>(p);
+  using detail::Discriminant;
+  return detail::told_invariant<Discriminant>(p, Discriminant::few(detail::coefficients(p)));
 }
 
+namespace detail {
+
+/// Of ellipses with proportional S1 and S2, over factors that are positive: (2 al - 2 d1 - mu)^2 - 8 d1 mu. All their
+/// roots may be so close to each other that hundreds of digits cancel in the other forms.
+constexpr int sign_for_proportional(const ContactCubic& p) noexcept {
+  const Number<0> two = integer(2);
+  return -compare_product_with_square(integer(8) * p.d1, p.mu, two * p.al - two * p.d1 - p.mu);
+}
+VESICA_CALLED constexpr int long_discriminant_sign(const ContactCubic& p) noexcept {
+  const Leading<few_limbs> few = Discriminant::few(coefficients(p));
+  if (few.sign_is_certain()) return few.sign;
+  if (compare(p.mu, integer(2) * (p.root1 * p.root2)) == 0) return sign_for_proportional(p);
+  return told_invariant<Discriminant>(p, few).sign;
+}
+
+}  // namespace detail
+
 constexpr int discriminant_sign(const ContactCubic& p) noexcept {
-  return is_long(p) ? leading_discriminant(p).sign : detail::short_discriminant_sign(p);
+  return is_long(p) ? detail::long_discriminant_sign(p) : detail::short_discriminant_sign(p);
 }
 
 /// Whether a double root of p is the greater of its roots, so that p'' > 0 there: x0 = -b / (2a) > -c2 / (3 d2),
 /// a = c2^2 - 3 c1 d2 and b = c1 c2 - 9 d1 d2, a > 0 unless the root is triple, and then both sides are 0. Degree 24.
 VESICA_CALLED constexpr bool double_root_is_greater(const ContactCubic& p) noexcept {
-  return detail::leading_invariant<detail::DoubleRootOrderDigits>(p).sign > 0;
+  using Order = detail::DoubleRootOrder;
+  return detail::told_invariant<Order>(p, Order::few(detail::coefficients(p))).sign > 0;
 }
 
 }  // namespace vesica::exact
