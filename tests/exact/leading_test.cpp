@@ -370,14 +370,17 @@ int sign_with_root(const mpq_class& a, const mpq_class& b, const mpq_class& c) {
 /// Leading digits and digits from the top of what is the same for p(x) and p(t - 1), from either one.
 template <class Polynomial>
 void expect_invariant(const exact::ContactCubic& p, const mpq_class& truth) {
-  const exact::detail::CubicAboutMinusOne q(p);
-  const exact::detail::Coefficients plain{p.d1, p.c1, p.c2, p.d2}, about{q.k0, q.k1, q.k2, p.d2};
-  for (const auto* k : {&plain, &about}) {
-    expect_within_bound(Polynomial::few(*k), truth);
-    const auto told = exact::leading(Polynomial(*k).told());
+  const exact::detail::Coefficients plain = exact::detail::coefficients(p);
+  const exact::detail::CubicAboutMinusOne about(p, false), exchanged(p, true);
+  const auto expect = [&truth](const exact::detail::Coefficients& k) {
+    expect_within_bound(Polynomial::few(k), truth);
+    const auto told = exact::leading(Polynomial(k).told());
     expect_within_bound(told, truth);
     EXPECT_EQ(told.sign, sgn(truth)) << "seed " << properties::seed();
-  }
+  };
+  expect(plain);
+  expect(about.coefficients());
+  if (Polynomial::is_same_if_exchanged) expect(exchanged.coefficients());
   const auto leading = exact::detail::told_invariant<Polynomial>(p, Polynomial::few(plain));
   expect_within_bound(leading, truth);
   EXPECT_EQ(leading.sign, sgn(truth)) << "seed " << properties::seed();

@@ -39,14 +39,21 @@ struct Coefficients {
   const Number<8>&k0, &k1, &k2, &k3;
 };
 
-/// The coefficients of p(t - 1). Two roots of p are close to -1 where the ellipses' centres are close to each other, as
-/// seen from an ellipse that is large or thin. Then the terms of what does not depend on where t is 0 are smaller, and
-/// fewer of their digits cancel.
+/// The coefficients of p(t - 1), or with the ellipses in the other order. Two roots of p are close to -1 where the
+/// ellipses' centres are close to each other, as seen from an ellipse that is large or thin. Then the terms of what does
+/// not depend on where t is 0 are smaller, and fewer of their digits cancel.
 struct CubicAboutMinusOne {
   Number<8> k0, k1, k2;
+  const Number<8>& k3;
 
-  constexpr explicit CubicAboutMinusOne(const ContactCubic& p) noexcept
-      : k0(p.al - p.be), k1(p.d1 + p.d2 - p.mu + p.be - k0), k2(p.mu - p.be - integer(2) * p.d2) {}
+  constexpr CubicAboutMinusOne(const ContactCubic& p, bool exchanged) noexcept
+      : CubicAboutMinusOne(p, exchanged ? p.be : p.al, exchanged ? p.al : p.be, exchanged ? p.d1 : p.d2) {}
+  constexpr Coefficients coefficients() const noexcept { return {k0, k1, k2, k3}; }
+
+ private:
+  constexpr CubicAboutMinusOne(const ContactCubic& p, const Number<8>& al, const Number<8>& be,
+                               const Number<8>& d2) noexcept
+      : k0(al - be), k1(p.d1 + p.d2 - p.mu + be - k0), k2(p.mu - be - integer(2) * d2), k3(d2) {}
 };
 
 constexpr Coefficients coefficients(const ContactCubic& p) noexcept { return {p.d1, p.c1, p.c2, p.d2}; }
@@ -57,8 +64,9 @@ template <class Polynomial>
 constexpr Leading<few_limbs> told_invariant(const ContactCubic& p, const Leading<few_limbs>& few) noexcept {
   if (few.sign_is_certain()) return few;
   const Coefficients plain = coefficients(p);
-  const CubicAboutMinusOne q(p);
-  const Coefficients about{q.k0, q.k1, q.k2, p.d2};
+  // The third root is farther from the two for the lesser of d1 and d2.
+  const CubicAboutMinusOne q(p, Polynomial::is_same_if_exchanged && compare(p.d1, p.d2) < 0);
+  const Coefficients about = q.coefficients();
   const Leading<few_limbs> other = Polynomial::few(about);
   if (other.sign_is_certain()) return other;
   // The terms are smaller of which more is known. The other cubic's numbers have more digits: a little is not enough.
@@ -69,6 +77,7 @@ constexpr Leading<few_limbs> told_invariant(const ContactCubic& p, const Leading
 /// The discriminant.
 class Discriminant {
  public:
+  static constexpr bool is_same_if_exchanged = true;
   static constexpr Leading<few_limbs> few(const Coefficients& k) noexcept {
     const Leading<few_limbs> k0(k.k0), k3(k.k3);
     return discriminant(k0, Leading<few_limbs>(k.k1), Leading<few_limbs>(k.k2), k3, k0 * k3);
@@ -86,6 +95,7 @@ class Discriminant {
 /// 2 k2^3 - 9 k1 k2 k3 + 27 k0 k3^2.
 class DoubleRootOrder {
  public:
+  static constexpr bool is_same_if_exchanged = false;
   static constexpr Leading<few_limbs> few(const Coefficients& k) noexcept {
     const Leading<few_limbs> k0(k.k0), k1(k.k1), k2(k.k2), k3(k.k3);
     return times(2, k2) * (square(k2) - times(3, k1 * k3)) - times(3, k3) * (k1 * k2 - times(9, k0 * k3));

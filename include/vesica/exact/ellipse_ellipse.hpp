@@ -129,7 +129,9 @@ constexpr Relation relation(const Ellipse& e, const Ellipse& f) noexcept {
     if (is_known && !contained) return Relation::cross;
   }
   const int roots = discriminant_sign(p);
-  if (roots < 0 || !(is_known || detail::first_in_second(p))) return Relation::cross;
+  if (roots < 0) return Relation::cross;
+  if (!is_known) contained = is_long(p) ? more_digits_tell_first_in_second(p) : detail::first_in_second(p);
+  if (!contained) return Relation::cross;
   const bool apart = roots > 0 || double_root_is_greater(p);
   const Relation inside = apart ? Relation::inside : Relation::inside_touch;
   return order < 0 ? inside : converse(inside);

@@ -74,14 +74,16 @@ constexpr bool few_digits_tell_first_in_second(bool& inside, const ContactCubic&
   return signs.certain;
 }
 
-/// As first_in_second() in ellipse_ellipse.hpp, of long coefficients.
-constexpr bool long_first_in_second(const ContactCubic& p) noexcept {
-  bool inside = false;
-  if (few_digits_tell_first_in_second(inside, p)) return inside;
+/// As first_in_second() in ellipse_ellipse.hpp, of long coefficients of which few digits do not tell it.
+constexpr bool more_digits_tell_first_in_second(const ContactCubic& p) noexcept {
   const auto parts = exact_small_parts(p);
   Signs signs;
-  inside = detail::first_in_second<Leading<few_limbs>>(p, parts, signs);
+  const bool inside = detail::first_in_second<Leading<few_limbs>>(p, parts, signs);
   return signs.certain ? inside : detail::digits_tell_first_in_second(p, parts);
+}
+constexpr bool long_first_in_second(const ContactCubic& p) noexcept {
+  bool inside = false;
+  return few_digits_tell_first_in_second(inside, p) ? inside : more_digits_tell_first_in_second(p);
 }
 
 }  // namespace vesica::exact
