@@ -118,6 +118,29 @@ TEST(SignedDigits, OfSumsOfProducts) {
   }
 }
 
+// As many digits as numbers of degree 8 can have, all as great as can be: no column overflows.
+TEST(SignedDigits, OfSumsOfTheGreatestDigits) {
+  Number<8> x;
+  x.sign = 1;
+  x.size = Number<8>::capacity - 6;  // the rest is for carries and what products have besides
+  for (int i = 0; i < x.size; ++i) x.limb[i] = 0;
+  for (int bit = 0; bit < 64 * x.size; ++bit) {
+    if (bit % digit_bits != digit_bits - 1) x.limb[bit / 64] |= Limb{1} << (bit % 64);
+  }
+  for (const int low : {0, -1, -130, 7}) {
+    x.low = low;
+    Number<8> minus_x = x;
+    minus_x.sign = -1;
+    DigitsOfDegree<8> a(x), b(x), c(x), d(minus_x);
+    const mpq_class square = value(x) * value(x);
+    DigitsOfDegree<16> sum{{2, &a, &b}, {-27, &c, &d}}, less{{-2, &a, &b}, {27, &c, &d}}, of_squares{{29, &a, &a}};
+    EXPECT_EQ(value(sum), 29 * square) << low;
+    EXPECT_EQ(value(less), -29 * square) << low;
+    EXPECT_EQ(value(of_squares), 29 * square) << low;
+    EXPECT_EQ(ToldSum({{1, &sum, &less}, {1, &less, &less}}).sign(), 0);
+  }
+}
+
 /// x^2 y^2 against (x y)^2 with something beside them: from nothing to far more than either.
 TEST(ToldSum, SignsAndValues) {
   Random random(properties::seed());

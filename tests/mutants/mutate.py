@@ -20,6 +20,7 @@ import re
 import subprocess
 
 import judge
+import records
 import rewrite
 import sites
 
@@ -196,11 +197,9 @@ def built(root, names, folder, state, chosen, tests):
 
 
 def harmless(path):
-    """{(file, marked line): word}: proved to change no answer. Records of three lines: these two and the proof, which begins
-    with "Slower only" where the mutant is that."""
-    lines = [line.strip() for line in path.read_text().split("\n") if line.strip() and not line.startswith("#")]
+    """{(file, marked line): word}"""
     return {(file, line): "slower" if proof.startswith("Slower only") else "equivalent"
-            for file, line, proof in zip(lines[0::3], lines[1::3], lines[2::3], strict=True)}
+            for file, line, proof in records.read(path)}
 
 
 def marked(root, c):

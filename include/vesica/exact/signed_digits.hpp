@@ -21,8 +21,9 @@ namespace vesica::exact::detail {
 using Digit = std::int64_t;
 inline constexpr int digit_bits = 57;
 
-/// The sum of products at a column, in units of its place: 128 bits in two's complement. Fewer than 2^13 products, each
-/// as often as its factor says, add less than 2^125.1.
+/// The sum of products at a column, in units of its place: 128 bits in two's complement. Up to 8,770 products, each
+/// counted as often as its factor says, add less than 2^125.1. (The numbers in a sum have 302 digits at most, and its
+/// factors add up to 29 at most.)
 struct ColumnSum {
   Limb low = 0, high = 0;
 
@@ -154,6 +155,8 @@ class Columns {
 
     /// Whether any product of digits lies at the next columns.
     constexpr bool is_met() const noexcept;
+    /// From this depth on a digit of a square meets itself, or one above it, at the next columns.
+    constexpr int middle() const noexcept { return depth < 0 ? 0 : (depth + 1) / 2; }
     template <bool are_sums>
     constexpr void know_factors() noexcept;
     constexpr void add_to(Sums& sums) noexcept;
@@ -326,8 +329,8 @@ template <bool are_sums>
 constexpr void Columns::Product::know_factors() noexcept {
   if (!is_met()) return;
   SignedDigits &x = *term.x, &y = *term.y;
-  const int lowest = depth + block - 1, half = depth < 0 ? 0 : (depth + 1) / 2;
-  x.know<are_sums>(lowest - (&x == &y && half < y.lead() ? half : y.lead()));
+  const int lowest = depth + block - 1;
+  x.know<are_sums>(lowest - (&x == &y && middle() < y.lead() ? middle() : y.lead()));
   if (&x != &y) y.know<are_sums>(lowest - x.lead());
 }
 
@@ -345,13 +348,12 @@ constexpr void Columns::Product::add_to(Sums& sums) noexcept {
 /// Products of different digits once, doubled, and the squares.
 constexpr void Columns::Product::add_square_to(Sums& sums) noexcept {
   const SignedDigits& x = *term.x;
-  const int half = depth < 0 ? 0 : (depth + 1) / 2;
   Sums own{};
-  x.add_products(x, depth, depth - x.last(), half, done_x, own);
+  x.add_products(x, depth, depth - x.last(), middle(), done_x, own);
   for (int i = 0; i < block; ++i) {
     const int at = depth + i;
     RunningSum different(own[i]);
-    for (int k = half; 2 * k < at; ++k) different.add(x[k], x[at - k]);
+    for (int k = middle(); 2 * k < at; ++k) different.add(x[k], x[at - k]);
     RunningSum sum(different.sum().times(2));
     if (at >= 0 && at % 2 == 0) sum.add(x[at / 2], x[at / 2]);
     sums[i].add(sum.sum().times(term.factor));
@@ -362,10 +364,14 @@ constexpr void Columns::Product::add_square_to(Sums& sums) noexcept {
 template <int Degree>
 class DigitsOfDegree : public SignedDigits {
  public:
-  constexpr explicit DigitsOfDegree(const AnyNumber& x) noexcept : SignedDigits(room_, runs_, x) {}
-  constexpr DigitsOfDegree(std::initializer_list<Term> terms) noexcept : SignedDigits(room_, runs_, Columns(terms)) {}
+  constexpr explicit DigitsOfDegree(const AnyNumber& x) noexcept : SignedDigits(room_, runs_, x) { check_room(); }
+  constexpr DigitsOfDegree(std::initializer_list<Term> terms) noexcept : SignedDigits(room_, runs_, Columns(terms)) {
+    check_room();
+  }
 
  private:
+  constexpr void check_room() const noexcept { assert(is_zero() || last() + 2 * padding < capacity); }
+
   static constexpr int capacity = 64 * limb_capacity(Degree) / digit_bits + 2 * padding + Columns::block;
   Digit room_[std::size_t{capacity}];
   Run runs_[std::size_t{capacity / 2 + 1}];
