@@ -43,8 +43,8 @@
  *  - Results are the same bits in every floating-point environment (any rounding mode, flush-to-zero,
  *    denormals-are-zero, traps), and a call leaves the environment as it was. Calls may raise floating-point flags.
  *  - A call about two shapes uses at most 128 KiB of stack, one about arrays or an index at most 256 KiB.
- *  - Costs are measurements on one core of an AMD EPYC, not promises. "At worst" is the costliest input found, with
- *    magnitudes as far apart as 2^1000 and 2^-1000.
+ *  - Costs are measurements on one core of an AMD EPYC, not promises. "At worst" is about a third above the costliest
+ *    input found, with magnitudes as far apart as 2^1000 and 2^-1000: other processors like that one took so much more.
  *
  * Comments have up to six parts, in this order: Requires, Returns, Errors, Accuracy, Cost, Since. A part in the heading
  * of a group holds for each function of the group that does not have that part itself.
@@ -223,7 +223,7 @@ VESICA_API int32_t vesica_overlap_f64(int32_t kind_a, const double *numbers_a, i
  * on the rim of a disc is VESICA_INSIDE_TOUCH. Exchanging the shapes always gives the converse relation.
  * Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe them.
  * Accuracy: exact.
- * Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 50 us.
+ * Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 30 us.
  */
 VESICA_API int32_t vesica_relation_f64(int32_t kind_a, const double *numbers_a,
                                        int32_t kind_b, const double *numbers_b);
@@ -256,7 +256,7 @@ VESICA_API int32_t vesica_contains_f64(int32_t kind_a, const double *numbers_a,
  * Returns: the number of places, 0 to 8.
  * Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape, even
  * where the outlines nearly coincide. Places closer to one another than that may come in either order or be equal.
- * Cost: 1 to 10 us; at worst 70 us.
+ * Cost: 1 to 10 us; at worst 50 us.
  */
 VESICA_API int32_t vesica_crossings_f64(int32_t kind_a, const double *numbers_a,
                                         int32_t kind_b, const double *numbers_b, vesica_crossing_points_f64 *out);
@@ -273,7 +273,7 @@ VESICA_API int32_t vesica_crossings_f64(int32_t kind_a, const double *numbers_a,
  * are rounded.
  * Cost: 100 to 250 ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest ellipses; 50 ns
  * if a shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below
- * 2^-40; at worst 45 us.
+ * 2^-40; at worst 20 us.
  */
 VESICA_API int32_t vesica_nearest_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b, const double *numbers_b,
                                       vesica_closest_points_f64 *out);
@@ -329,7 +329,7 @@ VESICA_API int32_t vesica_shape_area_f64(int32_t kind, const double *numbers, do
  * Accuracy: right to 64 u times the smaller shape's area times the larger aspect ratio, at aspect ratios up to 10^4,
  * even if the outlines nearly touch or coincide and whatever the sizes are.
  * Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines
- * nearly touch or coincide, or if one shape is far larger; at worst 60 us.
+ * nearly touch or coincide, or if one shape is far larger; at worst 40 us.
  */
 VESICA_API int32_t vesica_area_f64(int32_t kind_a, const double *numbers_a,
                                    int32_t kind_b, const double *numbers_b, double *out);

@@ -37,7 +37,7 @@ extern "C" {
  * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
  * Accuracy: exact.
  * Cost: that of vesica_relation_f64; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel. At
- * worst 60 us.
+ * worst 30 us.
  */
 VESICA_API int32_t vesica_de9im_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b, const double *numbers_b,
                                     char *matrix);

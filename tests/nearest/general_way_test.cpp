@@ -59,8 +59,10 @@ BoxEllipse<double> closest_of_all(const ScaledPair& p) {
     const bool again = (p.a.box.hx.high == 0 && k % 2 == 1) || (p.a.box.hy.high == 0 && k / 2 % 2 == 1);
     if (k < 4 && again) continue;
     int steps = 0;
-    const auto found =
-        searched_feature(p.a.box, p.b.axes(), p.d, p.size, feature(k), halved_normal<OneEllipse<double>>, steps);
+    const auto halve = [](const OneEllipse<double>& e, const Vector<double>& d, double size) {
+      return halved_normal(e, d, size, Frame(e.a));
+    };
+    const auto found = searched_feature(p.a.box, p.b.axes(), p.d, p.size, feature(k), halve, steps);
     const bool counts = k < 4 || (rounded(found.distance) > -0x1p-80 * p.size &&
                                   stands_above(p.a.box, p.b.axes(), p.d, feature(k), found.distance.high));
     if (counts && less(found.distance, best.distance)) best = found;
@@ -101,7 +103,8 @@ TEST(GeneralWay, HalvingOfEllipses) {
     if (overlap(a, b)) continue;
     const ScaledPair p = scaled(a, b);
     const auto ellipses = two_ellipses(p.a.axes(), p.b.axes());
-    const auto found = offsets_along(ellipses, p.d, halved_normal(ellipses, p.d, p.size), p.size);
+    const Frame frame = frame_of_flatter(ellipses, farthest_normal(ellipses, p.d, p.size));
+    const auto found = offsets_along(ellipses, p.d, halved_normal(ellipses, p.d, p.size, frame), p.size);
     ++asked;
     ASSERT_NEAR(std::ldexp(rounded(found.distance), p.exponent), nearest(a, b).distance,
                 allowed * std::ldexp(p.size, p.exponent));
@@ -113,8 +116,11 @@ TEST(GeneralWay, HalvingOfEllipses) {
 TEST(GeneralWay, FrameOfMirrorImages) {
   const Axes<double> left{0.6, 0.8, 2, 0.5}, right{0.6, -0.8, 2, 0.5};
   const Vector<double> to_right{{8, 0}, {0, 0}}, to_left{{-8, 0}, {0, 0}};
-  const Direction<double> seen = frame_for(two_ellipses(left, right), to_right, 10).of(to_right);
-  const Direction<double> back = frame_for(two_ellipses(right, left), to_left, 10).of(to_right);
+  const auto seen_by = [&](const TwoEllipses<double>& shapes, const Vector<double>& d) {
+    return frame_of_flatter(shapes, farthest_normal(shapes, d, 10)).of(to_right);
+  };
+  const Direction<double> seen = seen_by(two_ellipses(left, right), to_right);
+  const Direction<double> back = seen_by(two_ellipses(right, left), to_left);
   EXPECT_EQ(seen.x, back.x);
   EXPECT_EQ(seen.y, back.y);
   EXPECT_NE(seen.y, 0);

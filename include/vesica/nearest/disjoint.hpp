@@ -60,7 +60,7 @@ class VertexHalving {
       if (d.x.high == of_[k].x.high && d.y.high == of_[k].y.high) return found_[k];
     }
     of_[searched_] = d;
-    return found_[searched_++] = halved_normal(e, d, size);
+    return found_[searched_++] = halved_normal(e, d, size, Frame(e.a));
   }
 
  private:
@@ -144,10 +144,15 @@ inline BoxEllipse<double> box_ellipse_by_features(const Box<double>& box, const 
 inline Closest closest_box_ellipse(const Box<double>& box, const Axes<double>& e, const Vector<double>& d, double size,
                                    double radius, int& steps) noexcept {
   const Feature<double> likely = closest_feature(box, e, d.x.high, d.y.high);
-  BoxEllipse<double> found = searched_feature(box, e, d, size, likely, farthest_normal<OneEllipse<double>>, steps);
-  if (!found.settled) {
-    found = searched_feature(box, e, d, size, likely, refined_normal<OneEllipse<double>>, steps);
-  }
+  FoundNormal first{};
+  const auto search = [&first](const OneEllipse<double>& of, const Vector<double>& from, double about) {
+    return first = farthest_normal(of, from, about);
+  };
+  const auto refine = [&first](const OneEllipse<double>& of, const Vector<double>& from, double about) {
+    return refined(of, from, about, {first, offsets_along(of, from, first, about)}).along;
+  };
+  BoxEllipse<double> found = searched_feature(box, e, d, size, likely, search, steps);
+  if (!found.settled) found = searched_feature(box, e, d, size, likely, refine, steps);
   if (!found.settled) {
     found = box_ellipse_by_features(box, e, d, size);
     steps = 0;
@@ -166,8 +171,10 @@ inline Closest closest_ellipses(const Axes<double>& a, const Axes<double>& b, co
   const FoundNormal first = farthest_normal(shapes, d, size);
   steps = first.steps;
   ClosestOffsets<double> found = offsets_along(shapes, d, first, size);
-  if (!found.settled) found = offsets_along(shapes, d, refined_normal(shapes, d, size), size);
-  if (!found.settled) found = offsets_along(shapes, d, halved_normal(shapes, d, size), size);
+  if (!found.settled) found = refined(shapes, d, size, {first, found}).at;
+  if (!found.settled) {
+    found = offsets_along(shapes, d, halved_normal(shapes, d, size, frame_of_flatter(shapes, first)), size);
+  }
   if (rounded(found.distance) < found.doubt) {
     found.distance = polished_distance(found.distance, d, {found.nx, found.ny}, &a, b);
   }

@@ -57,16 +57,21 @@ inline Vector<double> turned(const Vector<double>& n, double tangent) noexcept {
 inline constexpr int most_refining_turns = 3;
 inline constexpr double longest_refining_turn = 0.25;
 
-/// farthest_normal(), and from there a few steps of Newton's method.
+/// A direction and what is along it.
+struct Refined {
+  FoundNormal along;
+  ClosestOffsets<double> at;
+};
+
+/// From farthest_normal() a few steps of Newton's method.
 template <class Shapes>
-VESICA_COLD FoundNormal refined_normal(const Shapes& shapes, const Vector<double>& d, double size) noexcept {
-  FoundNormal best = farthest_normal(shapes, d, size);
+VESICA_COLD Refined refined(const Shapes& shapes, const Vector<double>& d, double size, Refined found) noexcept {
   for (int k = 0; k < most_refining_turns; ++k) {
-    const ClosestOffsets<double> at = offsets_along(shapes, d, best, size);
-    if (at.settled || abs(at.turn) > longest_refining_turn) break;
-    best.n = turned(best.n, at.turn);
+    if (found.at.settled || abs(found.at.turn) > longest_refining_turn) break;
+    found.along.n = turned(found.along.n, found.at.turn);
+    found.at = offsets_along(shapes, d, found.along, size);
   }
-  return best;
+  return found;
 }
 
 /// The axis of an ellipse as a frame to search in, where directions near the ellipse's own normals have all their
@@ -95,11 +100,9 @@ class Frame {
   VectorFactor<Factor<double>> u_;
 };
 
-inline Frame frame_for(const OneEllipse<double>& s, const Vector<double>&, double) noexcept { return Frame(s.a); }
-/// Of two ellipses that of the one that is the flatter where they are closest, to rounding.
-inline Frame frame_for(const TwoEllipses<double>& s, const Vector<double>& d, double size) noexcept {
-  const Vector<double> best = farthest_normal(s, d, size).n;
-  const Direction<double> n{best.x.high, best.y.high};
+/// That of the ellipse that is the flatter where two are closest, to rounding: farthest_normal() is given.
+inline Frame frame_of_flatter(const TwoEllipses<double>& s, const FoundNormal& best) noexcept {
+  const Direction<double> n{best.n.x.high, best.n.y.high};
   const double a = s.sa.longer_squared * image(s.sb, n).square, b = s.sb.longer_squared * image(s.sa, n).square;
   return Frame(a > b || (a == b && in_order(n.x, n.y)) ? s.a : s.b);
 }
@@ -115,8 +118,8 @@ inline bool is_closed(const Bracket<double>& b) noexcept {
 
 /// farthest_normal() by halving alone, to the last place of the direction in a frame.
 template <class Shapes>
-VESICA_COLD FoundNormal halved_normal(const Shapes& shapes, const Vector<double>& d, double size) noexcept {
-  const Frame frame = frame_for(shapes, d, size);
+VESICA_COLD FoundNormal halved_normal(const Shapes& shapes, const Vector<double>& d, double size,
+                                      const Frame& frame) noexcept {
   const Shapes seen = frame.of(shapes);
   const Direction<double> towards = frame.of(d);
   Direction<double> n = first_direction(seen, towards);
