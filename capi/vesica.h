@@ -350,7 +350,7 @@ VESICA_API int32_t vesica_iou_f64(int32_t kind_a, const double *numbers_a,
  * Smallest box of representable numbers that contains a shape.
  * Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is exact.
  * Cost: up to 80 ns; 1 to 3 us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis and
- * representable sides; at worst 6 us.
+ * representable sides; at worst 8 us.
  */
 VESICA_API int32_t vesica_bounds_f64(int32_t kind, const double *numbers, vesica_aabb_f64 *out);
 

@@ -115,7 +115,7 @@ namespace Vesica
         /// describe them.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.</para>
         /// <para>Accuracy: exact.</para>
-        /// <para>Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 50
+        /// <para>Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 30
         /// us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -150,7 +150,7 @@ namespace Vesica
         /// order or be equal. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two
         /// shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
         /// means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.</para>
-        /// <para>Cost: 1 to 10 us; at worst 70 us.</para>
+        /// <para>Cost: 1 to 10 us; at worst 50 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -173,7 +173,7 @@ namespace Vesica
         /// shorter size.</para>
         /// <para>Cost: 100 to 250 ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest
         /// ellipses; 50 ns if a shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and
-        /// magnitudes above 2^40 or below 2^-40; at worst 45 us.</para>
+        /// magnitudes above 2^40 or below 2^-40; at worst 20 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -255,7 +255,7 @@ namespace Vesica
         /// between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times
         /// the scale. An aspect ratio is longer over shorter size.</para>
         /// <para>Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us
-        /// if outlines nearly touch or coincide, or if one shape is far larger; at worst 60 us.</para>
+        /// if outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -284,7 +284,7 @@ namespace Vesica
         /// <para>Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is
         /// exact.</para>
         /// <para>Cost: up to 80 ns; 1 to 3 us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an
-        /// oblique axis and representable sides; at worst 6 us.</para>
+        /// oblique axis and representable sides; at worst 8 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -736,7 +736,7 @@ namespace Vesica
         /// describe them.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.</para>
         /// <para>Accuracy: exact.</para>
-        /// <para>Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 50
+        /// <para>Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 30
         /// us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -772,7 +772,7 @@ namespace Vesica
         /// In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest
         /// of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at
         /// most 4 u times the scale. An aspect ratio is longer over shorter size.</para>
-        /// <para>Cost: 1 to 10 us; at worst 70 us.</para>
+        /// <para>Cost: 1 to 10 us; at worst 50 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -796,7 +796,7 @@ namespace Vesica
         /// size.</para>
         /// <para>Cost: 100 to 250 ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest
         /// ellipses; 50 ns if a shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and
-        /// magnitudes above 2^40 or below 2^-40; at worst 45 us.</para>
+        /// magnitudes above 2^40 or below 2^-40; at worst 20 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -881,7 +881,7 @@ namespace Vesica
         /// centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An
         /// aspect ratio is longer over shorter size.</para>
         /// <para>Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us
-        /// if outlines nearly touch or coincide, or if one shape is far larger; at worst 60 us.</para>
+        /// if outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -911,7 +911,7 @@ namespace Vesica
         /// <para>Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is
         /// exact.</para>
         /// <para>Cost: up to 80 ns; 1 to 3 us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an
-        /// oblique axis and representable sides; at worst 6 us.</para>
+        /// oblique axis and representable sides; at worst 8 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1971,7 +1971,7 @@ namespace Vesica
         /// centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An
         /// aspect ratio is longer over shorter size.</para>
         /// <para>Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can
-        /// decide, as when the distance is met exactly. At worst 40 us.</para>
+        /// decide, as when the distance is met exactly. At worst 25 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2238,7 +2238,7 @@ namespace Vesica
         /// centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An
         /// aspect ratio is longer over shorter size.</para>
         /// <para>Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can
-        /// decide, as when the distance is met exactly. At worst 40 us.</para>
+        /// decide, as when the distance is met exactly. At worst 25 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2810,7 +2810,7 @@ namespace Vesica
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.</para>
         /// <para>Accuracy: exact.</para>
         /// <para>Cost: that of vesica_relation_f64; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are
-        /// parallel. At worst 60 us.</para>
+        /// parallel. At worst 30 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2867,7 +2867,7 @@ namespace Vesica
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.</para>
         /// <para>Accuracy: exact.</para>
         /// <para>Cost: that of vesica_relation_f32; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are
-        /// parallel. At worst 60 us.</para>
+        /// parallel. At worst 30 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

@@ -469,7 +469,7 @@ gives the converse relation.
 
 Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe
 them. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE. Accuracy: exact. Cost: up to twice that of
-vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 50 us. Since: 0.1.""",
+vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_contains_f64": (
         c_int32,
@@ -505,7 +505,7 @@ even where the outlines nearly coincide. Places closer to one another than that 
 be equal. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the
 largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an
 error of at most 4 u times the scale. An aspect ratio is longer over shorter size. Cost: 1 to 10 us; at
-worst 70 us. Since: 0.1.""",
+worst 50 us. Since: 0.1.""",
     ),
     "vesica_nearest_f64": (
         c_int32,
@@ -527,7 +527,7 @@ shapes is the largest of |dx| and |dy| between their centres and of their half l
 means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size. Cost: 100 to 250
 ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest ellipses; 50 ns if a
 shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or
-below 2^-40; at worst 45 us. Since: 0.1.""",
+below 2^-40; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_boundary_distance_f64": (
         c_int32,
@@ -606,7 +606,7 @@ outlines nearly touch or coincide and whatever the sizes are. In bounds on error
 the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
 their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is
 longer over shorter size. Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two
-ellipses; up to 10 us if outlines nearly touch or coincide, or if one shape is far larger; at worst 60 us.
+ellipses; up to 10 us if outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us.
 Since: 0.1.""",
     ),
     "vesica_iou_f64": (
@@ -636,7 +636,7 @@ Smallest box of representable numbers that contains a shape.
 Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: each side is the
 true extreme of the shape, rounded outward once. So a representable box is exact. Cost: up to 80 ns; 1 to 3
 us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis and representable
-sides; at worst 6 us. Since: 0.1.""",
+sides; at worst 8 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_point_f64": (
         c_int32,
@@ -1303,7 +1303,7 @@ gives the converse relation.
 
 Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe
 them. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE. Accuracy: exact. Cost: up to twice that of
-vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 50 us. Since: 0.1.""",
+vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_contains_f32": (
         c_int32,
@@ -1339,7 +1339,7 @@ even where the outlines nearly coincide. Places closer to one another than that 
 be equal. Each number is computed in double, within these bounds, and then rounded to float once. In bounds
 on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and
 |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u
-times the scale. An aspect ratio is longer over shorter size. Cost: 1 to 10 us; at worst 70 us. Since: 0.1.""",
+times the scale. An aspect ratio is longer over shorter size. Cost: 1 to 10 us; at worst 50 us. Since: 0.1.""",
     ),
     "vesica_nearest_f32": (
         c_int32,
@@ -1362,7 +1362,7 @@ bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of tw
 most 4 u times the scale. An aspect ratio is longer over shorter size. Cost: 100 to 250 ns for disjoint
 shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest ellipses; 50 ns if a shape holds the
 other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below 2^-40; at
-worst 45 us. Since: 0.1.""",
+worst 20 us. Since: 0.1.""",
     ),
     "vesica_boundary_distance_f32": (
         c_int32,
@@ -1444,7 +1444,7 @@ these bounds, and then rounded to float once. In bounds on errors u is 2^-53, ha
 of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
 lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over
 shorter size. Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up
-to 10 us if outlines nearly touch or coincide, or if one shape is far larger; at worst 60 us. Since: 0.1.""",
+to 10 us if outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us. Since: 0.1.""",
     ),
     "vesica_iou_f32": (
         c_int32,
@@ -1474,7 +1474,7 @@ Smallest box of representable numbers that contains a shape.
 Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: each side is the
 true extreme of the shape, rounded outward once. So a representable box is exact. Cost: up to 80 ns; 1 to 3
 us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis and representable
-sides; at worst 6 us. Since: 0.1.""",
+sides; at worst 8 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_point_f32": (
         c_int32,
@@ -2752,7 +2752,7 @@ the one asked for. In bounds on errors u is 2^-53, half a unit in the last place
 shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
 means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size. Cost: 10 to 60
 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can decide, as when the
-distance is met exactly. At worst 40 us. Since: 0.1.""",
+distance is met exactly. At worst 25 us. Since: 0.1.""",
     ),
     "vesica_within_many_f64": (
         c_int64,
@@ -3016,7 +3016,7 @@ the one asked for. In bounds on errors u is 2^-53, half a unit in the last place
 shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
 means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size. Cost: 10 to 60
 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can decide, as when the
-distance is met exactly. At worst 40 us. Since: 0.1.""",
+distance is met exactly. At worst 25 us. Since: 0.1.""",
     ),
     "vesica_within_many_f32": (
         c_int64,
@@ -3545,7 +3545,7 @@ Exchanging the shapes exchanges rows and columns.
 Requires: matrix with room for VESICA_DE9IM_SIZE characters. Returns: 0, and nine characters and a final NUL
 in matrix. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE. Accuracy: exact. Cost: that of
 vesica_relation_f64; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel. At worst
-60 us. Since: 0.1.""",
+30 us. Since: 0.1.""",
     ),
     "vesica_de9im_match": (
         c_int32,
@@ -3603,7 +3603,7 @@ Exchanging the shapes exchanges rows and columns.
 Requires: matrix with room for VESICA_DE9IM_SIZE characters. Returns: 0, and nine characters and a final NUL
 in matrix. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE. Accuracy: exact. Cost: that of
 vesica_relation_f32; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel. At worst
-60 us. Since: 0.1.""",
+30 us. Since: 0.1.""",
     ),
     "vesica_intersection_f32": (
         c_int32,

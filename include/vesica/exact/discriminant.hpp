@@ -74,7 +74,7 @@ constexpr Leading<few_limbs> told_invariant(const ContactCubic& p, const Leading
   return leading(Polynomial(other.error + least_gain < few.error ? about : plain).told());
 }
 
-/// The discriminant.
+/// The discriminant, which is the same for both orders of the ellipses too.
 class Discriminant {
  public:
   static constexpr bool is_same_if_exchanged = true;
@@ -92,16 +92,15 @@ class Discriminant {
       ends_{{1, &k0_, &k3_}}, rest_{{2, &k1_, &k2_}, {-27, &k0_, &k3_}};
 };
 
-/// 2 k2^3 - 9 k1 k2 k3 + 27 k0 k3^2.
+/// 2 k2^3 - 9 k1 k2 k3 + 27 k0 k3^2: see double_root_is_greater().
 class DoubleRootOrder {
  public:
-  static constexpr bool is_same_if_exchanged = false;
+  static constexpr bool is_same_if_exchanged = false;  // the roots' order is not
   static constexpr Leading<few_limbs> few(const Coefficients& k) noexcept {
     const Leading<few_limbs> k0(k.k0), k1(k.k1), k2(k.k2), k3(k.k3);
     return times(2, k2) * (square(k2) - times(3, k1 * k3)) - times(3, k3) * (k1 * k2 - times(9, k0 * k3));
   }
-  constexpr explicit DoubleRootOrder(const Coefficients& k) noexcept
-      : k0_(k.k0), k1_(k.k1), k2_(k.k2), k3_(k.k3) {}
+  constexpr explicit DoubleRootOrder(const Coefficients& k) noexcept : k0_(k.k0), k1_(k.k1), k2_(k.k2), k3_(k.k3) {}
   constexpr ToldSum told() noexcept { return ToldSum({{2, &k2_, &a_}, {-3, &k3_, &b_}}); }
 
  private:

@@ -117,7 +117,7 @@ final class Native {
    *
    * <p>Accuracy: exact.
    *
-   * <p>Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 50 us.
+   * <p>Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 30 us.
    *
    * <p>Since: 0.1.
    */
@@ -158,7 +158,7 @@ final class Native {
    * of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4
    * u times the scale. An aspect ratio is longer over shorter size.
    *
-   * <p>Cost: 1 to 10 us; at worst 70 us.
+   * <p>Cost: 1 to 10 us; at worst 50 us.
    *
    * <p>Since: 0.1.
    */
@@ -184,7 +184,7 @@ final class Native {
    *
    * <p>Cost: 100 to 250 ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest ellipses; 50
    * ns if a shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or
-   * below 2^-40; at worst 45 us.
+   * below 2^-40; at worst 20 us.
    *
    * <p>Since: 0.1.
    */
@@ -278,7 +278,7 @@ final class Native {
    * longer over shorter size.
    *
    * <p>Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if
-   * outlines nearly touch or coincide, or if one shape is far larger; at worst 60 us.
+   * outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us.
    *
    * <p>Since: 0.1.
    */
@@ -312,7 +312,7 @@ final class Native {
    * <p>Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is exact.
    *
    * <p>Cost: up to 80 ns; 1 to 3 us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis
-   * and representable sides; at worst 6 us.
+   * and representable sides; at worst 8 us.
    *
    * <p>Since: 0.1.
    */
@@ -862,7 +862,7 @@ final class Native {
    *
    * <p>Accuracy: exact.
    *
-   * <p>Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 50 us.
+   * <p>Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 30 us.
    *
    * <p>Since: 0.1.
    */
@@ -904,7 +904,7 @@ final class Native {
    * their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An
    * aspect ratio is longer over shorter size.
    *
-   * <p>Cost: 1 to 10 us; at worst 70 us.
+   * <p>Cost: 1 to 10 us; at worst 50 us.
    *
    * <p>Since: 0.1.
    */
@@ -931,7 +931,7 @@ final class Native {
    *
    * <p>Cost: 100 to 250 ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest ellipses; 50
    * ns if a shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or
-   * below 2^-40; at worst 45 us.
+   * below 2^-40; at worst 20 us.
    *
    * <p>Since: 0.1.
    */
@@ -1028,7 +1028,7 @@ final class Native {
    * "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
    *
    * <p>Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if
-   * outlines nearly touch or coincide, or if one shape is far larger; at worst 60 us.
+   * outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us.
    *
    * <p>Since: 0.1.
    */
@@ -1063,7 +1063,7 @@ final class Native {
    * <p>Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is exact.
    *
    * <p>Cost: up to 80 ns; 1 to 3 us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis
-   * and representable sides; at worst 6 us.
+   * and representable sides; at worst 8 us.
    *
    * <p>Since: 0.1.
    */
@@ -2371,7 +2371,7 @@ final class Native {
    * size.
    *
    * <p>Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can decide,
-   * as when the distance is met exactly. At worst 40 us.
+   * as when the distance is met exactly. At worst 25 us.
    *
    * <p>Since: 0.1.
    */
@@ -2693,7 +2693,7 @@ final class Native {
    * size.
    *
    * <p>Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can decide,
-   * as when the distance is met exactly. At worst 40 us.
+   * as when the distance is met exactly. At worst 25 us.
    *
    * <p>Since: 0.1.
    */
@@ -3398,7 +3398,7 @@ final class Native {
    * <p>Accuracy: exact.
    *
    * <p>Cost: that of vesica_relation_f64; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel.
-   * At worst 60 us.
+   * At worst 30 us.
    *
    * <p>Since: 0.1.
    */
@@ -3467,7 +3467,7 @@ final class Native {
    * <p>Accuracy: exact.
    *
    * <p>Cost: that of vesica_relation_f32; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel.
-   * At worst 60 us.
+   * At worst 30 us.
    *
    * <p>Since: 0.1.
    */

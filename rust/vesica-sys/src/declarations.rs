@@ -380,7 +380,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 50 us.
+    /// Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_relation_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64) -> i32;
@@ -415,7 +415,7 @@ extern "C" {
     /// largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of
     /// at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
-    /// Cost: 1 to 10 us; at worst 70 us.
+    /// Cost: 1 to 10 us; at worst 50 us.
     ///
     /// Since: 0.1.
     pub fn vesica_crossings_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
@@ -439,7 +439,7 @@ extern "C" {
     ///
     /// Cost: 100 to 250 ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest ellipses; 50
     /// ns if a shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40
-    /// or below 2^-40; at worst 45 us.
+    /// or below 2^-40; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_nearest_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
@@ -525,7 +525,7 @@ extern "C" {
     /// ratio is longer over shorter size.
     ///
     /// Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if
-    /// outlines nearly touch or coincide, or if one shape is far larger; at worst 60 us.
+    /// outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us.
     ///
     /// Since: 0.1.
     pub fn vesica_area_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
@@ -554,7 +554,7 @@ extern "C" {
     /// Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is exact.
     ///
     /// Cost: up to 80 ns; 1 to 3 us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis
-    /// and representable sides; at worst 6 us.
+    /// and representable sides; at worst 8 us.
     ///
     /// Since: 0.1.
     pub fn vesica_bounds_f64(kind: i32, numbers: *const f64, out: *mut Aabb<f64>) -> i32;
@@ -1294,7 +1294,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 50 us.
+    /// Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_relation_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32) -> i32;
@@ -1330,7 +1330,7 @@ extern "C" {
     /// between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the
     /// scale. An aspect ratio is longer over shorter size.
     ///
-    /// Cost: 1 to 10 us; at worst 70 us.
+    /// Cost: 1 to 10 us; at worst 50 us.
     ///
     /// Since: 0.1.
     pub fn vesica_crossings_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
@@ -1355,7 +1355,7 @@ extern "C" {
     ///
     /// Cost: 100 to 250 ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest ellipses; 50
     /// ns if a shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40
-    /// or below 2^-40; at worst 45 us.
+    /// or below 2^-40; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_nearest_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
@@ -1445,7 +1445,7 @@ extern "C" {
     /// shorter size.
     ///
     /// Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if
-    /// outlines nearly touch or coincide, or if one shape is far larger; at worst 60 us.
+    /// outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us.
     ///
     /// Since: 0.1.
     pub fn vesica_area_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
@@ -1475,7 +1475,7 @@ extern "C" {
     /// Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is exact.
     ///
     /// Cost: up to 80 ns; 1 to 3 us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis
-    /// and representable sides; at worst 6 us.
+    /// and representable sides; at worst 8 us.
     ///
     /// Since: 0.1.
     pub fn vesica_bounds_f32(kind: i32, numbers: *const f32, out: *mut Aabb<f32>) -> i32;
@@ -2895,7 +2895,7 @@ extern "C" {
     /// longer over shorter size.
     ///
     /// Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can decide,
-    /// as when the distance is met exactly. At worst 40 us.
+    /// as when the distance is met exactly. At worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_within_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
@@ -3171,7 +3171,7 @@ extern "C" {
     /// longer over shorter size.
     ///
     /// Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can decide,
-    /// as when the distance is met exactly. At worst 40 us.
+    /// as when the distance is met exactly. At worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_within_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
@@ -3788,7 +3788,7 @@ extern "C" {
     /// Accuracy: exact.
     ///
     /// Cost: that of vesica_relation_f64; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel.
-    /// At worst 60 us.
+    /// At worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_de9im_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
@@ -3850,7 +3850,7 @@ extern "C" {
     /// Accuracy: exact.
     ///
     /// Cost: that of vesica_relation_f32; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel.
-    /// At worst 60 us.
+    /// At worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_de9im_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
