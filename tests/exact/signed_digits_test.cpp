@@ -181,6 +181,34 @@ TEST(ToldSum, OfNothing) {
   EXPECT_EQ(ToldSum({{1, &zero, &one}, {-1, &one, &one}}).sign(), -1);
 }
 
+// Products of unlike signs and sizes, equal ones, and ones that differ by as little as any double; short and long ones.
+TEST(ToldSum, TwoProducts) {
+  Random random(properties::seed());
+  int ties = 0;
+  for (int i = 0; i < 1000 * properties::repeat(); ++i) {
+    const Number<8> a = any_number(random), b = any_number(random), c = about(a, random), d = about(b, random);
+    const Number<8> small = integer(random.integer(-2, 2)), one = integer(1), zero;
+    const auto expect = [](const auto& p, const auto& q, const auto& r, const auto& s) {
+      const int truth = sgn(mpq_class(value(p) * value(q) - value(r) * value(s)));
+      EXPECT_EQ(compare_products(p, q, r, s), truth) << "seed " << properties::seed();
+      EXPECT_EQ(compare_products(r, s, p, q), -truth) << "seed " << properties::seed();
+      return truth == 0 ? 1 : 0;
+    };
+    ties += expect(a, b, c, d) + expect(a, b, b, a) + expect(a, a, c, c);
+    expect(a, b, zero, d);
+    expect(a, small, one, c);
+    expect(small, small, one, small);
+    const Number<8> tiny = from_double(0x1p-1000), unlike = one + tiny;
+    for (const Number<8>& sign : {one, small}) {
+      expect(unlike, sign, one, one);
+      expect(one, unlike, sign, one);
+      expect(one, one, unlike, sign);
+      expect(one, sign, one, unlike);
+    }
+  }
+  EXPECT_GT(ties, 1000 * properties::repeat());
+}
+
 TEST(ToldSum, SquaresTimesNumbers) {
   Random random(properties::seed());
   int ties = 0;

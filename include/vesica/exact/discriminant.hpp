@@ -39,9 +39,9 @@ struct Coefficients {
   const Number<8>&k0, &k1, &k2, &k3;
 };
 
-/// The coefficients of p(t - 1), or of that with the ellipses in the other order. Two roots of p are close to -1 where
-/// the ellipses' centres are close to each other, as seen from an ellipse that is large or thin. Then terms are smaller
-/// that add up to what does not depend on where t is 0, and fewer of their digits cancel.
+/// The coefficients of p(t - 1), or of that with the ellipses in the other order. Where the ellipses' centres are close
+/// to each other, as seen from an ellipse that is large or thin, two roots of p are close to -1. Then the discriminant
+/// from these has smaller terms than from p's own coefficients, and fewer digits cancel.
 struct CubicAboutMinusOne {
   Number<8> k0, k1, k2;
   const Number<8>& k3;
