@@ -127,8 +127,7 @@ struct RoughCubic {
 };
 
 /// The census by rough numbers, without multiple roots. What may be far smaller than its terms is formed again, from
-/// exact factors, where its sign is not known: most cancels in their differences. Not of long numbers, whose factors
-/// take as long as all digits.
+/// exact factors, where its sign is not known: most cancels in their differences.
 class RoughCensus {
  public:
   explicit RoughCensus(const SeenEllipses& seen) noexcept : seen_(seen), p_(seen) {}
@@ -162,7 +161,7 @@ class RoughCensus {
     if (!p_.c1.is_precise()) p_.c1 = inner(seen_.e, seen_.uu, seen_.e_along, seen_.e_across, seen_.f);
     if (!p_.c2.is_precise()) p_.c2 = inner(seen_.f, seen_.ww, seen_.f_along, seen_.f_across, seen_.e);
   }
-  /// Three times that. Where three roots are nearly equal a, b and c are small, and so are their errors.
+  /// Three times the discriminant. Where all roots are nearly equal a, b and c are small, and so are their errors.
   Rough discriminant() const noexcept {
     const Rough &d1 = p_.d1, &c1 = p_.c1, &c2 = p_.c2, &d2 = p_.d2;
     const Rough a = square(c2) - times(3, d2 * c1), b = c1 * c2 - times(9, d1 * d2), c = square(c1) - times(3, d1 * c2);
