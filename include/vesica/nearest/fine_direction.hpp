@@ -107,6 +107,10 @@ inline Frame frame_of_flatter(const TwoEllipses<double>& s, const FoundNormal& b
   return Frame(a > b || (a == b && in_order(n.x, n.y)) ? s.a : s.b);
 }
 
+/// So many steps of a search by halving may go a little beyond where the slope is likely to be 0, so that the bracket
+/// closes from both sides.
+inline constexpr int most_guesses = 24;
+inline constexpr double beyond_guess = 1 + 0x1p-10;
 /// Two brackets are halved by turns, that of angles and that which the ellipse sees: more than the digits of both.
 inline constexpr int most_halvings = 128;
 
@@ -116,7 +120,7 @@ inline bool is_closed(const Bracket<double>& b) noexcept {
   return p - q <= 0x1p-52 * (abs(p) + abs(q));
 }
 
-/// farthest_normal() by halving alone, to the last place of the direction in a frame.
+/// farthest_normal() by the signs of slopes alone, to the last place of the direction in a frame.
 template <class Shapes>
 VESICA_COLD FoundNormal halved_normal(const Shapes& shapes, const Vector<double>& d, double size,
                                       const Frame& frame) noexcept {
@@ -125,9 +129,12 @@ VESICA_COLD FoundNormal halved_normal(const Shapes& shapes, const Vector<double>
   Direction<double> n = first_direction(seen, towards);
   Bracket<double> bracket = first_bracket(towards, n);
   int step = 0;
-  for (; step < most_halvings && !is_closed(bracket); ++step) {
-    (turn_at(seen, towards, size, n).slope > 0 ? bracket.low : bracket.high) = n;
-    n = middle(seen, towards, bracket, step);
+  for (; step < most_guesses + most_halvings && !is_closed(bracket); ++step) {
+    const Turn<double> turn = turn_at(seen, towards, size, n);
+    (turn.slope > 0 ? bracket.low : bracket.high) = n;
+    const Direction<double> guess = turned(n, beyond_guess * turn.tangent);
+    const bool is_guessed = step < most_guesses && turn.sane && bracket.holds(guess);
+    n = is_guessed ? about_unit(guess.x, guess.y) : middle(seen, towards, bracket, step);
   }
   return {frame.back(n), true, step};
 }
