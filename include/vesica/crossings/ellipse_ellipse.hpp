@@ -368,4 +368,23 @@ inline Found places(const exact::Ellipse& e, const StoredOutline& stored, const 
   return found;
 }
 
+/// A place where outlines cross, the first that is found along e, without a census. Returns false where there is none
+/// or it is not told from others, and writes nothing then.
+inline bool any_crossing(const exact::Ellipse& e, const StoredOutline& stored, const exact::Ellipse& f, double& x,
+                         double& y) noexcept {
+  Harmonics harmonics((Outline(e, f)));
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    Spots spots;
+    ZeroSearch(harmonics.quarter(), quarter, spots, nullptr);
+    for (int i = 0; i < spots.count; ++i) {
+      const Spot& s = spots.spot[i];
+      if (s.negative_before == s.negative_after) continue;
+      stored.point(Direction(s.from), x, y);
+      return true;
+    }
+    harmonics.advance();
+  }
+  return false;
+}
+
 }  // namespace vesica::detail::crossings
