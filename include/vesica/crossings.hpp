@@ -74,22 +74,16 @@ CrossingPoints<double> between(const A& a, const B& b) noexcept {
   }
 }
 
-/// A place where the outlines of two round shapes cross, the same in either order. Returns false where none was found,
-/// or a shape has no area.
-template <class A, class B>
-bool any_crossing(const A& a, const B& b, double& x, double& y) noexcept {
-  const exact::Ellipse form_a = exact::form(a), form_b = exact::form(b);
-  if (exact::degenerate(form_a) || exact::degenerate(form_b)) return false;
-  return is_first(a, b) ? any_crossing(form_a, StoredOutline(a), form_b, x, y)
-                        : any_crossing(form_b, StoredOutline(b), form_a, x, y);
-}
-
-/// One place where outlines meet, which does not depend on the order of the shapes. Returns false if there is none, and
-/// writes nothing then.
+/// One place where outlines meet, the same in either order of the shapes. Returns false if there is none, and writes
+/// nothing then.
 template <class A, class B>
 VESICA_COLD bool one_place(const A& a, const B& b, double& x, double& y) noexcept {
   if constexpr (is_round<A> && is_round<B>) {
-    if (any_crossing(a, b, x, y)) return true;
+    const exact::Ellipse form_a = exact::form(a), form_b = exact::form(b);
+    if (!exact::degenerate(form_a) && !exact::degenerate(form_b)) {
+      return is_first(a, b) ? any_place(form_a, StoredOutline(a), form_b, x, y)
+                            : any_place(form_b, StoredOutline(b), form_a, x, y);
+    }
   }
   const CrossingPoints<double> met = between(a, b);
   if (met.count == 0) return false;

@@ -368,15 +368,16 @@ inline Found places(const exact::Ellipse& e, const StoredOutline& stored, const 
   return found;
 }
 
-/// A place where outlines cross, the first that is found along e, without a census. Returns false where there is none
-/// or it is not told from others, and writes nothing then.
-inline bool any_crossing(const exact::Ellipse& e, const StoredOutline& stored, const exact::Ellipse& f, double& x,
-                         double& y) noexcept {
+/// One place where outlines meet, along e, whose outline is `stored`: the first crossing that is found, without a census
+/// of all; where there is none, a touch. Returns false where they do not meet or are the same, and writes nothing then.
+inline bool any_place(const exact::Ellipse& e, const StoredOutline& stored, const exact::Ellipse& f, double& x,
+                      double& y) noexcept {
   Harmonics harmonics((Outline(e, f)));
+  Spots spots;
   for (int quarter = 0; quarter < 4; ++quarter) {
-    Spots spots;
+    const int before = spots.count;
     ZeroSearch(harmonics.quarter(), quarter, spots, nullptr);
-    for (int i = 0; i < spots.count; ++i) {
+    for (int i = before; i < spots.count; ++i) {
       const Spot& s = spots.spot[i];
       if (s.negative_before == s.negative_after) continue;
       stored.point(Direction(s.from), x, y);
@@ -384,7 +385,14 @@ inline bool any_crossing(const exact::Ellipse& e, const StoredOutline& stored, c
     }
     harmonics.advance();
   }
-  return false;
+  const Census all = census(e, f);
+  if (all.crossing + all.touching == 0) return false;
+  Groups groups(spots);
+  share_out(groups, all);
+  const Group* g = groups.group;
+  while (g->places == 0) ++g;
+  stored.point(Direction(g->at), x, y);
+  return true;
 }
 
 }  // namespace vesica::detail::crossings
