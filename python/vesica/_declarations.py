@@ -527,7 +527,7 @@ shapes is the largest of |dx| and |dy| between their centres and of their half l
 means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size. Cost: 100 to 250
 ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest ellipses; 50 ns if a
 shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or
-below 2^-40; at worst 20 us. Since: 0.1.""",
+below 2^-40; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_boundary_distance_f64": (
         c_int32,
@@ -550,7 +550,7 @@ on errors u is 2^-53, half a unit in the last place of 1. The scale of two shape
 |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u
 times the scale. An aspect ratio is longer over shorter size. Cost: that of vesica_nearest_f64 for disjoint
 shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.5 to 2 us if outlines meet, for thin shapes as
-vesica_crossings_f64; up to 5 us more for near-ties; at worst 45 us. Since: 0.1.""",
+vesica_crossings_f64; up to 5 us more for near-ties; at worst 40 us. Since: 0.1.""",
     ),
     "vesica_depth_f64": (
         c_int32,
@@ -1362,7 +1362,7 @@ bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of tw
 most 4 u times the scale. An aspect ratio is longer over shorter size. Cost: 100 to 250 ns for disjoint
 shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest ellipses; 50 ns if a shape holds the
 other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below 2^-40; at
-worst 20 us. Since: 0.1.""",
+worst 30 us. Since: 0.1.""",
     ),
     "vesica_boundary_distance_f32": (
         c_int32,
@@ -1386,7 +1386,7 @@ number is computed in double, within these bounds, and then rounded to float onc
 their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale.
 An aspect ratio is longer over shorter size. Cost: that of vesica_nearest_f32 for disjoint shapes; 0.1 to
 0.5 us for nested ones, for a few 1 us more; 0.5 to 2 us if outlines meet, for thin shapes as
-vesica_crossings_f32; up to 5 us more for near-ties; at worst 45 us. Since: 0.1.""",
+vesica_crossings_f32; up to 5 us more for near-ties; at worst 40 us. Since: 0.1.""",
     ),
     "vesica_depth_f32": (
         c_int32,
@@ -2752,7 +2752,7 @@ the one asked for. In bounds on errors u is 2^-53, half a unit in the last place
 shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
 means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size. Cost: 10 to 60
 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can decide, as when the
-distance is met exactly. At worst 25 us. Since: 0.1.""",
+distance is met exactly. At worst 35 us. Since: 0.1.""",
     ),
     "vesica_within_many_f64": (
         c_int64,
@@ -3016,7 +3016,7 @@ the one asked for. In bounds on errors u is 2^-53, half a unit in the last place
 shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
 means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size. Cost: 10 to 60
 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can decide, as when the
-distance is met exactly. At worst 25 us. Since: 0.1.""",
+distance is met exactly. At worst 35 us. Since: 0.1.""",
     ),
     "vesica_within_many_f32": (
         c_int64,

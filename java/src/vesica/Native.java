@@ -184,7 +184,7 @@ final class Native {
    *
    * <p>Cost: 100 to 250 ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest ellipses; 50
    * ns if a shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or
-   * below 2^-40; at worst 20 us.
+   * below 2^-40; at worst 30 us.
    *
    * <p>Since: 0.1.
    */
@@ -210,7 +210,7 @@ final class Native {
    * u times the scale. An aspect ratio is longer over shorter size.
    *
    * <p>Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.5 to
-   * 2 us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for near-ties; at worst 45 us.
+   * 2 us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for near-ties; at worst 40 us.
    *
    * <p>Since: 0.1.
    */
@@ -931,7 +931,7 @@ final class Native {
    *
    * <p>Cost: 100 to 250 ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest ellipses; 50
    * ns if a shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or
-   * below 2^-40; at worst 20 us.
+   * below 2^-40; at worst 30 us.
    *
    * <p>Since: 0.1.
    */
@@ -958,7 +958,7 @@ final class Native {
    * scale. An aspect ratio is longer over shorter size.
    *
    * <p>Cost: that of vesica_nearest_f32 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.5 to
-   * 2 us if outlines meet, for thin shapes as vesica_crossings_f32; up to 5 us more for near-ties; at worst 45 us.
+   * 2 us if outlines meet, for thin shapes as vesica_crossings_f32; up to 5 us more for near-ties; at worst 40 us.
    *
    * <p>Since: 0.1.
    */
@@ -2371,7 +2371,7 @@ final class Native {
    * size.
    *
    * <p>Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can decide,
-   * as when the distance is met exactly. At worst 25 us.
+   * as when the distance is met exactly. At worst 35 us.
    *
    * <p>Since: 0.1.
    */
@@ -2693,7 +2693,7 @@ final class Native {
    * size.
    *
    * <p>Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can decide,
-   * as when the distance is met exactly. At worst 25 us.
+   * as when the distance is met exactly. At worst 35 us.
    *
    * <p>Since: 0.1.
    */

@@ -439,7 +439,7 @@ extern "C" {
     ///
     /// Cost: 100 to 250 ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest ellipses; 50
     /// ns if a shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40
-    /// or below 2^-40; at worst 20 us.
+    /// or below 2^-40; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_nearest_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
@@ -464,7 +464,7 @@ extern "C" {
     /// at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
     /// Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.5 to
-    /// 2 us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for near-ties; at worst 45 us.
+    /// 2 us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for near-ties; at worst 40 us.
     ///
     /// Since: 0.1.
     pub fn vesica_boundary_distance_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
@@ -1355,7 +1355,7 @@ extern "C" {
     ///
     /// Cost: 100 to 250 ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest ellipses; 50
     /// ns if a shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40
-    /// or below 2^-40; at worst 20 us.
+    /// or below 2^-40; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_nearest_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
@@ -1381,7 +1381,7 @@ extern "C" {
     /// scale. An aspect ratio is longer over shorter size.
     ///
     /// Cost: that of vesica_nearest_f32 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.5 to
-    /// 2 us if outlines meet, for thin shapes as vesica_crossings_f32; up to 5 us more for near-ties; at worst 45 us.
+    /// 2 us if outlines meet, for thin shapes as vesica_crossings_f32; up to 5 us more for near-ties; at worst 40 us.
     ///
     /// Since: 0.1.
     pub fn vesica_boundary_distance_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
@@ -2895,7 +2895,7 @@ extern "C" {
     /// longer over shorter size.
     ///
     /// Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can decide,
-    /// as when the distance is met exactly. At worst 25 us.
+    /// as when the distance is met exactly. At worst 35 us.
     ///
     /// Since: 0.1.
     pub fn vesica_within_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
@@ -3171,7 +3171,7 @@ extern "C" {
     /// longer over shorter size.
     ///
     /// Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can decide,
-    /// as when the distance is met exactly. At worst 25 us.
+    /// as when the distance is met exactly. At worst 35 us.
     ///
     /// Since: 0.1.
     pub fn vesica_within_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
