@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is asked where the usual search is not settled, ties among them, asked everywhere: every vertex and face, and
-// halving alone. Both find the same distance.
+// signs of slopes alone. Both find the same distance.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -59,10 +59,10 @@ BoxEllipse<double> closest_of_all(const ScaledPair& p) {
     const bool again = (p.a.box.hx.high == 0 && k % 2 == 1) || (p.a.box.hy.high == 0 && k / 2 % 2 == 1);
     if (k < 4 && again) continue;
     int steps = 0;
-    const auto halve = [](const OneEllipse<double>& e, const Vector<double>& d, double size) {
-      return halved_normal(e, d, size, Frame(e.a));
+    const auto search = [](const OneEllipse<double>& e, const Vector<double>& d, double size) {
+      return bracketed_normal(e, d, size, Frame(e.a));
     };
-    const auto found = searched_feature(p.a.box, p.b.axes(), p.d, p.size, feature(k), halve, steps);
+    const auto found = searched_feature(p.a.box, p.b.axes(), p.d, p.size, feature(k), search, steps);
     const bool counts = k < 4 || (rounded(found.distance) > -0x1p-80 * p.size &&
                                   stands_above(p.a.box, p.b.axes(), p.d, feature(k), found.distance.high));
     if (counts && less(found.distance, best.distance)) best = found;
@@ -93,7 +93,7 @@ TEST(GeneralWay, VerticesThatNeedNoSearch) {
   EXPECT_GT(asked, 1000);
 }
 
-TEST(GeneralWay, HalvingOfEllipses) {
+TEST(GeneralWay, BracketsOfEllipses) {
   Random random(properties::seed());
   int asked = 0;
   for (int i = 0; i < 10000 * properties::repeat(); ++i) {
@@ -104,7 +104,7 @@ TEST(GeneralWay, HalvingOfEllipses) {
     const ScaledPair p = scaled(a, b);
     const auto ellipses = two_ellipses(p.a.axes(), p.b.axes());
     const Frame frame = frame_of_flatter(ellipses, farthest_normal(ellipses, p.d, p.size));
-    const auto found = offsets_along(ellipses, p.d, halved_normal(ellipses, p.d, p.size, frame), p.size);
+    const auto found = offsets_along(ellipses, p.d, bracketed_normal(ellipses, p.d, p.size, frame), p.size);
     ++asked;
     ASSERT_NEAR(std::ldexp(rounded(found.distance), p.exponent), nearest(a, b).distance,
                 allowed * std::ldexp(p.size, p.exponent));

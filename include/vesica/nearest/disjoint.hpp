@@ -51,16 +51,16 @@ inline Closest closest_boxes(const Box<double>& a, const Box<double>& b, const V
   return {found.distance, on_box(a, found.a), on_box(b, found.b), found.nx, found.ny};
 }
 
-/// Halving of one ellipse, from each vertex of a box. Those at one place, as the box is far smaller one way than its
-/// distance is, are searched once.
-class VertexHalving {
+/// bracketed_normal() of one ellipse, from each vertex of a box. Those at one place, as the box is far smaller one way
+/// than its distance is, are searched once.
+class VertexSearch {
  public:
   FoundNormal operator()(const OneEllipse<double>& e, const Vector<double>& d, double size) noexcept {
     for (int k = 0; k < searched_; ++k) {
       if (d.x.high == of_[k].x.high && d.y.high == of_[k].y.high) return found_[k];
     }
     of_[searched_] = d;
-    return found_[searched_++] = halved_normal(e, d, size, Frame(e.a));
+    return found_[searched_++] = bracketed_normal(e, d, size, Frame(e.a));
   }
 
  private:
@@ -77,8 +77,8 @@ inline Feature<double> feature(int k) noexcept {
 /// Whether vertex k needs no search, being certainly farther than the best feature so far: it is another one with the
 /// same place, or behind the best one as seen along the best one's normal, which alone keeps the ellipse farther from
 /// it. Or the way to the ellipse's centre is over 8 times as long as the ellipse and over 4 times as long as the best
-/// distance. Then the slope that Halving sees has the right sign, but for directions within 12 degrees of that way: the
-/// ellipse adds at most 1.5 / 8 of it. So the search ends there, and finds a distance of more than half of the way.
+/// distance. Then the slope that the search sees has the right sign, but for directions within 12 degrees of that way:
+/// the ellipse adds at most 1.5 / 8 of it. So the search ends there, and finds a distance of more than half of the way.
 inline bool is_vertex_beaten(const Box<double>& box, const Axes<double>& e, const Vector<double>& d, int k,
                              const BoxEllipse<double>& best, double size) noexcept {
   if ((box.hx.high == 0 && (k & 1) != 0) || (box.hy.high == 0 && (k & 2) != 0)) return true;
@@ -115,9 +115,9 @@ inline BoxEllipse<double> box_ellipse_by_features(const Box<double>& box, const 
                                                   const Vector<double>& d, double size) noexcept {
   BoxEllipse<double> best{{0x1p1000, 0}, {0, 0}, 0, 0, 0, 0, false};
   int of_best = 12;
-  VertexHalving halving;
-  const auto search = [&halving](const OneEllipse<double>& of, const Vector<double>& from, double about) {
-    return halving(of, from, about);
+  VertexSearch vertices;
+  const auto search = [&vertices](const OneEllipse<double>& of, const Vector<double>& from, double about) {
+    return vertices(of, from, about);
   };
   const auto attempt = [&](int k) {
     int steps;
@@ -173,7 +173,7 @@ inline Closest closest_ellipses(const Axes<double>& a, const Axes<double>& b, co
   ClosestOffsets<double> found = offsets_along(shapes, d, first, size);
   if (!found.settled) found = refined(shapes, d, size, {first, found}).at;
   if (!found.settled) {
-    found = offsets_along(shapes, d, halved_normal(shapes, d, size, frame_of_flatter(shapes, first)), size);
+    found = offsets_along(shapes, d, bracketed_normal(shapes, d, size, frame_of_flatter(shapes, first)), size);
   }
   if (rounded(found.distance) < found.doubt) {
     found.distance = polished_distance(found.distance, d, {found.nx, found.ny}, &a, b);

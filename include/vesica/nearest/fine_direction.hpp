@@ -107,7 +107,7 @@ inline Frame frame_of_flatter(const TwoEllipses<double>& s, const FoundNormal& b
   return Frame(a > b || (a == b && in_order(n.x, n.y)) ? s.a : s.b);
 }
 
-/// So many steps of a search by halving may go a little beyond where the slope is likely to be 0, so that the bracket
+/// The first steps within a bracket go to where the slope is likely to be 0 and a little beyond, so that the bracket
 /// closes from both sides.
 inline constexpr int most_guesses = 24;
 inline constexpr double beyond_guess = 1 + 0x1p-10;
@@ -122,8 +122,8 @@ inline bool is_closed(const Bracket<double>& b) noexcept {
 
 /// farthest_normal() by the signs of slopes alone, to the last place of the direction in a frame.
 template <class Shapes>
-VESICA_COLD FoundNormal halved_normal(const Shapes& shapes, const Vector<double>& d, double size,
-                                      const Frame& frame) noexcept {
+VESICA_COLD FoundNormal bracketed_normal(const Shapes& shapes, const Vector<double>& d, double size,
+                                         const Frame& frame) noexcept {
   const Shapes seen = frame.of(shapes);
   const Direction<double> towards = frame.of(d);
   Direction<double> n = first_direction(seen, towards);
