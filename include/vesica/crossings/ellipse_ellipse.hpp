@@ -369,8 +369,8 @@ inline Found places(const exact::Ellipse& e, const StoredOutline& stored, const 
 }
 
 /// One place where outlines meet, along e, whose outline is `stored`: the first crossing that is found, without a
-/// census of all; where there is none, a touch. Returns false where they do not meet or are the same, and writes nothing
-/// then.
+/// census of all; where there is none, a touch. Returns false where they do not meet or are the same; then it writes
+/// nothing.
 inline bool any_place(const exact::Ellipse& e, const StoredOutline& stored, const exact::Ellipse& f, double& x,
                       double& y) noexcept {
   Harmonics harmonics((Outline(e, f)));
