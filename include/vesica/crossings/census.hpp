@@ -103,7 +103,6 @@ struct SeenEllipses {
 struct RoughCubic {
   Rough d1, c1, c2, d2, mu, al, be;
   Rough root1, root2;  ///< of d1 and d2
-  bool exchanged = false;
 
   explicit RoughCubic(const SeenEllipses& seen) noexcept {
     const Rough ea(seen.e.a), eb(seen.e.b), fa(seen.f.a), fb(seen.f.b);
@@ -119,15 +118,13 @@ struct RoughCubic {
     c2 = d2 + mu - be;
   }
   void exchange() noexcept {
-    exchanged = true;
     std::swap(d1, d2);
     std::swap(c1, c2);
     std::swap(al, be);
   }
 };
 
-/// The census by rough numbers, without multiple roots. What may be far smaller than its terms is formed again, from
-/// exact factors, where its sign is not known: most cancels in their differences.
+/// The census by rough numbers, without multiple roots.
 class RoughCensus {
  public:
   explicit RoughCensus(const SeenEllipses& seen) noexcept : seen_(seen), p_(seen) {}
@@ -138,7 +135,6 @@ class RoughCensus {
     if (!known_) return false;  // else it is not 0: its terms have an error
     census = {roots < 0 ? 2 : 0, 0, false};
     if (roots < 0) return true;
-    if (!p_.c1.sign_is_known() || !p_.c2.sign_is_known()) form_again();
     if (sign(p_.c1) >= 0 && sign(p_.c2) >= 0) {
       const int order = seen_.order();
       if (order > 0) p_.exchange();
@@ -157,10 +153,6 @@ class RoughCensus {
     return x.sign();
   }
 
-  void form_again() noexcept {
-    if (!p_.c1.is_precise()) p_.c1 = inner(seen_.e, seen_.uu, seen_.e_along, seen_.e_across, seen_.f);
-    if (!p_.c2.is_precise()) p_.c2 = inner(seen_.f, seen_.ww, seen_.f_along, seen_.f_across, seen_.e);
-  }
   /// Three times the discriminant. Where all roots are nearly equal a, b and c are small, and so are their errors.
   Rough discriminant() const noexcept {
     const Rough &d1 = p_.d1, &c1 = p_.c1, &c2 = p_.c2, &d2 = p_.d2;
@@ -169,51 +161,11 @@ class RoughCensus {
   }
   /// As exact::detail::first_in_second, where its signs are known and not 0.
   bool first_in_second() noexcept {
-    const Rough delta = delta_less() * delta_more(), slope = times(2, p_.c2) - times(3, p_.mu);
+    const Rough twice = times(2, p_.root1 * p_.root2), delta = (p_.mu - twice) * (p_.mu + twice);
+    const Rough slope = times(2, p_.c2) - times(3, p_.mu), g = p_.d1 + p_.d2 - p_.mu;
     if (sign(slope) <= 0) return false;
     if (sign(square(slope) - times(9, delta)) > 0) return true;
-    return sign(exact::detail::rise(p_, delta, determinant(), al_less_be() - p_.be)) > 0;
-  }
-
-  /// d1 + mu - al = a^2 ((c g)^2 + (s h)^2 - across^2) + b^2 ((c h)^2 + (s g)^2 - along^2) + (a b V)^2 for half lengths
-  /// h and g of the other ellipse.
-  Rough inner(const exact::Ellipse& e, const Position& axis, const Position& along, const Position& across,
-              const exact::Ellipse& other) const noexcept {
-    const exact::Number<2>&c = seen_.c, &s = seen_.s;
-    const exact::Number<3> ch = other.a * c, cg = other.b * c, sh = other.a * s, sg = other.b * s;
-    const bool by_across = is_greater(e.a * across, e.b * along);
-    const Rough by_a = by_across ? squares_less(across, e.b * axis, cg, sh) : squares_less(across, cg, sh);
-    const Rough by_b = by_across ? squares_less(along, ch, sg) : squares_less(along, e.a * axis, ch, sg);
-    return square(Rough(e.a)) * by_a + square(Rough(e.b)) * by_b;
-  }
-  Rough al_less_be() const noexcept {
-    const Rough plain = p_.al - p_.be;
-    if (plain.is_precise()) return plain;
-    const exact::Ellipse &e = seen_.e, &f = seen_.f;
-    const exact::Number<3> x = e.b * seen_.e_along, y = e.a * seen_.e_across;
-    const bool by_x = is_greater(x, y);
-    const Rough be_less_al =
-        squares_less(by_x ? x : y, f.b * seen_.f_along, f.a * seen_.f_across) - square(Rough(by_x ? y : x));
-    return p_.exchanged ? be_less_al : -be_less_al;
-  }
-  /// mu - 2 sqrt(d1 d2) = (c (ea fb - eb fa))^2 + (s (ea fa - eb fb))^2.
-  Rough delta_less() const noexcept {
-    const Rough plain = p_.mu - times(2, p_.root1 * p_.root2);
-    if (plain.is_precise()) return plain;
-    const exact::Ellipse &e = seen_.e, &f = seen_.f;
-    return square(Rough(seen_.c) * Rough(e.a * f.b - e.b * f.a)) +
-           square(Rough(seen_.s) * Rough(e.a * f.a - e.b * f.b));
-  }
-  Rough delta_more() const noexcept { return p_.mu + times(2, p_.root1 * p_.root2); }
-  /// det(S1 - S2) in the frame of e, where S1 is diagonal; each element times V is of squares.
-  Rough determinant() const noexcept {
-    const Rough plain = p_.d1 + p_.d2 - p_.mu;
-    if (plain.is_precise()) return plain;
-    const exact::Ellipse &e = seen_.e, &f = seen_.f;
-    const Rough along = squares_less(e.a * seen_.uu, f.a * seen_.c, f.b * seen_.s);
-    const Rough across = squares_less(e.b * seen_.uu, f.a * seen_.s, f.b * seen_.c);
-    const Rough beside = Rough(f.a - f.b) * (Rough(f.a) + Rough(f.b)) * Rough(seen_.c) * Rough(seen_.s);
-    return (along * across - square(beside)) / square(Rough(seen_.uu));
+    return sign(exact::detail::rise(p_, delta, g, p_.al - times(2, p_.be))) > 0;
   }
 };
 

@@ -195,8 +195,9 @@ class SignedDigits {
     const int end = depth < last() + padding ? depth : last() + padding;
     if constexpr (may_be_sum) {
       while (is_sum_ && known_ <= end) sum_digit();
+    } else {
+      assert(!is_sum_);
     }
-    assert(!is_sum_ || may_be_sum);
     while (known_ <= end) limb_digit();
   }
   /// How many are known in all runs.
@@ -370,7 +371,7 @@ class DigitsOfDegree : public SignedDigits {
   }
 
  private:
-  constexpr void check_room() const noexcept { assert(is_zero() || last() + 2 * padding < capacity); }
+  constexpr void check_room() const noexcept { assert(last() + 2 * padding < capacity); }
 
   static constexpr int capacity = 64 * limb_capacity(Degree) / digit_bits + 2 * padding + Columns::block;
   Digit room_[std::size_t{capacity}];
