@@ -114,10 +114,10 @@ inline constexpr double beyond_guess = 1 + 0x1p-10;
 /// Two brackets are halved by turns, that of angles and that which the ellipse sees: more than the digits of both.
 inline constexpr int most_halvings = 128;
 
-/// Whether rounding leaves nothing between its ends.
+/// Whether rounding leaves nothing between its ends, which are about 1 long.
 inline bool is_closed(const Bracket<double>& b) noexcept {
   const double p = b.low.x * b.high.y, q = b.low.y * b.high.x;
-  return p - q <= 0x1p-52 * (abs(p) + abs(q));
+  return p - q <= 0x1p-52 * (abs(p) + abs(q)) + 0x1p-1070;
 }
 
 /// farthest_normal() by the signs of slopes alone, to the last place of the direction in a frame.
@@ -127,13 +127,13 @@ VESICA_COLD FoundNormal bracketed_normal(const Shapes& shapes, const Vector<doub
   const Shapes seen = frame.of(shapes);
   const Direction<double> towards = frame.of(d);
   Direction<double> n = first_direction(seen, towards);
-  Bracket<double> bracket = first_bracket(towards, n);
+  Bracket<double> bracket = first_bracket(about_unit(towards.x, towards.y), n);
   int step = 0;
   for (; step < most_guesses + most_halvings && !is_closed(bracket); ++step) {
     const Turn<double> turn = turn_at(seen, towards, size, n);
     (turn.slope > 0 ? bracket.low : bracket.high) = n;
     const Direction<double> guess = turned(n, beyond_guess * turn.tangent);
-    const bool is_guessed = step < most_guesses && turn.sane && bracket.holds(guess);
+    const bool is_guessed = step < most_guesses && turn.sane && turn.tangent != 0 && bracket.holds(guess);
     n = is_guessed ? about_unit(guess.x, guess.y) : middle(seen, towards, bracket, step);
   }
   return {frame.back(n), true, step};
