@@ -273,7 +273,7 @@ VESICA_API int32_t vesica_crossings_f64(int32_t kind_a, const double *numbers_a,
  * are rounded.
  * Cost: 100 to 250 ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest ellipses; 50 ns
  * if a shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below
- * 2^-40; at worst 30 us.
+ * 2^-40; at worst 25 us.
  */
 VESICA_API int32_t vesica_nearest_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b, const double *numbers_b,
                                       vesica_closest_points_f64 *out);
@@ -350,7 +350,7 @@ VESICA_API int32_t vesica_iou_f64(int32_t kind_a, const double *numbers_a,
  * Smallest box of representable numbers that contains a shape.
  * Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is exact.
  * Cost: up to 80 ns; 1 to 3 us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis and
- * representable sides; at worst 8 us.
+ * representable sides; at worst 6 us.
  */
 VESICA_API int32_t vesica_bounds_f64(int32_t kind, const double *numbers, vesica_aabb_f64 *out);
 

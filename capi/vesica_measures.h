@@ -157,7 +157,7 @@ VESICA_API int64_t vesica_signed_distance_matrix_f64(const vesica_shapes_f64 *a,
  * pair, and for VESICA_WITHIN_YES to accept only what is certain. Exchanging the shapes changes nothing.
  * Returns: VESICA_WITHIN_NO, VESICA_WITHIN_YES or VESICA_WITHIN_NEARLY.
  * Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can decide, as
- * when the distance is met exactly. At worst 35 us.
+ * when the distance is met exactly. At worst 25 us.
  */
 VESICA_API int32_t vesica_within_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b, const double *numbers_b,
                                      double distance);

@@ -142,7 +142,7 @@ export interface C {
    * between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the
    * scale. An aspect ratio is longer over shorter size. Cost: 100 to 250 ns for disjoint shapes, 450 ns for a point and
    * an ellipse, 500 ns for the thinnest ellipses; 50 ns if a shape holds the other's centre; 0.3 to 3 us for shapes
-   * that cross, near-ties and magnitudes above 2^40 or below 2^-40; at worst 30 us. Since: 0.1.
+   * that cross, near-ties and magnitudes above 2^40 or below 2^-40; at worst 25 us. Since: 0.1.
    */
   vesica_nearest_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
   /**
@@ -230,7 +230,7 @@ export interface C {
    *
    * Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: each side is the true
    * extreme of the shape, rounded outward once. So a representable box is exact. Cost: up to 80 ns; 1 to 3 us for
-   * magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis and representable sides; at worst 8
+   * magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis and representable sides; at worst 6
    * us. Since: 0.1.
    */
   vesica_bounds_f64(kind: number, numbers: number, out: number): number;
@@ -868,7 +868,7 @@ export interface C {
    * their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer
    * over shorter size. Cost: 100 to 250 ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the
    * thinnest ellipses; 50 ns if a shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and
-   * magnitudes above 2^40 or below 2^-40; at worst 30 us. Since: 0.1.
+   * magnitudes above 2^40 or below 2^-40; at worst 25 us. Since: 0.1.
    */
   vesica_nearest_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
   /**
@@ -961,7 +961,7 @@ export interface C {
    *
    * Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: each side is the true
    * extreme of the shape, rounded outward once. So a representable box is exact. Cost: up to 80 ns; 1 to 3 us for
-   * magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis and representable sides; at worst 8
+   * magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis and representable sides; at worst 6
    * us. Since: 0.1.
    */
   vesica_bounds_f32(kind: number, numbers: number, out: number): number;
@@ -2050,7 +2050,7 @@ export interface C {
    * In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx|
    * and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times
    * the scale. An aspect ratio is longer over shorter size. Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses;
-   * 1 to 10 us where only exact arithmetic can decide, as when the distance is met exactly. At worst 35 us. Since: 0.1.
+   * 1 to 10 us where only exact arithmetic can decide, as when the distance is met exactly. At worst 25 us. Since: 0.1.
    */
   vesica_within_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, distance: number): number;
   /**
@@ -2270,7 +2270,7 @@ export interface C {
    * In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx|
    * and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times
    * the scale. An aspect ratio is longer over shorter size. Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses;
-   * 1 to 10 us where only exact arithmetic can decide, as when the distance is met exactly. At worst 35 us. Since: 0.1.
+   * 1 to 10 us where only exact arithmetic can decide, as when the distance is met exactly. At worst 25 us. Since: 0.1.
    */
   vesica_within_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, distance: number): number;
   /**

@@ -173,7 +173,7 @@ namespace Vesica
         /// shorter size.</para>
         /// <para>Cost: 100 to 250 ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest
         /// ellipses; 50 ns if a shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and
-        /// magnitudes above 2^40 or below 2^-40; at worst 30 us.</para>
+        /// magnitudes above 2^40 or below 2^-40; at worst 25 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -284,7 +284,7 @@ namespace Vesica
         /// <para>Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is
         /// exact.</para>
         /// <para>Cost: up to 80 ns; 1 to 3 us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an
-        /// oblique axis and representable sides; at worst 8 us.</para>
+        /// oblique axis and representable sides; at worst 6 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -796,7 +796,7 @@ namespace Vesica
         /// size.</para>
         /// <para>Cost: 100 to 250 ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest
         /// ellipses; 50 ns if a shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and
-        /// magnitudes above 2^40 or below 2^-40; at worst 30 us.</para>
+        /// magnitudes above 2^40 or below 2^-40; at worst 25 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -911,7 +911,7 @@ namespace Vesica
         /// <para>Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is
         /// exact.</para>
         /// <para>Cost: up to 80 ns; 1 to 3 us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an
-        /// oblique axis and representable sides; at worst 8 us.</para>
+        /// oblique axis and representable sides; at worst 6 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1971,7 +1971,7 @@ namespace Vesica
         /// centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An
         /// aspect ratio is longer over shorter size.</para>
         /// <para>Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can
-        /// decide, as when the distance is met exactly. At worst 35 us.</para>
+        /// decide, as when the distance is met exactly. At worst 25 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2238,7 +2238,7 @@ namespace Vesica
         /// centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An
         /// aspect ratio is longer over shorter size.</para>
         /// <para>Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can
-        /// decide, as when the distance is met exactly. At worst 35 us.</para>
+        /// decide, as when the distance is met exactly. At worst 25 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

@@ -527,7 +527,7 @@ shapes is the largest of |dx| and |dy| between their centres and of their half l
 means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size. Cost: 100 to 250
 ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest ellipses; 50 ns if a
 shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or
-below 2^-40; at worst 30 us. Since: 0.1.""",
+below 2^-40; at worst 25 us. Since: 0.1.""",
     ),
     "vesica_boundary_distance_f64": (
         c_int32,
@@ -636,7 +636,7 @@ Smallest box of representable numbers that contains a shape.
 Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: each side is the
 true extreme of the shape, rounded outward once. So a representable box is exact. Cost: up to 80 ns; 1 to 3
 us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis and representable
-sides; at worst 8 us. Since: 0.1.""",
+sides; at worst 6 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_point_f64": (
         c_int32,
@@ -1362,7 +1362,7 @@ bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of tw
 most 4 u times the scale. An aspect ratio is longer over shorter size. Cost: 100 to 250 ns for disjoint
 shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest ellipses; 50 ns if a shape holds the
 other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below 2^-40; at
-worst 30 us. Since: 0.1.""",
+worst 25 us. Since: 0.1.""",
     ),
     "vesica_boundary_distance_f32": (
         c_int32,
@@ -1474,7 +1474,7 @@ Smallest box of representable numbers that contains a shape.
 Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: each side is the
 true extreme of the shape, rounded outward once. So a representable box is exact. Cost: up to 80 ns; 1 to 3
 us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis and representable
-sides; at worst 8 us. Since: 0.1.""",
+sides; at worst 6 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_point_f32": (
         c_int32,
@@ -2752,7 +2752,7 @@ the one asked for. In bounds on errors u is 2^-53, half a unit in the last place
 shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
 means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size. Cost: 10 to 60
 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can decide, as when the
-distance is met exactly. At worst 35 us. Since: 0.1.""",
+distance is met exactly. At worst 25 us. Since: 0.1.""",
     ),
     "vesica_within_many_f64": (
         c_int64,
@@ -3016,7 +3016,7 @@ the one asked for. In bounds on errors u is 2^-53, half a unit in the last place
 shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
 means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size. Cost: 10 to 60
 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can decide, as when the
-distance is met exactly. At worst 35 us. Since: 0.1.""",
+distance is met exactly. At worst 25 us. Since: 0.1.""",
     ),
     "vesica_within_many_f32": (
         c_int64,

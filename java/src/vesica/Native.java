@@ -184,7 +184,7 @@ final class Native {
    *
    * <p>Cost: 100 to 250 ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest ellipses; 50
    * ns if a shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or
-   * below 2^-40; at worst 30 us.
+   * below 2^-40; at worst 25 us.
    *
    * <p>Since: 0.1.
    */
@@ -312,7 +312,7 @@ final class Native {
    * <p>Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is exact.
    *
    * <p>Cost: up to 80 ns; 1 to 3 us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis
-   * and representable sides; at worst 8 us.
+   * and representable sides; at worst 6 us.
    *
    * <p>Since: 0.1.
    */
@@ -931,7 +931,7 @@ final class Native {
    *
    * <p>Cost: 100 to 250 ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest ellipses; 50
    * ns if a shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or
-   * below 2^-40; at worst 30 us.
+   * below 2^-40; at worst 25 us.
    *
    * <p>Since: 0.1.
    */
@@ -1063,7 +1063,7 @@ final class Native {
    * <p>Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is exact.
    *
    * <p>Cost: up to 80 ns; 1 to 3 us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis
-   * and representable sides; at worst 8 us.
+   * and representable sides; at worst 6 us.
    *
    * <p>Since: 0.1.
    */
@@ -2371,7 +2371,7 @@ final class Native {
    * size.
    *
    * <p>Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can decide,
-   * as when the distance is met exactly. At worst 35 us.
+   * as when the distance is met exactly. At worst 25 us.
    *
    * <p>Since: 0.1.
    */
@@ -2693,7 +2693,7 @@ final class Native {
    * size.
    *
    * <p>Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can decide,
-   * as when the distance is met exactly. At worst 35 us.
+   * as when the distance is met exactly. At worst 25 us.
    *
    * <p>Since: 0.1.
    */

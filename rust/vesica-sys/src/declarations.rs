@@ -439,7 +439,7 @@ extern "C" {
     ///
     /// Cost: 100 to 250 ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest ellipses; 50
     /// ns if a shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40
-    /// or below 2^-40; at worst 30 us.
+    /// or below 2^-40; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_nearest_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
@@ -554,7 +554,7 @@ extern "C" {
     /// Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is exact.
     ///
     /// Cost: up to 80 ns; 1 to 3 us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis
-    /// and representable sides; at worst 8 us.
+    /// and representable sides; at worst 6 us.
     ///
     /// Since: 0.1.
     pub fn vesica_bounds_f64(kind: i32, numbers: *const f64, out: *mut Aabb<f64>) -> i32;
@@ -1355,7 +1355,7 @@ extern "C" {
     ///
     /// Cost: 100 to 250 ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest ellipses; 50
     /// ns if a shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40
-    /// or below 2^-40; at worst 30 us.
+    /// or below 2^-40; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_nearest_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
@@ -1475,7 +1475,7 @@ extern "C" {
     /// Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is exact.
     ///
     /// Cost: up to 80 ns; 1 to 3 us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis
-    /// and representable sides; at worst 8 us.
+    /// and representable sides; at worst 6 us.
     ///
     /// Since: 0.1.
     pub fn vesica_bounds_f32(kind: i32, numbers: *const f32, out: *mut Aabb<f32>) -> i32;
@@ -2895,7 +2895,7 @@ extern "C" {
     /// longer over shorter size.
     ///
     /// Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can decide,
-    /// as when the distance is met exactly. At worst 35 us.
+    /// as when the distance is met exactly. At worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_within_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
@@ -3171,7 +3171,7 @@ extern "C" {
     /// longer over shorter size.
     ///
     /// Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can decide,
-    /// as when the distance is met exactly. At worst 35 us.
+    /// as when the distance is met exactly. At worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_within_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
