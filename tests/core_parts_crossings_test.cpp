@@ -2,6 +2,7 @@
 // Parts of crossings at the ends of what they are defined for, and the rare pairs that lead there.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <vector>
@@ -190,8 +191,27 @@ TEST(CrossingsParts, AStartWithoutAPlace) {
 TEST(CrossingsParts, NoPlaceAtAll) {
   double x = 7, y = 7;
   EXPECT_FALSE(one_place(Circle<double>{0, 0, 1}, Circle<double>{9, 0, 1}, x, y));
+  EXPECT_FALSE(one_place(Circle<double>{0, 0, 3}, Circle<double>{1, 0, 1}, x, y));
+  EXPECT_FALSE(one_place(Circle<double>{0, 0, 3}, Ellipse<double>{0, 0, 1, 0, 3, 3}, x, y));
   EXPECT_FALSE(one_place(Aabb<double>{0, 0, 1, 1}, Circle<double>{9, 0, 1}, x, y));
   EXPECT_TRUE(x == 7 && y == 7);
+}
+
+/// A crossing, a touch from outside and one from inside, and of an ellipse without area: the same in either order.
+TEST(CrossingsParts, OnePlace) {
+  const auto place = [](const auto& a, const auto& b) {
+    double x = 0, y = 0, other_x = 0, other_y = 0;
+    EXPECT_TRUE(one_place(a, b, x, y) && one_place(b, a, other_x, other_y));
+    EXPECT_TRUE(x == other_x && y == other_y);
+    return std::array<double, 2>{x, y};
+  };
+  const auto crossing = place(Circle<double>{0, 0, 5}, Circle<double>{6, 0, 5});
+  EXPECT_EQ(crossing[0], 3);
+  EXPECT_EQ(std::fabs(crossing[1]), 4);
+  EXPECT_EQ(place(Circle<double>{0, 0, 1}, Ellipse<double>{3, 0, 1, 0, 2, 1}), (std::array<double, 2>{1, 0}));
+  EXPECT_EQ(place(Circle<double>{0, 0, 3}, Circle<double>{2, 0, 1}), (std::array<double, 2>{3, 0}));
+  EXPECT_EQ(place(Ellipse<double>{0, 0, 1, 0, 2, 0}, Circle<double>{0, 0, 1}), (std::array<double, 2>{-1, 0}));
+  EXPECT_EQ(place(Circle<double>{1, 0, 0}, Circle<double>{0, 0, 1}), (std::array<double, 2>{1, 0}));
 }
 
 /// Ellipses of one size, of which neither lies in the other.

@@ -390,9 +390,8 @@ inline bool any_place(const exact::Ellipse& e, const StoredOutline& stored, cons
   if (all.crossing + all.touching == 0) return false;
   Groups groups(spots);
   share_out(groups, all);
-  const Group* g = groups.group;
-  while (g->places == 0) ++g;
-  stored.point(Direction(g->at), x, y);
+  const auto fewer = [](const Group& g, const Group& h) { return g.places < h.places; };
+  stored.point(Direction(std::max_element(groups.group, groups.group + groups.count, fewer)->at), x, y);
   return true;
 }
 
