@@ -64,7 +64,7 @@ template <class Polynomial>
 constexpr Leading<few_limbs> told_invariant(const ContactCubic& p, const Leading<few_limbs>& few) noexcept {
   if (few.sign_is_certain()) return few;
   const Coefficients plain = coefficients(p);
-  // With a negative coefficient one root alone is negative, and two that are close to each other are far from -1.
+  // With a negative coefficient one root alone is negative; two that are close to each other are positive, not near -1.
   if (p.c1.sign < 0 || p.c2.sign < 0) return leading(Polynomial(plain).told());
   // The third root is farther from the two for the lesser of d1 and d2.
   const CubicAboutMinusOne q(p, Polynomial::is_same_if_exchanged && compare(p.d1, p.d2) < 0);
