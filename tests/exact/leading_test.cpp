@@ -146,6 +146,11 @@ TEST(Leading, WithinItsBound) {
     expect_arithmetic<Leading<most_limbs>>(p, q);
     expect_arithmetic<DigitsOf<some_limbs>>(Number<8>(), q);
     expect_arithmetic<DigitsOf<most_limbs>>(p, q);
+    // Of a number that is exact, what a sum leaves out of the other one is all that is lost.
+    const Number<8> brief = exact::from_double(std::ldexp(1 + random.unit(), random.integer(-1000, 1000)));
+    expect_arithmetic<Leading<few_limbs>>(p, brief);
+    expect_arithmetic<DigitsOf<few_limbs>>(p, brief);
+    expect_arithmetic<DigitsOf<few_limbs>>(brief, p);
   }
   EXPECT_EQ(certain, 0);
 }
