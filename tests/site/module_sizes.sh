@@ -14,8 +14,8 @@ limit() {
 }
 
 modules=$1
-limit "$modules/vesica.wasm" 1266 431
-limit "$modules/simd/vesica.wasm" 1459 488
+limit "$modules/vesica.wasm" 1263 430
+limit "$modules/simd/vesica.wasm" 1456 487
 limit "$modules/vesica-overlap.wasm" 455 150
 limit "$modules/simd/vesica-overlap.wasm" 600 180
 limit "$modules/vesica-methods.wasm" 125 58

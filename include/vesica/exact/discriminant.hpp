@@ -20,11 +20,6 @@ constexpr auto discriminant(const C& k0, const C& k1, const C& k2, const C& k3, 
   const auto lower = square(k1) - times(4, k0 * k2), upper = square(k2) - times(4, k1 * k3);
   return lower * upper + k0_k3 * (times(2, k1 * k2) - times(27, k0_k3));
 }
-template <class Real, class Cubic>
-constexpr Real discriminant(const Cubic& p) noexcept {
-  const Real d1(p.d1), c1(p.c1), c2(p.c2), d2(p.d2);
-  return discriminant(d1, c1, c2, d2, d1 * d2);
-}
 
 /// By whole products.
 VESICA_CALLED constexpr int short_discriminant_sign(const ContactCubic& p) noexcept {
