@@ -145,6 +145,9 @@ inline double between(double low, double high) noexcept {
   return low < 0.5 ? between_magnitudes(low, high) : 1 - between_magnitudes(1 - high, 1 - low);
 }
 
+/// A lesser value is as good as 0: its terms are about 1, and known to 2^-104 or less well.
+inline constexpr double least_value = 0x1p-104;
+
 /// The search for a sign change of the value between two places at which its signs differ, step by step from the
 /// secant's zero. The interval is halved where a step would leave it or does not shrink.
 template <class V>
@@ -178,7 +181,7 @@ class Search {
       last_angle_ = 4;
     }
     const auto step = half_->step(x_);
-    if (step.value == 0) return true;
+    if (std::fabs(step.value) < least_value) return true;
     ((step.value < 0) == negative_at_low_ ? low_ : high_) = x_;
     // All places so near to the middle are one: what is between them is nothing beside any rounding.
     if (low_ > -0x1p-115 && high_ < 0x1p-115) return true;

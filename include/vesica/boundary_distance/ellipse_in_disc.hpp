@@ -31,10 +31,10 @@ class EllipseInDisc {
     // Round the circle: the closest point lies between the first two corners, the furthest between their opposites.
     const bool turned = cross(a, b) < 0;
     const PlaneVector first = turned ? b : a, second = turned ? a : b;
-    const PlaneVector closest = extreme(first, second, 1), furthest = extreme(-first, -second, -1);
-    if (!(excess_at(closest) < 0)) return closest;
-    if (!(excess_at(furthest) > 0)) return furthest;
-    const PlaneVector way[4] = {closest, second, -first, furthest};
+    const PlaneVector inner = extreme(first, second, 1), outer = extreme(-first, -second, -1);
+    if (!(excess_at(inner) < 0)) return inner;
+    if (!(excess_at(outer) > 0)) return outer;
+    const PlaneVector way[4] = {inner, second, -first, outer};
     int i = 0;
     while (i < 2 && excess_at(way[i + 1]) < 0) ++i;
     return zero_between(way[i], way[i + 1]);
@@ -63,18 +63,18 @@ class EllipseInDisc {
     return dot(w.x * p_ + w.y * q_, centre_) > 0 ? -w : w;
   }
 
-  /// Half the first and half the second derivative of the excess by the angle of w.
+  /// The excess, and half its first and half its second derivative by the angle of w.
   struct Derivatives {
-    double first, second;
+    double excess, first, second;
   };
   Derivatives derivatives(const PlaneVector& w) const noexcept {
     const PlaneVector x = at(w), slope = slope_at(w);
-    return {dot(x, slope), dot(slope, slope) + dot(x, centre_ + -x)};
+    return {dot(x, x) - 1, dot(x, slope), dot(slope, slope) + dot(x, centre_ + -x)};
   }
 
-  /// The one minimum of side * excess on a quadrant between the ellipse's axes: Newton's method on the derivative,
-  /// halving the arc where that fails. It falls at a and rises at b, unless the first centre lies on an axis; then the
-  /// end of that axis is a minimum itself, or a maximum between two minima.
+  /// The one minimum of side * excess on a quadrant between the ellipse's axes, or a place on the way there where it
+  /// is negative: Newton's method on the derivative, halving the arc where that fails. It falls at a and rises at b,
+  /// unless the first centre lies on an axis; then the end of that axis is a minimum itself, or a maximum between two.
   PlaneVector extreme(PlaneVector a, PlaneVector b, double side) const noexcept {
     const Derivatives at_a = derivatives(a), at_b = derivatives(b);
     if (side * at_a.first >= 0 && side * at_a.second >= 0) return a;
@@ -82,6 +82,7 @@ class EllipseInDisc {
     PlaneVector w = unit(a + b);
     for (int i = 0; i < step_limit && cross(a, b) > shortest_arc; ++i) {
       const Derivatives d = derivatives(w);
+      if (side * d.excess < 0) break;
       (side * d.first < 0 ? a : b) = w;
       const double turn = -d.first / d.second;
       const PlaneVector next = unit(w + turn * perp(w));
@@ -112,7 +113,7 @@ class EllipseInDisc {
   }
 
   static bool inside(const PlaneVector& a, const PlaneVector& w, const PlaneVector& b) noexcept {
-    return cross(a, w) > 0 && cross(w, b) > 0;
+    return cross(a, w) >= 0 && cross(w, b) >= 0;
   }
 
   static constexpr int step_limit = 100;

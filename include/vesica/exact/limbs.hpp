@@ -92,7 +92,10 @@ constexpr void multiply_by_itself(const Limb* a, int n, Limb* out, int first = 0
 struct Span {
   const Limb* limb;
   int low, size;
-  constexpr Limb at(int i) const noexcept { return i < low || i >= low + size ? 0 : limb[i - low]; }
+  constexpr Limb at(int i) const noexcept {
+    const unsigned k = static_cast<unsigned>(i - low);  // below `low` greater than any size
+    return k < static_cast<unsigned>(size) ? limb[k] : 0;
+  }
 };
 
 /// Sign of |a| - |b|; both stripped of leading zeros.

@@ -47,6 +47,8 @@ inline constexpr int polish_limit = 12;
 inline constexpr double polish_slack = 16;
 /// So many tolerances of slope, or a step of such an angle, count as none.
 inline constexpr double level_slack = 4, level_turn = 0x1p-48;
+/// F differs by less than 2^-68 along a shorter arc.
+inline constexpr double least_depth_arc = 0x1p-72;
 
 /// The corners of boxes that are the furthest along a direction, and e with these.
 struct Corners {
@@ -251,7 +253,8 @@ class ArcSearch {
   }
 
   /// The one minimum of an arc on which F is convex: falling at a, rising at b. A step that would leave the arc, and
-  /// every third that fails to halve it, splits it instead. Ends where a step would gain less than F's rounding.
+  /// every third that fails to halve it, splits it instead. Ends where a step would gain less than F's rounding. A
+  /// depth has no points that a turn of a needle's normal might move: it ends where the arc is beneath any rounding.
   void descend(const Arc& arc) noexcept {
     Sample a = arc.a, b = arc.b, s = a.value < b.value ? a : b;
     double width = cross(a.n, b.n);
@@ -271,6 +274,7 @@ class ArcSearch {
       const double left = cross(a.n, b.n);
       slow = left > width / 2 ? slow + 1 : 0;
       width = left > width / 2 ? width : left;
+      if (objective_.sign > 0 && left < least_depth_arc) return;
     }
   }
 
