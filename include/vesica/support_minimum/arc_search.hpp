@@ -6,9 +6,9 @@
 /// with the radii of curvature of the two outlines. The circle is cut at the axes of both shapes, and for sign -1 also
 /// where the ratio of the radii is extreme: on each arc in between, the radii and their ratio are monotone. Between the
 /// normals of its faces a box is a single corner, which goes into e. So the value and the first two derivatives of F at
-/// the ends of an arc bound F on all of it (arc_bound.hpp), and so does its greatest slope. The arc with the least bound
-/// is refined until no bound is below the least value met: by safeguarded Newton steps where F must be convex, else by
-/// splitting the arc. Since h(-n) = h(n), only the half circle n.e <= 0 is searched.
+/// the ends of an arc bound F on all of it (arc_bound.hpp), and so does its greatest slope. The arc with the least
+/// bound is refined until no bound is below the least value met: by safeguarded Newton steps where F must be convex,
+/// else by splitting the arc. Since h(-n) = h(n), only the half circle n.e <= 0 is searched.
 ///
 /// Measured on nested and overlapping ellipses at aspects up to 1e6, including nearly equal, nearly concentric and
 /// nearly osculating ones: 10 to 25 evaluations on average, 65 at most, never more than 6 arcs at a time, and 30 to 40
