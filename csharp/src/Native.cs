@@ -196,8 +196,8 @@ namespace Vesica
         /// two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u
         /// scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.</para>
         /// <para>Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us
-        /// more; 0.5 to 2 us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for near-ties;
-        /// at worst 40 us.</para>
+        /// more; 0.4 to 0.8 us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for
+        /// near-ties; at worst 50 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -820,8 +820,8 @@ namespace Vesica
         /// largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an
         /// error of at most 4 u times the scale. An aspect ratio is longer over shorter size.</para>
         /// <para>Cost: that of vesica_nearest_f32 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us
-        /// more; 0.5 to 2 us if outlines meet, for thin shapes as vesica_crossings_f32; up to 5 us more for near-ties;
-        /// at worst 40 us.</para>
+        /// more; 0.4 to 0.8 us if outlines meet, for thin shapes as vesica_crossings_f32; up to 5 us more for
+        /// near-ties; at worst 50 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
