@@ -157,20 +157,20 @@ void add_hidden_minimum(const Shape& a, const Shape& b, int sign, const DensePai
 Least least_of_moderate(const Shape& a, const Shape& b, int sign) {
   const DensePair f(rounded(a), rounded(b, b.cx - a.cx, b.cy - a.cy), sign);
   std::vector<Bracket> found = local_minima(f);
-  std::vector<double> rough;
-  for (Bracket& bracket : found) rough.push_back(refine(f, bracket));
-  const std::size_t seen = found.size();
+  for (Bracket& bracket : found) bracket.value = refine(f, bracket);
+  // The least first: of a needle more of them than are refined may be about one flat minimum that is not the least.
+  std::stable_sort(found.begin(), found.end(), [](const Bracket& p, const Bracket& q) { return p.value < q.value; });
+  constexpr double slack = 1e-11;
+  const double most = found[0].value + slack;
   add_hidden_minimum(a, b, sign, f, found);
-  if (found.size() > seen) rough.insert(rough.begin(), found[0].value);
-  const double best_rough = *std::min_element(rough.begin(), rough.end()), slack = 1e-11;
   Least best{real(0), 0, 0};
   std::vector<Direction> done;
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    const Direction& n = found[i].at;
+  for (const Bracket& bracket : found) {
+    const Direction& n = bracket.at;
     if (is_face_normal(f.a, n) || is_face_normal(f.b, n)) continue;
-    if (rough[i] > best_rough + slack || refined_already(done, n)) continue;
+    if (bracket.value > most || refined_already(done, n)) continue;
     if (done.size() == most_refined) break;  // F is constant
-    const Least refined = refine(a, b, sign, found[i]);
+    const Least refined = refine(a, b, sign, bracket);
     if (done.empty() || refined.value < best.value) best = refined;
     done.push_back(n);
   }
