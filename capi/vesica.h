@@ -289,7 +289,7 @@ VESICA_API int32_t vesica_nearest_f64(int32_t kind_a, const double *numbers_a, i
  * Accuracy: at aspect ratios up to 1e6 the distance is right to 4 u scale, and the points are that far apart to 16 u
  * scale. At any ratio it is above 0 unless outlines meet, and points are on them to 12 u scale before they are rounded.
  * Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.4 to 0.8
- * us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for near-ties; at worst 50 us.
+ * us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for near-ties; at worst 40 us.
  */
 VESICA_API int32_t vesica_boundary_distance_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b,
                                                 const double *numbers_b, vesica_closest_points_f64 *out);
@@ -306,7 +306,7 @@ VESICA_API int32_t vesica_boundary_distance_f64(int32_t kind_a, const double *nu
  * Accuracy: at aspect ratios up to 1e6 the depth is right to 4 u scale; for circles and points, to its last place. The
  * length of (x, y) is 1 to 3 u. After the move at most 8 u scale of overlap is left. Whether the depth is 0 is exact.
  * Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to 5 us if only
- * exact arithmetic can tell the depth from 0; at worst 30 us.
+ * exact arithmetic can tell the depth from 0; at worst 25 us.
  */
 VESICA_API int32_t vesica_depth_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b, const double *numbers_b,
                                     vesica_penetration_f64 *out);

@@ -210,7 +210,7 @@ final class Native {
    * u times the scale. An aspect ratio is longer over shorter size.
    *
    * <p>Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.4 to
-   * 0.8 us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for near-ties; at worst 50 us.
+   * 0.8 us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for near-ties; at worst 40 us.
    *
    * <p>Since: 0.1.
    */
@@ -237,7 +237,7 @@ final class Native {
    * u times the scale. An aspect ratio is longer over shorter size.
    *
    * <p>Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to 5 us if
-   * only exact arithmetic can tell the depth from 0; at worst 30 us.
+   * only exact arithmetic can tell the depth from 0; at worst 25 us.
    *
    * <p>Since: 0.1.
    */
@@ -958,7 +958,7 @@ final class Native {
    * scale. An aspect ratio is longer over shorter size.
    *
    * <p>Cost: that of vesica_nearest_f32 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.4 to
-   * 0.8 us if outlines meet, for thin shapes as vesica_crossings_f32; up to 5 us more for near-ties; at worst 50 us.
+   * 0.8 us if outlines meet, for thin shapes as vesica_crossings_f32; up to 5 us more for near-ties; at worst 40 us.
    *
    * <p>Since: 0.1.
    */
@@ -986,7 +986,7 @@ final class Native {
    * aspect ratio is longer over shorter size.
    *
    * <p>Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to 5 us if
-   * only exact arithmetic can tell the depth from 0; at worst 30 us.
+   * only exact arithmetic can tell the depth from 0; at worst 25 us.
    *
    * <p>Since: 0.1.
    */

@@ -464,7 +464,7 @@ extern "C" {
     /// at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
     /// Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.4 to
-    /// 0.8 us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for near-ties; at worst 50 us.
+    /// 0.8 us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for near-ties; at worst 40 us.
     ///
     /// Since: 0.1.
     pub fn vesica_boundary_distance_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
@@ -489,7 +489,7 @@ extern "C" {
     /// at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
     /// Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to 5 us if
-    /// only exact arithmetic can tell the depth from 0; at worst 30 us.
+    /// only exact arithmetic can tell the depth from 0; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_depth_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
@@ -1381,7 +1381,7 @@ extern "C" {
     /// scale. An aspect ratio is longer over shorter size.
     ///
     /// Cost: that of vesica_nearest_f32 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.4 to
-    /// 0.8 us if outlines meet, for thin shapes as vesica_crossings_f32; up to 5 us more for near-ties; at worst 50 us.
+    /// 0.8 us if outlines meet, for thin shapes as vesica_crossings_f32; up to 5 us more for near-ties; at worst 40 us.
     ///
     /// Since: 0.1.
     pub fn vesica_boundary_distance_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
@@ -1407,7 +1407,7 @@ extern "C" {
     /// scale. An aspect ratio is longer over shorter size.
     ///
     /// Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to 5 us if
-    /// only exact arithmetic can tell the depth from 0; at worst 30 us.
+    /// only exact arithmetic can tell the depth from 0; at worst 25 us.
     ///
     /// Since: 0.1.
     pub fn vesica_depth_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
