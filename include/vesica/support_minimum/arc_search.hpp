@@ -194,11 +194,12 @@ class ArcSearch {
     }
   }
 
-  /// The support function's greatest slope; of a box the distance of its corners.
+  /// No slope of the shape's support function is greater.
   static double steepest(const CentredShape& s) noexcept { return s.curved ? lane::abs(s.a - s.b) : s.a + s.b; }
 
-  /// From the curvature, or where a needle turns on the arc, and that tells nothing, from the slope: F cannot fall by
-  /// more than the greatest slope times the angle from either end (pi / 2 sines at most).
+  /// The greater of two lower bounds. The one from the curvature tells nothing where a needle turns on the arc. The
+  /// other: from either end F falls by at most the greatest slope times the angle, so it is at least the mean of both
+  /// ends less half of that for the whole arc; an angle up to a quarter turn is at most pi / 2 < 1.6 times its sine.
   double bound_on(const Sample& a, const Sample& b) const noexcept {
     const double by_slope = 0.5 * (a.value + b.value) - 0.8 * steepest_ * cross(a.n, b.n);
     return lane::max(lower_bound(a, b, curvature(a, b, objective_.sign)), by_slope);
@@ -313,7 +314,7 @@ class ArcSearch {
 
   /// Where outlines nearly osculate, F is as flat as its rounding over a hill and the minimum beside it. The search may
   /// end on the hill or at its foot, where Newton's steps do not lead down, or far too far. Longer and longer steps
-  /// down do, until the slope rises; then halves.
+  /// down do, until the slope changes its sign; then that place is bisected.
   void leave_hill() noexcept {
     Sample from = minimum_.at, to = from;
     for (double step = 0x1p-28; to.slope * from.slope > 0 && step < 0.125; step *= 4) {
