@@ -84,7 +84,7 @@ VESICA_CALLED constexpr Digits sum(const Digits& a, const Digits& b, int sign_b)
     Limb limb[Digits::most_limbs + 2];
     const int order = a.sign == sign_b ? 1 : compare_magnitude(a.span(), b.span());
     const Span x = order < 0 ? b.span() : a.span(), y = order < 0 ? a.span() : b.span();
-    a.sign == sign_b ? add_wide(x, y, low, n, limb) : subtract_wide(x, y, low, n, limb);
+    a.sign == sign_b ? add_magnitude(x, y, low, n, limb) : subtract_magnitude(x, y, low, n, limb);
     sum.set(order < 0 ? sign_b : a.sign, {limb, low, n});
     if (a.low < low || b.low < low) sum.lose(std::int64_t{64} * low);
   }

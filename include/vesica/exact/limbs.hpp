@@ -47,35 +47,45 @@ constexpr LimbPair multiply_add(Limb a, Limb b, Limb c, Limb d) noexcept {
 #endif
 }
 
-/// out[0, na + nb) = a * b, schoolbook. Zero limbs of a are skipped. Products of limbs that lie below limb `first` <=
-/// na, nb are left out: these are less than `first` at limb first + 1.
+/// out[0, n) += factor * a; returns what is carried out of it.
+constexpr Limb add_multiple(Limb factor, const Limb* a, int n, Limb* out) noexcept {
+  Limb carry = 0;
+  for (const Limb* const end = a + n; a != end; ++a, ++out) {
+    const LimbPair sum = multiply_add(factor, *a, *out, carry);
+    *out = sum.low;
+    carry = sum.high;
+  }
+  return carry;
+}
+
+/// out[0, n) = factor * a; returns what is carried out of it.
+constexpr Limb set_multiple(Limb factor, const Limb* a, int n, Limb* out) noexcept {
+  Limb carry = 0;
+  for (const Limb* const end = a + n; a != end; ++a, ++out) {
+    const LimbPair product = multiply_add(factor, *a, carry, 0);
+    *out = product.low;
+    carry = product.high;
+  }
+  return carry;
+}
+
+/// out[0, na + nb) = a * b, schoolbook, na > 0. Zero limbs of a are skipped. Products of limbs that lie below limb
+/// `first` <= na, nb are left out: these are less than `first` at limb first + 1. Then out[0, first) is not set.
 constexpr void multiply(const Limb* a, int na, const Limb* b, int nb, Limb* out, int first = 0) noexcept {
-  for (int i = 0; i < na + nb; ++i) out[i] = 0;
-  for (int i = 0; i < na; ++i) {
-    if (a[i] == 0) continue;
-    Limb carry = 0;
-    for (int j = first > i ? first - i : 0; j < nb; ++j) {
-      const LimbPair sum = multiply_add(a[i], b[j], out[i + j], carry);
-      out[i + j] = sum.low;
-      carry = sum.high;
-    }
-    out[i + nb] = carry;
+  out[nb] = set_multiple(a[0], b + first, nb - first, out + first);
+  for (int i = 1; i < na; ++i) {
+    const int skipped = first > i ? first - i : 0;
+    out[i + nb] = a[i] == 0 ? 0 : add_multiple(a[i], b + skipped, nb - skipped, out + i + skipped);
   }
 }
 
 /// out[0, 2 n) = a * a: products of different limbs once, doubled, and the squares. Leaves out what multiply() does,
 /// for an even `first`.
 constexpr void multiply_by_itself(const Limb* a, int n, Limb* out, int first = 0) noexcept {
-  for (int i = 0; i < 2 * n; ++i) out[i] = 0;
+  for (int i = first; i <= n; ++i) out[i] = 0;
   for (int i = 0; i < n; ++i) {
-    if (a[i] == 0) continue;
-    Limb carry = 0;
-    for (int j = first > 2 * i ? first - i : i + 1; j < n; ++j) {
-      const LimbPair sum = multiply_add(a[i], a[j], out[i + j], carry);
-      out[i + j] = sum.low;
-      carry = sum.high;
-    }
-    out[i + n] = carry;
+    const int from = first > 2 * i ? first - i : i + 1;
+    out[i + n] = a[i] == 0 ? 0 : add_multiple(a[i], a + from, n - from, out + i + from);
   }
   Limb carry = 0, shifted_out = 0;
   for (int i = first / 2; i < n; ++i) {
@@ -124,10 +134,8 @@ constexpr void place_magnitude(const Span& a, int low, int n, Limb* out) noexcep
   for (int i = zeros + kept.size; i < n; ++i) out[i] = 0;
 }
 
-/// Sums of fewer limbs are formed in one pass, of more where the lesser number is.
-inline constexpr int least_wide = 8;
-
-constexpr void add_wide(const Span& a, const Span& b, int low, int n, Limb* out) noexcept {
+/// out[0, n) = |a| + |b| on the grid from low on; n leaves room for the carry.
+constexpr void add_magnitude(const Span& a, const Span& b, int low, int n, Limb* out) noexcept {
   place_magnitude(a, low, n, out);
   const Span added = from(b, low);
   Limb carry = 0;
@@ -140,18 +148,8 @@ constexpr void add_wide(const Span& a, const Span& b, int low, int n, Limb* out)
   for (; carry != 0; ++i) carry = ++out[i] == 0;
 }
 
-/// out[0, n) = |a| + |b| on the grid from low on; n leaves room for the carry.
-constexpr void add_magnitude(const Span& a, const Span& b, int low, int n, Limb* out) noexcept {
-  if (n >= least_wide) return add_wide(a, b, low, n, out);
-  Limb carry = 0;
-  for (int i = 0; i < n; ++i) {
-    const Limb x = a.at(low + i), y = b.at(low + i), sum = x + y, total = sum + carry;
-    carry = static_cast<Limb>(sum < x) | static_cast<Limb>(total < sum);
-    out[i] = total;
-  }
-}
-
-constexpr void subtract_wide(const Span& a, const Span& b, int low, int n, Limb* out) noexcept {
+/// out[0, n) = |a| - |b|, which must not be negative.
+constexpr void subtract_magnitude(const Span& a, const Span& b, int low, int n, Limb* out) noexcept {
   place_magnitude(a, low, n, out);
   const Span taken = from(b, low);
   Limb borrow = 0;
@@ -162,17 +160,6 @@ constexpr void subtract_wide(const Span& a, const Span& b, int low, int n, Limb*
     out[i] = total;
   }
   for (; borrow != 0; ++i) borrow = out[i]-- == 0;
-}
-
-/// out[0, n) = |a| - |b|, which must not be negative.
-constexpr void subtract_magnitude(const Span& a, const Span& b, int low, int n, Limb* out) noexcept {
-  if (n >= least_wide) return subtract_wide(a, b, low, n, out);
-  Limb borrow = 0;
-  for (int i = 0; i < n; ++i) {
-    const Limb x = a.at(low + i), y = b.at(low + i), difference = x - y, total = difference - borrow;
-    borrow = static_cast<Limb>(x < y) | static_cast<Limb>(difference < borrow);
-    out[i] = total;
-  }
 }
 
 }  // namespace detail

@@ -75,12 +75,8 @@ VESICA_CALLED constexpr void add_product(const Span& a, const Span& b, Limb* sum
     const Limb factor = a.limb[i];
     if (factor == 0) continue;
     Limb* out = sum + (a.low + i + b.low);
-    Limb carry = 0;
-    for (int j = 0; j < b.size; ++j, ++out) {
-      const LimbPair total = multiply_add(factor, b.limb[j], *out, carry);
-      *out = total.low;
-      carry = total.high;
-    }
+    Limb carry = add_multiple(factor, b.limb, b.size, out);
+    out += b.size;
     *out += carry;
     for (carry = *out < carry; carry != 0; carry = *out == 0) ++*++out;
   }
