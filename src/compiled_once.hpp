@@ -32,8 +32,9 @@
 #define VESICA_EACH_SHAPE_WITH_AREA(X, keyword) X(keyword, Circle) X(keyword, Aabb) X(keyword, Rect) X(keyword, Ellipse)
 
 // queries/crossings.cpp
-#define VESICA_ONE_PLACE(keyword, A, B) \
-  keyword bool detail::crossings::one_place(const A<double>&, const B<double>&, double&, double&) noexcept;
+#define VESICA_ONE_PLACE(keyword, A, B)                                                           \
+  keyword bool detail::crossings::one_place(const A<double>&, const B<double>&, double&, double&, \
+                                            const std::optional<detail::crossings::Census>&) noexcept;
 
 // queries/depth.cpp
 #define VESICA_DEPTH_IN_ORDER(keyword, A, B)                                                           \

@@ -18,6 +18,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <vesica/boundary_distance/box_box.hpp>
 #include <vesica/boundary_distance/common_point.hpp>
 #include <vesica/boundary_distance/lane_pairs.hpp>
@@ -109,6 +110,20 @@ inline bool settled_outlines(const Circle<double>& a, const Ellipse<double>& b, 
   return settled_outlines(as_ellipse(a), b, relation, out);
 }
 
+/// How outlines meet, as far as the relation tells: at so many places, or more.
+inline std::optional<crossings::Census> places_told_by(Relation relation) noexcept {
+  switch (relation) {
+    case Relation::cross:
+      return crossings::Census{2, 0, false};
+    case Relation::touch:
+    case Relation::inside_touch:
+    case Relation::contains_touch:
+      return crossings::Census{0, 1, false};
+    default:
+      return std::nullopt;
+  }
+}
+
 template <class A, class B>
 ClosestPoints<double> closest_outline_points(Relation relation, const A& a, const B& b) noexcept {
   const Form f = support_minimum::form(a), g = support_minimum::form(b);
@@ -120,7 +135,7 @@ ClosestPoints<double> closest_outline_points(Relation relation, const A& a, cons
   }
   double x = 0, y = 0;
   // Equal curves have no single places; then any point of one will do.
-  return !certain && crossings::one_place(a, b, x, y) ? at_one_point(x, y) : found;
+  return !certain && crossings::one_place(a, b, x, y, places_told_by(relation)) ? at_one_point(x, y) : found;
 }
 
 }  // namespace detail::boundary_distance

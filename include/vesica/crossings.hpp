@@ -75,14 +75,15 @@ CrossingPoints<double> between(const A& a, const B& b) noexcept {
 }
 
 /// One place where outlines meet, the same in either order of the shapes. Returns false if there is none, and writes
-/// nothing then.
+/// nothing then. `known`: how two ellipses meet, where that is known; there may be more places than it says.
 template <class A, class B>
-VESICA_COLD bool one_place(const A& a, const B& b, double& x, double& y) noexcept {
+VESICA_COLD bool one_place(const A& a, const B& b, double& x, double& y,
+                           const std::optional<Census>& known = std::nullopt) noexcept {
   if constexpr (is_round<A> && is_round<B>) {
     const exact::Ellipse form_a = exact::form(a), form_b = exact::form(b);
     if (!exact::degenerate(form_a) && !exact::degenerate(form_b)) {
-      return is_first(a, b) ? any_place(form_a, StoredOutline(a), form_b, x, y)
-                            : any_place(form_b, StoredOutline(b), form_a, x, y);
+      return is_first(a, b) ? any_place(form_a, StoredOutline(a), form_b, x, y, known)
+                            : any_place(form_b, StoredOutline(b), form_a, x, y, known);
     }
   }
   const CrossingPoints<double> met = between(a, b);

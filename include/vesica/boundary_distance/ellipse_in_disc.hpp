@@ -31,8 +31,9 @@ class EllipseInDisc {
     // Round the circle: the closest point lies between the first two corners, the furthest between their opposites.
     const bool turned = cross(a, b) < 0;
     const PlaneVector first = turned ? b : a, second = turned ? a : b;
-    const PlaneVector inner = extreme(first, second, 1), outer = extreme(-first, -second, -1);
+    const PlaneVector inner = extreme(first, second, 1);
     if (!(excess_at(inner) < 0)) return inner;
+    const PlaneVector outer = extreme(-first, -second, -1);
     if (!(excess_at(outer) > 0)) return outer;
     const PlaneVector way[4] = {inner, second, -first, outer};
     int i = 0;
@@ -82,7 +83,7 @@ class EllipseInDisc {
     PlaneVector w = unit(a + b);
     for (int i = 0; i < step_limit && cross(a, b) > shortest_arc; ++i) {
       const Derivatives d = derivatives(w);
-      if (side * d.excess < 0) break;
+      if (side * d.excess < 0 || lane::abs(d.first) * cross(a, b) < 0x1p-56) break;
       (side * d.first < 0 ? a : b) = w;
       const double turn = -d.first / d.second;
       const PlaneVector next = unit(w + turn * perp(w));

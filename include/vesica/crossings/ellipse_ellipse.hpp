@@ -9,6 +9,7 @@
 #include <cassert>
 #include <initializer_list>
 #include <limits>
+#include <optional>
 #include <vesica/crossings/census.hpp>
 #include <vesica/crossings/quartic_zeros.hpp>
 
@@ -31,60 +32,98 @@ exact::Number<A + B> dot(const Image<A>& p, const Image<B>& q) noexcept {
 
 /// e's outline C + P cos + Q sin seen from f, and the rim of f.
 struct Outline {
+  const exact::Ellipse &e, &f;
+  exact::Number<2> dot, cross;  ///< of f's axis and e's
   Image<3> c;
   Image<4> p, q;
   exact::Number<4> radius;
 
-  Outline(const exact::Ellipse& e, const exact::Ellipse& f) noexcept
-      : c(image(f, e.cx - f.cx, e.cy - f.cy)),
-        p(image(f, e.a * e.ux, e.a * e.uy)),
-        q(image(f, exact::integer(-1) * (e.b * e.uy), e.b * e.ux)),
-        radius(f.a * f.b * exact::dot(f.ux, f.uy, f.ux, f.uy)) {}
+  Outline(const exact::Ellipse& its_e, const exact::Ellipse& its_f) noexcept
+      : e(its_e),
+        f(its_f),
+        dot(exact::dot(f.ux, f.uy, e.ux, e.uy)),
+        cross(exact::cross(f.ux, f.uy, e.ux, e.uy)),
+        c(image(f, e.cx - f.cx, e.cy - f.cy)),
+        p{f.b * e.a * dot, f.a * e.a * cross},
+        q{f.b * e.b * cross, f.a * e.b * dot},
+        radius(f.a * f.b * exact::dot(f.ux, f.uy, f.ux, f.uy)) {
+    q.x.sign = -q.x.sign;
+  }
 };
 
-/// What the form of f along e is made of. |C|^2 - radius^2 = less more + other^2 by the greater coordinate of C, so
-/// that it hardly cancels.
+/// The first limbs of a number, so many or all.
+template <int Degree>
+exact::Number<Degree> first_limbs(const exact::Number<Degree>& x, int count) noexcept {
+  if (x.size <= count) return x;
+  exact::Number<Degree> out;
+  out.sign = x.sign;
+  out.low = x.low + (x.size - count);
+  out.size = count;
+  exact::detail::move_limbs(x.limb + (x.size - count), count, out.limb);
+  out.strip();
+  return out;
+}
+template <int Degree>
+Image<Degree> first_limbs(const Image<Degree>& z, int count) noexcept {
+  return {first_limbs(z.x, count), first_limbs(z.y, count)};
+}
+
+/// |z|^2 - radius^2 = less more + other^2 by the greater coordinate of z, so that it hardly cancels.
+struct BeyondRim {
+  exact::Number<4> less, more, other;
+
+  template <int Degree>
+  BeyondRim(const Image<Degree>& z, const exact::Number<4>& radius, int limbs) noexcept
+      : BeyondRim(is_greater(z.x, z.y) ? z.x : z.y, is_greater(z.x, z.y) ? z.y : z.x, radius, limbs) {}
+  exact::Number<8> value() const noexcept { return less * more + exact::square(other); }
+
+ private:
+  BeyondRim(const exact::Number<4>& greater, const exact::Number<4>& lesser, const exact::Number<4>& radius,
+            int limbs) noexcept
+      : less(first_limbs(exact::abs(greater) - radius, limbs)),
+        more(first_limbs(exact::abs(greater) + radius, limbs)),
+        other(first_limbs(lesser, limbs)) {}
+};
+
+/// What the form of f along e is made of. P.Q = along across, factors that do not cancel. Twice the square of the radius is taken from what is about as great: from 2
+/// |C|^2 if C is not well within the rim, else half of it from each of |P|^2 and |Q|^2, which it nearly is where
+/// outlines coincide.
 struct FormParts {
   Image<3> c;
   Image<4> p, q;
-  exact::Number<4> less, more;
-  exact::Number<3> other;
+  exact::Number<4> along, across;
+  BeyondRim beyond_c, beyond_p, beyond_q;
 
-  explicit FormParts(const Outline& o) noexcept : c(o.c), p(o.p), q(o.q) {
-    const bool by_x = is_greater(c.x, c.y);
-    const exact::Number<4> greater = exact::abs(by_x ? c.x : c.y);
-    less = greater - o.radius;
-    more = greater + o.radius;
-    other = by_x ? c.y : c.x;
-  }
-  /// Of the leading 8 limbs of each: right to 2^-448.
-  FormParts shortened() const noexcept {
-    FormParts out = *this;
-    for (auto* x : {&out.c.x, &out.c.y, &out.other}) shorten(*x);
-    for (auto* x : {&out.p.x, &out.p.y, &out.q.x, &out.q.y, &out.less, &out.more}) shorten(*x);
-    return out;
-  }
+  /// Of so many leading limbs of each number.
+  FormParts(const Outline& o, int limbs) noexcept : FormParts(o, limbs, is_within(o)) {}
   /// No product is as great as 2 to this power.
   std::int64_t top() const noexcept {
     std::int64_t top = std::numeric_limits<std::int64_t>::min();
     const auto see = [&top](const auto& a, const auto& b) {
       if (a.sign != 0 && b.sign != 0) top = std::max(top, exact::detail::top_bit(a) + exact::detail::top_bit(b));
     };
-    see(less, more), see(other, other);
-    for (const auto* x : {&p.x, &p.y, &q.x, &q.y}) see(*x, *x);
-    see(c.x, p.x), see(c.y, p.y), see(c.x, q.x), see(c.y, q.y), see(p.x, q.x), see(p.y, q.y);
+    for (const BeyondRim* z : {&beyond_c, &beyond_p, &beyond_q}) see(z->less, z->more), see(z->other, z->other);
+    see(c.x, p.x), see(c.y, p.y), see(c.x, q.x), see(c.y, q.y);
     return top;
   }
 
  private:
-  template <int Degree>
-  static void shorten(exact::Number<Degree>& x) noexcept {
-    constexpr int kept = 8;
-    if (x.size <= kept) return;
-    x.low += x.size - kept;
-    exact::detail::move_limbs(x.limb + (x.size - kept), kept, x.limb);
-    x.size = kept;
-    x.strip();
+  FormParts(const Outline& o, int limbs, bool within) noexcept
+      : c(first_limbs(o.c, limbs)),
+        p(first_limbs(o.p, limbs)),
+        q(first_limbs(o.q, limbs)),
+        along(o.e.a * o.e.b * first_limbs(o.dot, limbs)),
+        across(first_limbs(o.f.a - o.f.b, limbs) * first_limbs(o.f.a + o.f.b, limbs) * first_limbs(o.cross, limbs)),
+        beyond_c(o.c, within ? exact::Number<4>() : o.radius, limbs),
+        beyond_p(o.p, within ? o.radius : exact::Number<4>(), limbs),
+        beyond_q(o.q, within ? o.radius : exact::Number<4>(), limbs) {}
+
+  /// Whether C is within a quarter of the radius at least.
+  static bool is_within(const Outline& o) noexcept {
+    const auto is_less = [&o](const exact::Number<3>& x) {
+      return x.sign == 0 || exact::detail::top_bit(x) + 2 < exact::detail::top_bit(o.radius);
+    };
+    return is_less(o.c.x) && is_less(o.c.y);
   }
 };
 
@@ -93,18 +132,17 @@ struct Harmonics {
   Fixed mean, c1, s1, c2, s2;
 
   explicit Harmonics(const Outline& outline) noexcept {
-    const FormParts parts(outline);
-    // Numbers of very unlike exponents have many limbs, of which the first almost always do.
-    if (!set(parts.shortened(), true)) set(parts, false);
+    // Numbers of very unlike exponents have many limbs, of which the first almost always do. 8 are right to 2^-448.
+    if (!set(FormParts(outline, 8), true)) set(FormParts(outline, exact::Number<4>::capacity), false);
   }
 
  private:
   /// False where shortened numbers leave less than 320 bits.
   bool set(const FormParts& o, bool is_short) noexcept {
     const auto two = exact::integer(2), four = exact::integer(4);
-    const exact::Number<8> pp = dot(o.p, o.p), qq = dot(o.q, o.q), centre = o.less * o.more + exact::square(o.other);
-    const exact::Number<8> exact_mean = two * centre + pp + qq, exact_c1 = four * dot(o.c, o.p),
-                           exact_s1 = four * dot(o.c, o.q), exact_c2 = pp - qq, exact_s2 = two * dot(o.p, o.q);
+    const exact::Number<8> pp = o.beyond_p.value(), qq = o.beyond_q.value();
+    const exact::Number<8> exact_mean = two * o.beyond_c.value() + pp + qq, exact_c1 = four * dot(o.c, o.p),
+                           exact_s1 = four * dot(o.c, o.q), exact_c2 = pp - qq, exact_s2 = two * (o.along * o.across);
     std::int64_t top = std::numeric_limits<std::int64_t>::min();
     for (const auto* x : {&exact_mean, &exact_c1, &exact_s1, &exact_c2, &exact_s2}) {
       if (x->sign != 0) top = std::max(top, exact::detail::top_bit(*x));
@@ -167,7 +205,7 @@ struct Groups {
   int count = 0;
 
   explicit Groups(const Spots& spots) noexcept {
-    const auto next_to = [](const Real& p, const Real& q) { return std::fabs(rounded(q - p)) < shortest; };
+    const auto next_to = [&spots](const Real& p, const Real& q) { return std::fabs(rounded(q - p)) < spots.shortest; };
     int first = 0;
     const int n = spots.count;
     if (n == 0) return;
@@ -368,13 +406,14 @@ inline Found places(const exact::Ellipse& e, const StoredOutline& stored, const 
   return found;
 }
 
-/// One place where outlines meet, along e, whose outline is `stored`: the first crossing that is found, without a
-/// census of all; where there is none, a touch. Returns false where they do not meet or are the same; then it writes
-/// nothing.
+/// One place where outlines meet, along e, whose outline is `stored`: the first crossing that is found; where there is
+/// none, a touch, or what is left of a census. That is taken only then, and where it is not `known`. Returns false
+/// where they do not meet or are the same; then it writes nothing.
 inline bool any_place(const exact::Ellipse& e, const StoredOutline& stored, const exact::Ellipse& f, double& x,
-                      double& y) noexcept {
+                      double& y, const std::optional<Census>& known) noexcept {
   Harmonics harmonics((Outline(e, f)));
   Spots spots;
+  spots.shortest = 0x1p-64;  // one place alone need only be right beyond its rounding
   for (int quarter = 0; quarter < 4; ++quarter) {
     const int before = spots.count;
     ZeroSearch(harmonics.quarter(), quarter, spots, nullptr);
@@ -386,7 +425,7 @@ inline bool any_place(const exact::Ellipse& e, const StoredOutline& stored, cons
     }
     harmonics.advance();
   }
-  const Census all = census(e, f);
+  const Census all = known ? *known : census(e, f);
   if (all.crossing + all.touching == 0) return false;
   Groups groups(spots);
   share_out(groups, all);

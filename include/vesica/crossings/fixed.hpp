@@ -36,6 +36,8 @@ struct Fixed {
     each<n - 1>([&](int i) { differing |= limb[i + 1] ^ fill; });
     return differing == 0;
   }
+  /// The magnitude, right to 2^-52 of itself.
+  double size() const noexcept;
   /// The limbs above the lowest n repeat the sign, as in numbers that these hold.
   template <int n>
   void extend_sign() noexcept {
@@ -67,6 +69,16 @@ inline Fixed operator-(const Fixed& a, const Fixed& b) noexcept {
 }
 
 inline Fixed operator-(const Fixed& a) noexcept { return Fixed{} - a; }
+
+inline double Fixed::size() const noexcept {
+  const Fixed m = negative() ? -*this : *this;
+  int top = limbs - 1;
+  while (top > 0 && m.limb[top] == 0) --top;
+  const auto digit = [&m](int i) {
+    return static_cast<double>(m.limb[i]) * arithmetic::power_of_two(64 * (i - limbs) + 1);
+  };
+  return top > 0 ? digit(top) + digit(top - 1) : digit(0);
+}
 
 /// a = (a + b) / 2, rounded down, for numbers that the lowest n limbs hold; those above are left as they are.
 template <int n>
@@ -175,31 +187,24 @@ void interpolate(Fixed* c, int count, exact::Limb s) noexcept {
 
 /// part() from an end, which is at c[0], to s / 2^64 of the way to the other.
 template <int n, class Coefficient>
-bool set_part_from_end(Fixed* c, exact::Limb s, int changes, const Coefficient& coefficient) noexcept {
-  if (changes == 1 && c[0].negligible<n>()) {
-    // Where the first two are negligible there are two changes.
-    Fixed second[] = {c[0], c[1]};
-    interpolate<n>(second, 1, s);
-    if (second[0].negligible<n>()) return false;
-  }
+void set_part_from_end(Fixed* c, exact::Limb s, const Coefficient& coefficient) noexcept {
   for (int i = 0; i <= 4; ++i) {
     coefficient(i) = c[0];
     interpolate<n>(c, 4 - i, s);
   }
-  return true;
 }
 
 /// part() of coefficients that the lowest n limbs hold.
 template <int n>
-bool set_part(const Quartic& q, exact::Limb from, exact::Limb to, int changes, Quartic& out) noexcept {
+int set_part(const Quartic& q, exact::Limb from, exact::Limb to, Quartic& out) noexcept {
   Quartic at_from = q;
   Fixed* c = at_from.coefficient;
   if (from == 0) {
-    if (!set_part_from_end<n>(c, to, changes, [&](int i) -> Fixed& { return out.coefficient[i]; })) return false;
+    set_part_from_end<n>(c, to, [&](int i) -> Fixed& { return out.coefficient[i]; });
   } else if (to == 0) {
     std::reverse(c, c + 5);
     const exact::Limb way = exact::Limb{0} - from;
-    if (!set_part_from_end<n>(c, way, changes, [&](int i) -> Fixed& { return out.coefficient[4 - i]; })) return false;
+    set_part_from_end<n>(c, way, [&](int i) -> Fixed& { return out.coefficient[4 - i]; });
   } else {
     for (int i = 4; i >= 0; --i) {
       Quartic rest = at_from;
@@ -209,17 +214,43 @@ bool set_part(const Quartic& q, exact::Limb from, exact::Limb to, int changes, Q
     }
   }
   out.extend_signs<n>();
-  return out.sign_changes<n>() == changes;
+  return out.sign_changes<n>();
 }
 
 /// The same quartic from t = from / 2^64 to t = to / 2^64, or to t = 1 for a `to` of 0, but not all of it, by its polar
 /// form: coefficient i is that of i times `to` and 4 - i times `from`. The lowest `limbs` limbs hold the coefficients.
-/// False where it has another number of changes of sign than this; then `out` may be unfinished.
-inline bool part(const Quartic& q, exact::Limb from, exact::Limb to, int limbs, int changes, Quartic& out) noexcept {
-  bool as_many = false;
-  with_limbs(limbs, [&]<int n>() { as_many = set_part<n>(q, from, to, changes, out); });
-  return as_many;
+/// Returns its changes of sign.
+inline int part(const Quartic& q, exact::Limb from, exact::Limb to, int limbs, Quartic& out) noexcept {
+  int changes = 0;
+  with_limbs(limbs, [&]<int n>() { changes = set_part<n>(q, from, to, out); });
+  return changes;
 }
+
+/// The sizes of a quartic's derivatives about a point, each over its order's factorial: right to 2^-50 of themselves
+/// and 2^-374, whatever cancels in doubles.
+struct Derivatives {
+  double size[5];
+
+  /// Of coefficients that the lowest `limbs` limbs hold; 0 <= t <= 1.
+  Derivatives(const Quartic& q, double t, int limbs) noexcept {
+    Quartic beyond = q;  // from t to the farther end
+    Fixed* const c = beyond.coefficient;
+    if (t > 0.5) std::reverse(c, c + 5);
+    const double way = t > 0.5 ? 1 - t : t;
+    const auto s = static_cast<exact::Limb>(way * 0x1p64);
+    with_limbs(limbs, [&]<int n>() {
+      for (int count = s == 0 ? 0 : 4; count > 0; --count) interpolate<n>(c, count, s);
+      beyond.extend_signs<n>();
+    });
+    double scale = 1;
+    for (int order = 0; order <= 4; ++order) {
+      constexpr double choices[] = {1, 4, 6, 4, 1};
+      size[order] = choices[order] * scale * c[order].size();
+      scale /= 1 - way;
+      for (int i = 4; i > order; --i) c[i] = c[i] - c[i - 1];
+    }
+  }
+};
 
 /// Of the halves of a quartic.
 struct HalvesChanges {

@@ -19,18 +19,21 @@ struct Spot {
   double height;  ///< of two zeros or none: the quartic's extreme between them; 0 where they are one
 };
 
-/// In order. Four zeros, and as many that rounding cannot tell from zeros.
+/// In order, to the shortest interval of the tangent that matters. Four zeros, and as many that rounding cannot tell
+/// from zeros.
 struct Spots {
   Spot spot[16];
   int count = 0;
+  double shortest = 0x1p-96;
   bool is_full() const noexcept { return count == 16; }
   void add(const Spot& s) noexcept {
     if (!is_full()) spot[count++] = s;
   }
 };
 
-/// The shortest interval of the tangent that matters.
-inline constexpr double shortest = 0x1p-96;
+inline double root(int degree, double x) noexcept {
+  return degree == 1 ? x : degree == 2 ? std::sqrt(x) : degree == 3 ? std::cbrt(x) : std::sqrt(std::sqrt(x));
+}
 
 /// In doubles, scaled: the coefficients about a point, and where the zeros of an interval are by them.
 struct Local {
@@ -78,11 +81,22 @@ struct Local {
     const bool sign = at_low < 0;
     if ((at_high < 0) == sign) return std::fabs(at_low) < std::fabs(at_high) ? 0 : 1;
     double t = 0.5;
+    const auto step_from = [this](double from, double value) {
+      return from - value / ((order + 1) * derivative<order + 1>(from));
+    };
     // A zero that Newton's steps do not reach soon is one of a group, for which the caller has other means.
     for (int i = 0; i < 16; ++i) {
-      const double value = derivative<order>(t), slope = (order + 1) * derivative<order + 1>(t);
+      const double value = derivative<order>(t);
       ((value < 0) == sign ? low : high) = t;
-      double next = t - value / slope;
+      double next = step_from(t, value);
+      // From afar they may lead beyond a zero that is at an end, again and again, but not from there.
+      if (low == 0 && next <= 0) {
+        next = step_from(0, at_low);
+        if (std::fabs(next) < 0x1p-52) return 0;
+      } else if (high == 1 && next >= 1) {
+        next = step_from(1, at_high);
+        if (std::fabs(next - 1) < 0x1p-52) return 1;
+      }
       if (!(next > low && next < high)) next = 0.5 * (low + high);
       const double change = std::fabs(next - t);
       t = next;
@@ -111,11 +125,11 @@ struct Local {
       if (std::fabs(derivative<0>(t)) + rest > 1.01 * least_far<k> * leading) return 1;
       if (std::fabs(derivative<1>(t)) + rest > 1.01 * least_far<k - 1> * leading) return 1;
     }
-    double most_reach = root<k>((std::fabs(derivative<0>(t)) + rest) / leading);
+    double most_reach = root(k, (std::fabs(derivative<0>(t)) + rest) / leading);
     const auto see = [&](double x) { most_reach = std::max(most_reach, x); };
-    if constexpr (k > 1) see(root<k - 1>((std::fabs(derivative<1>(t)) + rest) / leading));
-    if constexpr (k > 2) see(root<k - 2>((std::fabs(derivative<2>(t)) + rest) / leading));
-    if constexpr (k > 3) see(root<1>((std::fabs(derivative<3>(t)) + rest) / leading));
+    if constexpr (k > 1) see(root(k - 1, (std::fabs(derivative<1>(t)) + rest) / leading));
+    if constexpr (k > 2) see(root(k - 2, (std::fabs(derivative<2>(t)) + rest) / leading));
+    if constexpr (k > 3) see(root(1, (std::fabs(derivative<3>(t)) + rest) / leading));
     return 2 * most_reach;
   }
   /// Whether reach(k, t) is 2^-5 or more wherever t is, with little work. Were it less, the derivatives at t of order i
@@ -134,6 +148,8 @@ struct Local {
     // All roundings together are below 2^-41 of the greatest coefficient.
     return 1.01 * leading < least[k] * most || 1.1 * all + 0x1p-40 * most < ends;
   }
+  /// Whether the value at t is lost in what rounding adds.
+  bool is_unknown_at(double t) const noexcept { return std::fabs(derivative<0>(t)) <= 0x1p-46 * most; }
   double height() const noexcept {
     const double t = zero_of_derivative<1>();
     return arithmetic::scale(std::fabs(derivative<0>(t)), bernstein.exponent);
@@ -155,19 +171,6 @@ struct Local {
     return std::fabs(sum) > 0x1p-47 * size + 0x1p-59 ? sum : 0;
   }
 
-  /// Whether every coefficient of a part within `way` of t is negligible, and so the part's changes of sign are 4: by
-  /// Taylor's series about t they are at most the sum of the derivatives' sizes times the powers of `way`. All
-  /// roundings together are below 2^-41 of the greatest coefficient.
-  bool is_negligible_near(double t, double way) const noexcept {
-    if (bernstein.exponent >= -275) return false;
-    double size = std::fabs(derivative<4>(t));
-    size = size * way + std::fabs(derivative<3>(t));
-    size = size * way + std::fabs(derivative<2>(t));
-    size = size * way + std::fabs(derivative<1>(t));
-    size = size * way + std::fabs(derivative<0>(t));
-    return arithmetic::scale(size + 0x1p-41 * most, bernstein.exponent + 320) < 1;
-  }
-
  private:
   /// What is less than this at a group of k, over the derivative of order k, is less than 2^-5 in reach().
   template <int k>
@@ -177,11 +180,6 @@ struct Local {
   /// Sums of binomials i over j, j from the second index on.
   static constexpr double at_most[5][5] = {
       {1, 0, 0, 0, 0}, {2, 1, 0, 0, 0}, {4, 3, 1, 0, 0}, {8, 7, 4, 1, 0}, {16, 15, 11, 5, 1}};
-
-  template <int degree>
-  static double root(double x) noexcept {
-    return degree == 1 ? x : degree == 2 ? std::sqrt(x) : degree == 3 ? std::cbrt(x) : std::sqrt(std::sqrt(x));
-  }
 };
 
 class ZeroSearch {
@@ -235,16 +233,20 @@ class ZeroSearch {
   }
   /// The last of those pending: a narrower one takes its place, or halves, or none.
   void visit(Interval& i) noexcept {
-    // Of negligible coefficients there are 4 changes.
-    if (i.length < shortest || (i.changes == 4 && i.q.negligible())) {
-      end(i, i.length);
-      return;
-    }
+    if (i.length < spots_.shortest) return end(i, i.length);
     const Local local(i.q, i.limbs);
+    // Hardly any digit is left: a part would have negligible coefficients only.
+    if (local.bernstein.exponent < -312) return end(i, i.length);
     i.limbs = local.bernstein.limbs;
+    Group widest{0, 1};
     for (int k = i.changes; k <= 4; ++k) {
-      if (visit_group(i, local, k)) return;
+      const Group group = find_group(i, local, k);
+      if (k == 1 && ends_with(i, group)) return;
+      // A group that reaches far is likely part of one of more zeros, which is seen better.
+      if (group.reach < 0x1p-16 && narrow(i, local, group)) return;
+      if (group.reach < widest.reach) widest = group;
     }
+    if (widest.reach >= 0x1p-16 && widest.reach < 0x1p-5 && narrow(i, local, widest)) return;
     visit_halves(i, *pending_[count_]);
   }
   /// The higher half stays where the whole was.
@@ -268,20 +270,24 @@ class ZeroSearch {
       add_spot(low, low.length);
     }
   }
-  /// Whether the zeros are in the middle of a group of k, others being beyond the ends or complex: then this ends
-  /// the interval, or narrows it to the group.
-  bool visit_group(Interval& i, const Local& local, int k) noexcept {
-    const bool may_end = k == 1;  // and so has one change, as k is not less
+  /// About where zeros of a group are, and how far from there all of them may be; 1 if that is not known to be less.
+  struct Group {
+    double t, reach;
+  };
+  /// Of k zeros, others being beyond the ends or complex. One change is of a group of one.
+  Group find_group(const Interval& i, const Local& local, int k) const noexcept {
     // A reach of 2^-5 ends only what is shorter than that.
-    if (!(may_end && i.length < 0x1p5 * shortest) && local.is_far_reaching(k)) return false;
+    if (!(k == 1 && i.length < 0x1p5 * spots_.shortest) && local.is_far_reaching(k)) return {0, 1};
     const double t = local.zero_of_derivative(k - 1), reach = local.reach(k, t);
-    if (may_end && reach * i.length < shortest && !i.q.coefficient[0].negligible() &&
-        !i.q.coefficient[4].negligible()) {
-      step(i, t * i.length);
-      end(i, 0);
-      return true;
-    }
-    return reach < 0x1p-5 && narrow(i, local, t, reach);
+    return {t, k > 1 && reach < 0x1p-5 && local.is_unknown_at(t) ? exact_reach(i, k, t) : reach};
+  }
+  /// Whether an interval with one change ends, its zero being known.
+  bool ends_with(Interval& i, const Group& zero) noexcept {
+    if (!(zero.reach * i.length < spots_.shortest)) return false;
+    if (i.q.coefficient[0].negligible() || i.q.coefficient[4].negligible()) return false;
+    step(i, zero.t * i.length);
+    end(i, 0);
+    return true;
   }
   /// The sign of the first or last coefficient of a part that begins or ends at t, if it is certain and the coefficient
   /// not negligible; else 0.
@@ -290,9 +296,27 @@ class ZeroSearch {
     const Fixed& c = i.q.coefficient[t == 0 ? 0 : 4];
     return c.negligible() ? 0 : c.negative() ? -1 : 1;
   }
-  /// The part within reach of t, a power of two long, if all of the zeros are in it.
-  bool narrow(Interval& i, const Local& local, double t, double reach) noexcept {
-    const int bits = arithmetic::exponent_of(reach) + 1;  // half its length
+  /// As reach(), where doubles do not tell it. Beyond that the value is not negligible.
+  static double exact_reach(const Interval& i, int k, double t) noexcept {
+    constexpr double least = 0x1p-316;
+    const Derivatives d(i.q, t, i.limbs);
+    double most = 0;
+    for (int order = 0; order < k; ++order) {
+      most = std::max(most, root(k - order, (d.size[order] + least) / d.size[k]));
+    }
+    return 2 * most;
+  }
+  /// Whether all zeros of an interval are in this part of it, as none is on either side.
+  static bool has_no_zero_beside(const Interval& i, exact::Limb from, exact::Limb to) noexcept {
+    Quartic beside;
+    return (from == 0 || part(i.q, 0, from, i.limbs, beside) == 0) &&
+           (to == 0 || part(i.q, to, 0, i.limbs, beside) == 0);
+  }
+  /// The part within reach of a group, a power of two long, takes the place of an interval if all of the zeros are in
+  /// it; or nothing does, if there is none.
+  bool narrow(Interval& i, const Local& local, const Group& group) noexcept {
+    const double t = group.t;
+    const int bits = arithmetic::exponent_of(group.reach) + 1;  // half its length
     double half = arithmetic::power_of_two(bits < -50 ? -50 : bits);
     double low = static_cast<double>(static_cast<std::int64_t>((t - half) / half)) * half;
     if (low < 0) low = 0;
@@ -304,11 +328,14 @@ class ZeroSearch {
     // An odd number of changes has ends of unlike signs.
     const double ends = sign_at(i, local, low) * sign_at(i, local, high);
     if (i.changes % 2 == 0 ? ends < 0 : ends > 0) return false;
-    if (i.changes != 4 && local.is_negligible_near(t, 4 * half)) return false;
     const auto grid = [](double x) { return x == 1 ? exact::Limb{0} : static_cast<exact::Limb>(x * 0x1p64); };
     Interval& inner = *pending_[count_];
-    if (!part(i.q, grid(low), grid(high), i.limbs, i.changes, inner.q)) return false;
-    inner.changes = i.changes;
+    inner.changes = part(i.q, grid(low), grid(high), i.limbs, inner.q);
+    if (inner.changes != i.changes && !has_no_zero_beside(i, grid(low), grid(high))) return false;
+    if (inner.changes == 0) {
+      --count_;
+      return true;
+    }
     inner.from = i.from;
     inner.opposite_from = i.opposite_from;
     step(inner, low * i.length);
