@@ -85,9 +85,9 @@ struct BeyondRim {
         other(first_limbs(lesser, limbs)) {}
 };
 
-/// What the form of f along e is made of. P.Q = along across, factors that do not cancel. Twice the square of the radius is taken from what is about as great: from 2
-/// |C|^2 if C is not well within the rim, else half of it from each of |P|^2 and |Q|^2, which it nearly is where
-/// outlines coincide.
+/// What the form of f along e is made of. P.Q = along across, factors that do not cancel. Twice the square of the
+/// radius is taken from what is about as great: from 2 |C|^2 if C is not well within the rim, else half of it from each
+/// of |P|^2 and |Q|^2, which it nearly is where outlines coincide.
 struct FormParts {
   Image<3> c;
   Image<4> p, q;

@@ -89,6 +89,7 @@ struct Local {
       const double value = derivative<order>(t);
       ((value < 0) == sign ? low : high) = t;
       double next = step_from(t, value);
+      if (std::fabs(next - t) < 0x1p-52) return t;
       // From afar they may lead beyond a zero that is at an end, again and again, but not from there.
       if (low == 0 && next <= 0) {
         next = step_from(0, at_low);
@@ -97,10 +98,7 @@ struct Local {
         next = step_from(1, at_high);
         if (std::fabs(next - 1) < 0x1p-52) return 1;
       }
-      if (!(next > low && next < high)) next = 0.5 * (low + high);
-      const double change = std::fabs(next - t);
-      t = next;
-      if (change < 0x1p-52) break;
+      t = next > low && next < high ? next : 0.5 * (low + high);
     }
     return t;
   }
