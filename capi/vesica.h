@@ -256,7 +256,7 @@ VESICA_API int32_t vesica_contains_f64(int32_t kind_a, const double *numbers_a,
  * Returns: the number of places, 0 to 8.
  * Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape, even
  * where the outlines nearly coincide. Places closer to one another than that may come in either order or be equal.
- * Cost: 1 to 10 us; at worst 50 us.
+ * Cost: 1 to 10 us; at worst 30 us.
  */
 VESICA_API int32_t vesica_crossings_f64(int32_t kind_a, const double *numbers_a,
                                         int32_t kind_b, const double *numbers_b, vesica_crossing_points_f64 *out);
@@ -289,7 +289,7 @@ VESICA_API int32_t vesica_nearest_f64(int32_t kind_a, const double *numbers_a, i
  * Accuracy: at aspect ratios up to 1e6 the distance is right to 4 u scale, and the points are that far apart to 16 u
  * scale. At any ratio it is above 0 unless outlines meet, and points are on them to 12 u scale before they are rounded.
  * Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.4 to 0.8
- * us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for near-ties; at worst 40 us.
+ * us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for near-ties; at worst 30 us.
  */
 VESICA_API int32_t vesica_boundary_distance_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b,
                                                 const double *numbers_b, vesica_closest_points_f64 *out);

@@ -124,7 +124,7 @@ export interface C {
    * where the outlines nearly coincide. Places closer to one another than that may come in either order or be equal. In
    * bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and
    * |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the
-   * scale. An aspect ratio is longer over shorter size. Cost: 1 to 10 us; at worst 50 us. Since: 0.1.
+   * scale. An aspect ratio is longer over shorter size. Cost: 1 to 10 us; at worst 30 us. Since: 0.1.
    */
   vesica_crossings_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
   /**
@@ -161,7 +161,7 @@ export interface C {
    * and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is
    * longer over shorter size. Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, for
    * a few 1 us more; 0.4 to 0.8 us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for
-   * near-ties; at worst 40 us. Since: 0.1.
+   * near-ties; at worst 30 us. Since: 0.1.
    */
   vesica_boundary_distance_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number,
     out: number): number;
@@ -849,7 +849,7 @@ export interface C {
    * Each number is computed in double, within these bounds, and then rounded to float once. In bounds on errors u is
    * 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their
    * centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect
-   * ratio is longer over shorter size. Cost: 1 to 10 us; at worst 50 us. Since: 0.1.
+   * ratio is longer over shorter size. Cost: 1 to 10 us; at worst 30 us. Since: 0.1.
    */
   vesica_crossings_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
   /**
@@ -887,7 +887,7 @@ export interface C {
    * last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
    * lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter
    * size. Cost: that of vesica_nearest_f32 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.4
-   * to 0.8 us if outlines meet, for thin shapes as vesica_crossings_f32; up to 5 us more for near-ties; at worst 40 us.
+   * to 0.8 us if outlines meet, for thin shapes as vesica_crossings_f32; up to 5 us more for near-ties; at worst 30 us.
    * Since: 0.1.
    */
   vesica_boundary_distance_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number,

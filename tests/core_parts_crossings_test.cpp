@@ -27,7 +27,7 @@ Fixed fixed_of(double x, int exponent) { return fixed(exact::from_double(x), exp
 
 TEST(CrossingsParts, QuarticsOfNothing) {
   const Quartic none{};
-  EXPECT_TRUE(none.negligible());
+  EXPECT_FALSE(none.has_digits());
   EXPECT_EQ(none.sign_changes(), 4) << "coefficients without digits have either sign";
   for (const double x : InDoubles(none).coefficient) EXPECT_EQ(x, 0);
 }

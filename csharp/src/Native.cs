@@ -150,7 +150,7 @@ namespace Vesica
         /// order or be equal. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two
         /// shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
         /// means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.</para>
-        /// <para>Cost: 1 to 10 us; at worst 50 us.</para>
+        /// <para>Cost: 1 to 10 us; at worst 30 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -197,7 +197,7 @@ namespace Vesica
         /// scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.</para>
         /// <para>Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us
         /// more; 0.4 to 0.8 us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for
-        /// near-ties; at worst 40 us.</para>
+        /// near-ties; at worst 30 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -772,7 +772,7 @@ namespace Vesica
         /// In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest
         /// of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at
         /// most 4 u times the scale. An aspect ratio is longer over shorter size.</para>
-        /// <para>Cost: 1 to 10 us; at worst 50 us.</para>
+        /// <para>Cost: 1 to 10 us; at worst 30 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -821,7 +821,7 @@ namespace Vesica
         /// error of at most 4 u times the scale. An aspect ratio is longer over shorter size.</para>
         /// <para>Cost: that of vesica_nearest_f32 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us
         /// more; 0.4 to 0.8 us if outlines meet, for thin shapes as vesica_crossings_f32; up to 5 us more for
-        /// near-ties; at worst 40 us.</para>
+        /// near-ties; at worst 30 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

@@ -68,9 +68,8 @@ CrossingPoints<double> between(const A& a, const B& b) noexcept {
     }
     if (exact::degenerate(form_a)) return crossings(exact::as_box(form_a), form_b).in_order(false);
     if (exact::degenerate(form_b)) return crossings(exact::as_box(form_b), form_a).in_order(true);
-    const Census census = detail::crossings::census(form_a, form_b);
-    if (is_first(a, b)) return places(form_a, StoredOutline(a), form_b, census).in_order(false);
-    return places(form_b, StoredOutline(b), form_a, census).in_order(true);
+    if (is_first(a, b)) return places(form_a, StoredOutline(a), form_b).in_order(false);
+    return places(form_b, StoredOutline(b), form_a).in_order(true);
   }
 }
 

@@ -505,7 +505,7 @@ even where the outlines nearly coincide. Places closer to one another than that 
 be equal. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the
 largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an
 error of at most 4 u times the scale. An aspect ratio is longer over shorter size. Cost: 1 to 10 us; at
-worst 50 us. Since: 0.1.""",
+worst 30 us. Since: 0.1.""",
     ),
     "vesica_nearest_f64": (
         c_int32,
@@ -550,7 +550,7 @@ on errors u is 2^-53, half a unit in the last place of 1. The scale of two shape
 |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u
 times the scale. An aspect ratio is longer over shorter size. Cost: that of vesica_nearest_f64 for disjoint
 shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.4 to 0.8 us if outlines meet, for thin shapes
-as vesica_crossings_f64; up to 5 us more for near-ties; at worst 40 us. Since: 0.1.""",
+as vesica_crossings_f64; up to 5 us more for near-ties; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_depth_f64": (
         c_int32,
@@ -1339,7 +1339,7 @@ even where the outlines nearly coincide. Places closer to one another than that 
 be equal. Each number is computed in double, within these bounds, and then rounded to float once. In bounds
 on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and
 |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u
-times the scale. An aspect ratio is longer over shorter size. Cost: 1 to 10 us; at worst 50 us. Since: 0.1.""",
+times the scale. An aspect ratio is longer over shorter size. Cost: 1 to 10 us; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_nearest_f32": (
         c_int32,
@@ -1386,7 +1386,7 @@ number is computed in double, within these bounds, and then rounded to float onc
 their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale.
 An aspect ratio is longer over shorter size. Cost: that of vesica_nearest_f32 for disjoint shapes; 0.1 to
 0.5 us for nested ones, for a few 1 us more; 0.4 to 0.8 us if outlines meet, for thin shapes as
-vesica_crossings_f32; up to 5 us more for near-ties; at worst 40 us. Since: 0.1.""",
+vesica_crossings_f32; up to 5 us more for near-ties; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_depth_f32": (
         c_int32,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Where the outlines of two ellipses meet. How many places there are, and how many of them only touch, is exact. The
-/// form of one along a quarter of the other's outline is a quartic, formed exactly and rounded once to 300 bits or
-/// more; its zeros are found to 2^-96 of a turn, and zeros closer than that are one spot with as many places as are
-/// missing.
+/// Where the outlines of two ellipses meet. The form of one along a quarter of the other's outline is a quartic, formed
+/// exactly and rounded once to 300 bits or more; its zeros are found to 2^-96 of a turn. Mostly each is certainly one
+/// zero at which the sign changes, so that it is known how many there are. Else exact signs tell that, and how many
+/// places only touch: zeros closer than 2^-96 are one spot with as many places as are missing.
 #pragma once
 
 #include <algorithm>
@@ -12,6 +12,7 @@
 #include <optional>
 #include <vesica/crossings/census.hpp>
 #include <vesica/crossings/quartic_zeros.hpp>
+#include <vesica/crossings/rough.hpp>
 
 namespace vesica::detail::crossings {
 
@@ -197,6 +198,7 @@ struct Group {
   int most;
   bool odd;
   double height;
+  bool is_crossing;  ///< certainly one zero, where the sign changes
   int places = 0;
 };
 
@@ -224,10 +226,18 @@ struct Groups {
     }
   }
 
+  /// Whether each is certainly one zero: then these are all zeros.
+  bool are_crossings() const noexcept {
+    return count <= 4 && std::all_of(group, group + count, [](const Group& g) { return g.is_crossing; });
+  }
+
  private:
   void add(const Spots& spots, int from, int end) noexcept {
     const Spot &p = spots.spot[from % spots.count], &q = spots.spot[(end - 1) % spots.count];
-    Group g{p.from, 0, p.negative_before != q.negative_after, p.height};
+    const bool odd = p.negative_before != q.negative_after;
+    Group g{p.from, 0, odd, p.height, odd && p.is_certain_before && q.is_certain_after};
+    // One zero at most in a spot, or in either of two that meet where the sign is not known, and an odd number.
+    if (end - from > 2 || p.most > 1 || q.most > 1 || (end - from == 2 && p.is_certain_after)) g.is_crossing = false;
     // Where spots meet may be a zero that is known exactly; a start is.
     if (end - from > 1) g.at = spots.spot[(from + (end - from) / 2) % spots.count].from;
     for (int i = from; i < end; ++i) {
@@ -382,17 +392,15 @@ inline void mend_start(const exact::Ellipse& e, const exact::Ellipse& f, Found& 
 }
 
 /// The places along e, whose outline is `stored`, with where they are along f.
-inline Found places(const exact::Ellipse& e, const StoredOutline& stored, const exact::Ellipse& f,
-                    const Census& census) noexcept {
+inline Found places(const exact::Ellipse& e, const StoredOutline& stored, const exact::Ellipse& f) noexcept {
   Found found;
-  found.shared = census.equal;
-  if (census.crossing + census.touching == 0) return found;
   const Outline outline(e, f);
-  const Harmonics harmonics(outline);
-  const Spots spots = find_spots(harmonics);
-  Groups groups(spots);
+  Groups groups(find_spots(Harmonics(outline)));
+  const Census all = groups.are_crossings() ? Census{groups.count, 0, false} : census(e, f);
+  found.shared = all.equal;
+  if (all.crossing + all.touching == 0) return found;
   assert(groups.count > 0);
-  share_out(groups, census);
+  share_out(groups, all);
   const AlongOther along_other(outline);
   for (int i = 0; i < groups.count; ++i) {
     const Group& g = groups.group[i];

@@ -116,10 +116,10 @@ Fixed fixed(const exact::Number<Degree>& x, std::int64_t exponent) noexcept {
 struct Quartic {
   Fixed coefficient[5];
 
-  /// No digits are left.
-  bool negligible() const noexcept {
+  /// No coefficient is negligible.
+  bool has_digits() const noexcept {
     for (const Fixed& c : coefficient) {
-      if (!c.negligible()) return false;
+      if (c.negligible()) return false;
     }
     return true;
   }

@@ -17,6 +17,7 @@ struct Spot {
   int most;
   bool negative_before, negative_after;
   double height;  ///< of two zeros or none: the quartic's extreme between them; 0 where they are one
+  bool is_certain_before = false, is_certain_after = false;  ///< the signs
 };
 
 /// In order, to the shortest interval of the tangent that matters. Four zeros, and as many that rounding cannot tell
@@ -34,6 +35,9 @@ struct Spots {
 inline double root(int degree, double x) noexcept {
   return degree == 1 ? x : degree == 2 ? std::sqrt(x) : degree == 3 ? std::cbrt(x) : std::sqrt(std::sqrt(x));
 }
+
+/// A group of zeros is not told from what is less than 2 to this power: eight times what is negligible.
+inline constexpr int least_exponent = -316;
 
 /// In doubles, scaled: the coefficients about a point, and where the zeros of an interval are by them.
 struct Local {
@@ -102,7 +106,8 @@ struct Local {
     }
     return t;
   }
-  /// So far from t all zeros of a group of k may be, with what rounding adds; 1 for some of those of 2^-5 or more.
+  /// So far from t all zeros of a group of k may be, with what rounding adds; 1 for some of those of 2^-5 or more. The
+  /// value is not negligible beyond that.
   double reach(int k, double t) const noexcept {
     switch (k) {
       case 1:
@@ -117,7 +122,8 @@ struct Local {
   }
   template <int k>
   double reach(double t) const noexcept {
-    const double leading = std::fabs(derivative<k>(t)), rest = 0x1p-46 * most;
+    const double leading = std::fabs(derivative<k>(t));
+    const double rest = 0x1p-46 * most + arithmetic::power_of_two(least_exponent - bernstein.exponent);
     if constexpr (k > 1) {
       // So most of those that are too far need no roots.
       if (std::fabs(derivative<0>(t)) + rest > 1.01 * least_far<k> * leading) return 1;
@@ -218,7 +224,9 @@ class ZeroSearch {
            i.changes,
            i.q.coefficient[0].negative(),
            i.q.coefficient[4].negative(),
-           i.changes == 2 ? Local(i.q).height() : 0};
+           i.changes == 2 ? Local(i.q).height() : 0,
+           !i.q.coefficient[0].negligible(),
+           !i.q.coefficient[4].negligible()};
     spots_.add(s);
     if (opposite_ == nullptr) return;
     s.from = i.opposite_from;
@@ -241,10 +249,10 @@ class ZeroSearch {
       const Group group = find_group(i, local, k);
       if (k == 1 && ends_with(i, group)) return;
       // A group that reaches far is likely part of one of more zeros, which is seen better.
-      if (group.reach < 0x1p-16 && narrow(i, local, group)) return;
+      if (group.reach < 0x1p-32 && narrow(i, local, group)) return;
       if (group.reach < widest.reach) widest = group;
     }
-    if (widest.reach >= 0x1p-16 && widest.reach < 0x1p-5 && narrow(i, local, widest)) return;
+    if (widest.reach >= 0x1p-32 && widest.reach < 0x1p-5 && narrow(i, local, widest)) return;
     visit_halves(i, *pending_[count_]);
   }
   /// The higher half stays where the whole was.
@@ -294,9 +302,9 @@ class ZeroSearch {
     const Fixed& c = i.q.coefficient[t == 0 ? 0 : 4];
     return c.negligible() ? 0 : c.negative() ? -1 : 1;
   }
-  /// As reach(), where doubles do not tell it. Beyond that the value is not negligible.
+  /// As reach(), where doubles do not tell it.
   static double exact_reach(const Interval& i, int k, double t) noexcept {
-    constexpr double least = 0x1p-316;
+    const double least = arithmetic::power_of_two(least_exponent);
     const Derivatives d(i.q, t, i.limbs);
     double most = 0;
     for (int order = 0; order < k; ++order) {
@@ -329,7 +337,9 @@ class ZeroSearch {
     const auto grid = [](double x) { return x == 1 ? exact::Limb{0} : static_cast<exact::Limb>(x * 0x1p64); };
     Interval& inner = *pending_[count_];
     inner.changes = part(i.q, grid(low), grid(high), i.limbs, inner.q);
-    if (inner.changes != i.changes && !has_no_zero_beside(i, grid(low), grid(high))) return false;
+    // Negligible coefficients may hide that a zero is elsewhere.
+    const bool has_all = inner.changes == i.changes && inner.q.has_digits();
+    if (!has_all && !has_no_zero_beside(i, grid(low), grid(high))) return false;
     if (inner.changes == 0) {
       --count_;
       return true;

@@ -158,7 +158,7 @@ final class Native {
    * of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4
    * u times the scale. An aspect ratio is longer over shorter size.
    *
-   * <p>Cost: 1 to 10 us; at worst 50 us.
+   * <p>Cost: 1 to 10 us; at worst 30 us.
    *
    * <p>Since: 0.1.
    */
@@ -210,7 +210,7 @@ final class Native {
    * u times the scale. An aspect ratio is longer over shorter size.
    *
    * <p>Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.4 to
-   * 0.8 us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for near-ties; at worst 40 us.
+   * 0.8 us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for near-ties; at worst 30 us.
    *
    * <p>Since: 0.1.
    */
@@ -904,7 +904,7 @@ final class Native {
    * their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An
    * aspect ratio is longer over shorter size.
    *
-   * <p>Cost: 1 to 10 us; at worst 50 us.
+   * <p>Cost: 1 to 10 us; at worst 30 us.
    *
    * <p>Since: 0.1.
    */
@@ -958,7 +958,7 @@ final class Native {
    * scale. An aspect ratio is longer over shorter size.
    *
    * <p>Cost: that of vesica_nearest_f32 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.4 to
-   * 0.8 us if outlines meet, for thin shapes as vesica_crossings_f32; up to 5 us more for near-ties; at worst 40 us.
+   * 0.8 us if outlines meet, for thin shapes as vesica_crossings_f32; up to 5 us more for near-ties; at worst 30 us.
    *
    * <p>Since: 0.1.
    */

@@ -415,7 +415,7 @@ extern "C" {
     /// largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of
     /// at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
-    /// Cost: 1 to 10 us; at worst 50 us.
+    /// Cost: 1 to 10 us; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_crossings_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
@@ -464,7 +464,7 @@ extern "C" {
     /// at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
     /// Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.4 to
-    /// 0.8 us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for near-ties; at worst 40 us.
+    /// 0.8 us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for near-ties; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_boundary_distance_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
@@ -1330,7 +1330,7 @@ extern "C" {
     /// between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the
     /// scale. An aspect ratio is longer over shorter size.
     ///
-    /// Cost: 1 to 10 us; at worst 50 us.
+    /// Cost: 1 to 10 us; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_crossings_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
@@ -1381,7 +1381,7 @@ extern "C" {
     /// scale. An aspect ratio is longer over shorter size.
     ///
     /// Cost: that of vesica_nearest_f32 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.4 to
-    /// 0.8 us if outlines meet, for thin shapes as vesica_crossings_f32; up to 5 us more for near-ties; at worst 40 us.
+    /// 0.8 us if outlines meet, for thin shapes as vesica_crossings_f32; up to 5 us more for near-ties; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_boundary_distance_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
