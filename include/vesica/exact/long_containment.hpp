@@ -31,8 +31,8 @@ namespace detail {
 
 /// (slope^2 delta - rest^2) / (4 d2), slope and rest as of first_in_second() in ellipse_ellipse.hpp, from what cancels
 /// less; g = d1 + d2 - mu and h = al - 2 be.
-template <class Real, class Cubic>
-constexpr Real rise(const Cubic& p, const Real& delta, const Real& g, const Real& h) noexcept {
+template <class Real>
+constexpr Real rise(const ContactCubic& p, const Real& delta, const Real& g, const Real& h) noexcept {
   const Real d1(p.d1), d2(p.d2), al(p.al), be(p.be);
   return delta * (g + h) + h * (times(2, be * d1) - al * d2) - times(2, al * be * g);
 }
