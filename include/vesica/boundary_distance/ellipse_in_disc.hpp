@@ -83,6 +83,7 @@ class EllipseInDisc {
     PlaneVector w = unit(a + b);
     for (int i = 0; i < step_limit && cross(a, b) > shortest_arc; ++i) {
       const Derivatives d = derivatives(w);
+      // Less than rounding is to be gained on the arc that is left.
       if (side * d.excess < 0 || lane::abs(d.first) * cross(a, b) < 0x1p-56) break;
       (side * d.first < 0 ? a : b) = w;
       const double turn = -d.first / d.second;

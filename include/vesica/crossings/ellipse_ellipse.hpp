@@ -148,7 +148,8 @@ struct Harmonics {
     for (const auto* x : {&exact_mean, &exact_c1, &exact_s1, &exact_c2, &exact_s2}) {
       if (x->sign != 0) top = std::max(top, exact::detail::top_bit(*x));
     }
-    if (is_short && top < o.top() - 100) return false;
+    // Where outlines coincide there is neither a term nor a product, and both are the least number.
+    if (is_short && top + 100 < o.top()) return false;
     // Coefficients of the quartics are less than 72 times the greatest of these.
     top += 10;
     mean = fixed(exact_mean, top);
@@ -234,10 +235,11 @@ struct Groups {
  private:
   void add(const Spots& spots, int from, int end) noexcept {
     const Spot &p = spots.spot[from % spots.count], &q = spots.spot[(end - 1) % spots.count];
-    const bool odd = p.negative_before != q.negative_after;
-    Group g{p.from, 0, odd, p.height, odd && p.is_certain_before && q.is_certain_after};
-    // One zero at most in a spot, or in either of two that meet where the sign is not known, and an odd number.
-    if (end - from > 2 || p.most > 1 || q.most > 1 || (end - from == 2 && p.is_certain_after)) g.is_crossing = false;
+    const bool surely_odd = p.negative_before != q.negative_after && p.is_certain_before && q.is_certain_after;
+    // One spot, or two that meet where the sign is not known: with a zero at most in each, an odd number is one.
+    const bool meet = end - from == 1 || (end - from == 2 && !p.is_certain_after);
+    Group g{p.from, 0, p.negative_before != q.negative_after, p.height,
+            surely_odd && meet && p.most == 1 && q.most == 1};
     // Where spots meet may be a zero that is known exactly; a start is.
     if (end - from > 1) g.at = spots.spot[(from + (end - from) / 2) % spots.count].from;
     for (int i = from; i < end; ++i) {

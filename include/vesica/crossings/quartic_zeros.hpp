@@ -244,15 +244,15 @@ class ZeroSearch {
     // Hardly any digit is left: a part would have negligible coefficients only.
     if (local.bernstein.exponent < -312) return end(i, i.length);
     i.limbs = local.bernstein.limbs;
-    Group widest{0, 1};
+    Group narrowest{0, 1};
     for (int k = i.changes; k <= 4; ++k) {
       const Group group = find_group(i, local, k);
       if (k == 1 && ends_with(i, group)) return;
       // A group that reaches far is likely part of one of more zeros, which is seen better.
       if (group.reach < 0x1p-32 && narrow(i, local, group)) return;
-      if (group.reach < widest.reach) widest = group;
+      if (group.reach < narrowest.reach) narrowest = group;
     }
-    if (widest.reach >= 0x1p-32 && widest.reach < 0x1p-5 && narrow(i, local, widest)) return;
+    if (narrowest.reach >= 0x1p-32 && narrowest.reach < 0x1p-5 && narrow(i, local, narrowest)) return;
     visit_halves(i, *pending_[count_]);
   }
   /// The higher half stays where the whole was.
