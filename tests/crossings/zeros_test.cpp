@@ -85,7 +85,7 @@ TEST(ZerosOfQuartics, SpotsAreAsNarrow) {
       found[5] += s.height > 0 ? std::min(-std::ilogb(s.height), 400) : 0;
     }
   }
-  EXPECT_EQ(found, (std::array<int, 6>{3077, 4606, 240766, 1407, 1285, 50418}));
+  EXPECT_EQ(found, (std::array<int, 6>{3075, 4604, 240870, 1405, 1283, 50418}));
 }
 
 /// The sign of the value at t, a multiple of 2^-53 above 0; 0 where it is negligible.

@@ -65,10 +65,10 @@ TEST(ColumnSum, TimesAndDigits) {
     for (const int factor : {1, -1, 2, -12, 36}) EXPECT_EQ(integer_of(sum.times(factor)), factor * truth);
     EXPECT_EQ(sum.sign(), sgn(truth));
     EXPECT_EQ(sum.is_small(), truth < mpz_class(1) << 69 && truth >= -(mpz_class(1) << 69));
-    ColumnSum left = sum;
-    const Digit digit = left.take_digit();
-    EXPECT_TRUE(-most < digit && digit < most - 1) << digit;
-    EXPECT_EQ((integer_of(left) << digit_bits) + mpz_class(static_cast<long>(digit)), truth);
+    const ColumnSum::Digits d = sum.digits();
+    for (const Digit digit : {d.low, d.middle}) EXPECT_TRUE(-most < digit && digit < most - 1) << digit;
+    const auto whole = [](Digit digit) { return mpz_class(static_cast<long>(digit)); };
+    EXPECT_EQ((((whole(d.high) << digit_bits) + whole(d.middle)) << digit_bits) + whole(d.low), truth);
     if (!sum.is_small()) continue;
     ColumnSum lower = sum;
     lower.go_down();

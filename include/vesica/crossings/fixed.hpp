@@ -85,7 +85,7 @@ template <int n>
 void move_halfway(Fixed& a, const Fixed& b) noexcept {
   exact::Limb carry = 0, below = 0;
   each<n>([&](int i) {
-    const auto sum = exact::detail::multiply_add(1, a.limb[i], b.limb[i], carry);
+    const auto sum = exact::detail::add_limbs(a.limb[i], b.limb[i], carry);
     carry = sum.high;
     if (i > 0) a.limb[i - 1] = below >> 1 | sum.low << 63;
     below = sum.low;

@@ -20,12 +20,12 @@ struct Spot {
   bool is_certain_before = false, is_certain_after = false;  ///< the signs
 };
 
-/// In order, to the shortest interval of the tangent that matters. Four zeros, and as many that rounding cannot tell
-/// from zeros.
+/// In order, to less than the shortest interval of the tangent that matters, which two steps of 48 bits reach. Four
+/// zeros, and as many that rounding cannot tell from zeros.
 struct Spots {
   Spot spot[16];
   int count = 0;
-  double shortest = 0x1p-96;
+  double shortest = 0x1p-95;
   bool is_full() const noexcept { return count == 16; }
   void add(const Spot& s) noexcept {
     if (!is_full()) spot[count++] = s;

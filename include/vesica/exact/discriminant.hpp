@@ -42,13 +42,17 @@ struct CubicAboutMinusOne {
   const Number<8>& k3;
 
   constexpr CubicAboutMinusOne(const ContactCubic& p, bool exchanged) noexcept
-      : CubicAboutMinusOne(p, exchanged ? p.be : p.al, exchanged ? p.al : p.be, exchanged ? p.d1 : p.d2) {}
+      : CubicAboutMinusOne(exchanged ? p.be - p.al : p.al - p.be, exchanged ? p.c2 : p.c1, exchanged ? p.c1 : p.c2,
+                           exchanged ? p.d1 : p.d2) {}
   constexpr Coefficients coefficients() const noexcept { return {k0, k1, k2, k3}; }
 
  private:
-  constexpr CubicAboutMinusOne(const ContactCubic& p, const Number<8>& al, const Number<8>& be,
+  /// Of c1 x + c2 x^2 + d2 x^3 and p(-1).
+  constexpr CubicAboutMinusOne(const Number<8>& value, const Number<8>& c1, const Number<8>& c2,
                                const Number<8>& d2) noexcept
-      : k0(al - be), k1(p.d1 + p.d2 - p.mu + be - k0), k2(p.mu - be - integer(2) * d2), k3(d2) {}
+      : k0(value), k1(c1 - c2), k2(c2 - integer(3) * d2), k3(d2) {
+    k1 = k1 - k2;
+  }
 };
 
 constexpr Coefficients coefficients(const ContactCubic& p) noexcept { return {p.d1, p.c1, p.c2, p.d2}; }
@@ -107,10 +111,13 @@ class DoubleRootOrder {
 
 }  // namespace detail
 
+/// What few leading digits of the coefficients tell of the discriminant.
+constexpr Leading<few_limbs> few_digits_of_discriminant(const ContactCubic& p) noexcept {
+  return detail::Discriminant::few(detail::coefficients(p));
+}
 /// The leading digits of the discriminant.
 VESICA_CALLED constexpr Leading<few_limbs> leading_discriminant(const ContactCubic& p) noexcept {
-  using detail::Discriminant;
-  return detail::told_invariant<Discriminant>(p, Discriminant::few(detail::coefficients(p)));
+  return detail::told_invariant<detail::Discriminant>(p, few_digits_of_discriminant(p));
 }
 
 namespace detail {
@@ -121,17 +128,23 @@ constexpr int sign_for_proportional(const ContactCubic& p) noexcept {
   const Number<0> two = integer(2);
   return -compare_product_with_square(integer(8) * p.d1, p.mu, two * p.al - two * p.d1 - p.mu);
 }
-VESICA_CALLED constexpr int long_discriminant_sign(const ContactCubic& p) noexcept {
-  const Leading<few_limbs> few = Discriminant::few(coefficients(p));
-  if (few.sign_is_certain()) return few.sign;
-  if (compare(p.mu, integer(2) * (p.root1 * p.root2)) == 0) return sign_for_proportional(p);
-  return told_invariant<Discriminant>(p, few).sign;
+constexpr bool are_proportional(const ContactCubic& p) noexcept {
+  using Few = Leading<few_limbs>;
+  const Few less = Few(p.mu) - times(2, Few(p.root1) * Few(p.root2));
+  return less.sign_is_certain() ? less.sign == 0 : compare(p.mu, integer(2) * (p.root1 * p.root2)) == 0;
+}
+/// Where few leading digits do not tell it.
+VESICA_CALLED constexpr int more_digits_tell_discriminant(const ContactCubic& p,
+                                                          const Leading<few_limbs>& few) noexcept {
+  return are_proportional(p) ? sign_for_proportional(p) : told_invariant<Discriminant>(p, few).sign;
 }
 
 }  // namespace detail
 
 constexpr int discriminant_sign(const ContactCubic& p) noexcept {
-  return is_long(p) ? detail::long_discriminant_sign(p) : detail::short_discriminant_sign(p);
+  if (!is_long(p)) return detail::short_discriminant_sign(p);
+  const Leading<few_limbs> few = few_digits_of_discriminant(p);
+  return few.sign_is_certain() ? few.sign : detail::more_digits_tell_discriminant(p, few);
 }
 
 /// Whether a double root of p is the greater of its roots, so that p'' > 0 there: x0 = -b / (2a) > -c2 / (3 d2),

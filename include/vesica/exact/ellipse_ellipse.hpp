@@ -103,11 +103,38 @@ constexpr void exchange_ellipses(ContactCubic& p) noexcept {
   exchange(p.al, p.be);
 }
 
+/// How the first ellipse, in the second or crossing it, relates to it, from the sign of the discriminant where it is in
+/// it. If p has a multiple root then, they touch, with one exception: ellipses that are a projective image of two
+/// concentric circles. Then, and only then, the double root of q is the pair of lower roots, which enclose y+ whenever
+/// one ellipse contains the other.
+constexpr Relation nesting_with(int roots, const ContactCubic& p) noexcept {
+  if (roots < 0) return Relation::cross;
+  return roots > 0 || double_root_is_greater(p) ? Relation::inside : Relation::inside_touch;
+}
+
+/// As nesting_with(), of ellipses as for first_in_second().
+constexpr Relation nesting(const ContactCubic& p) noexcept {
+  const int roots = discriminant_sign(p);
+  return roots < 0 || !first_in_second(p) ? Relation::cross : nesting_with(roots, p);
+}
+/// Of long coefficients: what few digits tell goes first, and containment before the number of roots, since ellipses
+/// that all but coincide mostly cross. first_in_second() is false of no ellipse that is in the other, whatever p's roots
+/// are.
+constexpr Relation long_nesting(const ContactCubic& p, const Number<8>& determinant) noexcept {
+  if (surely_inside(p, determinant)) return Relation::inside;
+  bool contained = false;
+  const bool is_known = few_digits_tell_first_in_second(contained, p);
+  if (is_known && !contained) return Relation::cross;
+  const Leading<few_limbs> few = few_digits_of_discriminant(p);
+  const bool are_roots_known = few.sign_is_certain();
+  if (are_roots_known && few.sign < 0) return Relation::cross;
+  if (!is_known && !more_digits_tell_first_in_second(p)) return Relation::cross;
+  return nesting_with(are_roots_known ? few.sign : more_digits_tell_discriminant(p, few), p);
+}
+
 }  // namespace detail
 
-/// How two ellipses relate, neither degenerate. If p has a multiple root and one ellipse contains the other, they
-/// touch, with one exception: ellipses that are a projective image of two concentric circles. Then, and only then, the
-/// double root of q is the pair of lower roots, which enclose y+ whenever one ellipse contains the other.
+/// How two ellipses relate, neither degenerate.
 constexpr Relation relation(const Ellipse& e, const Ellipse& f) noexcept {
   ContactCubic p = contact_cubic(e, f);
   if (p.al.sign == 0) return detail::concentric(p);
@@ -121,20 +148,8 @@ constexpr Relation relation(const Ellipse& e, const Ellipse& f) noexcept {
   const int order = compare(p.d1, p.d2);
   if (order == 0) return Relation::cross;  // only the same ellipse could lie within one of its area
   if (order > 0) detail::exchange_ellipses(p);
-  bool is_known = false, contained = false;
-  if (is_long(p)) {
-    if (detail::surely_inside(p, determinant)) return order < 0 ? Relation::inside : Relation::contains;
-    // Few digits tell this sooner than they tell how many roots there are.
-    is_known = few_digits_tell_first_in_second(contained, p);
-    if (is_known && !contained) return Relation::cross;
-  }
-  const int roots = discriminant_sign(p);
-  if (roots < 0) return Relation::cross;
-  if (!is_known) contained = is_long(p) ? more_digits_tell_first_in_second(p) : detail::first_in_second(p);
-  if (!contained) return Relation::cross;
-  const bool apart = roots > 0 || double_root_is_greater(p);
-  const Relation inside = apart ? Relation::inside : Relation::inside_touch;
-  return order < 0 ? inside : converse(inside);
+  const Relation of_lesser = is_long(p) ? detail::long_nesting(p, determinant) : detail::nesting(p);
+  return order < 0 ? of_lesser : converse(of_lesser);
 }
 
 }  // namespace vesica::exact

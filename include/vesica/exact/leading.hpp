@@ -74,16 +74,12 @@ struct Leading : LeadingLimbs<Leading<count>> {
     }
   }
 
-  /// Long products are formed from here on, one limb more than is kept at least.
-  static constexpr int first_formed = limbs < 24 ? 0 : limbs - 2;
+  /// Products are formed from here on, one limb more than is kept at least.
+  static constexpr int first_formed = limbs - 2;
   /// What multiply() leaves out below that, of factors that are not 0.
   constexpr void lose_unformed(const Leading& a, const Leading& b) noexcept {
-    if constexpr (first_formed > 0) {
-      static_assert(first_formed < 64);
-      if (a.lowest() + b.lowest() < first_formed) {
-        this->lose(std::int64_t{64} * (a.low + b.low + first_formed + 1) + 6);
-      }
-    }
+    static_assert(first_formed < 64);
+    if (a.lowest() + b.lowest() < first_formed) this->lose(std::int64_t{64} * (a.low + b.low + first_formed + 1) + 6);
   }
 
   constexpr detail::Span span() const noexcept { return {limb, this->low, limbs}; }

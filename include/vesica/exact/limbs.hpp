@@ -47,6 +47,14 @@ constexpr LimbPair multiply_add(Limb a, Limb b, Limb c, Limb d) noexcept {
 #endif
 }
 
+/// a + b + carry
+constexpr LimbPair add_limbs(Limb a, Limb b, Limb carry) noexcept { return multiply_add(1, a, b, carry); }
+/// a - b - borrow; `high` is what is borrowed from the limb above.
+constexpr LimbPair subtract_limbs(Limb a, Limb b, Limb borrow) noexcept {
+  const LimbPair sum = add_limbs(~a, b, borrow);
+  return {~sum.low, sum.high};
+}
+
 /// out[0, n) += factor * a; returns what is carried out of it.
 constexpr Limb add_multiple(Limb factor, const Limb* a, int n, Limb* out) noexcept {
   Limb carry = 0;
@@ -138,28 +146,30 @@ constexpr void place_magnitude(const Span& a, int low, int n, Limb* out) noexcep
 constexpr void add_magnitude(const Span& a, const Span& b, int low, int n, Limb* out) noexcept {
   place_magnitude(a, low, n, out);
   const Span added = from(b, low);
+  Limb* sum = out + (added.low - low);
   Limb carry = 0;
-  int i = added.low - low;
-  for (int k = 0; k < added.size; ++k, ++i) {
-    const Limb y = added.limb[k], sum = out[i] + y, total = sum + carry;
-    carry = static_cast<Limb>(sum < y) | static_cast<Limb>(total < sum);
-    out[i] = total;
+  for (int k = 0; k < added.size; ++k, ++sum) {
+    if ((added.limb[k] | carry) == 0) continue;
+    const LimbPair total = add_limbs(*sum, added.limb[k], carry);
+    *sum = total.low;
+    carry = total.high;
   }
-  for (; carry != 0; ++i) carry = ++out[i] == 0;
+  for (; carry != 0; ++sum) carry = ++*sum == 0;
 }
 
 /// out[0, n) = |a| - |b|, which must not be negative.
 constexpr void subtract_magnitude(const Span& a, const Span& b, int low, int n, Limb* out) noexcept {
   place_magnitude(a, low, n, out);
   const Span taken = from(b, low);
+  Limb* difference = out + (taken.low - low);
   Limb borrow = 0;
-  int i = taken.low - low;
-  for (int k = 0; k < taken.size; ++k, ++i) {
-    const Limb x = out[i], difference = x - taken.limb[k], total = difference - borrow;
-    borrow = static_cast<Limb>(x < taken.limb[k]) | static_cast<Limb>(difference < borrow);
-    out[i] = total;
+  for (int k = 0; k < taken.size; ++k, ++difference) {
+    if ((taken.limb[k] | borrow) == 0) continue;
+    const LimbPair total = subtract_limbs(*difference, taken.limb[k], borrow);
+    *difference = total.low;
+    borrow = total.high;
   }
-  for (; borrow != 0; ++i) borrow = out[i]-- == 0;
+  for (; borrow != 0; ++difference) borrow = (*difference)-- == 0;
 }
 
 }  // namespace detail

@@ -50,14 +50,17 @@ struct ColumnSum {
     high = high << digit_bits | low >> (64 - digit_bits);
     low <<= digit_bits;
   }
-  /// The digit at the column, from -2^56 to 2^56 - 1. What is left belongs to the column above.
-  constexpr Digit take_digit() noexcept {
-    constexpr int above = 64 - digit_bits;
-    const Digit digit = static_cast<Digit>(low << above) >> above;
-    add(ColumnSum{static_cast<Limb>(-digit), digit > 0 ? ~Limb{0} : 0});
-    low = low >> digit_bits | high << above;
-    high = static_cast<Limb>(static_cast<std::int64_t>(high) >> digit_bits);
-    return digit;
+  /// low + middle 2^57 + high 2^114, low and middle from -2^56 to 2^56 - 1.
+  struct Digits {
+    Digit low, middle, high;
+  };
+  constexpr Digits digits() const noexcept {
+    constexpr Limb half = Limb{1} << (digit_bits - 1), mask = 2 * half - 1;
+    constexpr int over = 64 - digit_bits;
+    // Half of their ranges added, low and middle are not negative.
+    const Limb x = low + half, y = high + (Limb{1} << (2 * digit_bits - 1 - 64)) + static_cast<Limb>(x < half);
+    return {static_cast<Digit>((x & mask) - half), static_cast<Digit>(((x >> digit_bits | y << over) & mask) - half),
+            static_cast<Digit>(y) >> (2 * digit_bits - 64)};
   }
   constexpr int sign() const noexcept { return high >> 63 != 0 ? -1 : (high | low) != 0 ? 1 : 0; }
   /// Whether it is at least -2^69 and less than 2^69. If not, no column below can change the sign: all of them are less
@@ -277,8 +280,7 @@ class SignedDigits {
   /// The sum at a column goes to its place and the two above; then the second of these lacks nothing but the carry of
   /// the first. So the digit three places up is known.
   constexpr void sum_digit() noexcept {
-    ColumnSum sum = columns_.next<false>();
-    const Digit low = sum.take_digit(), middle = sum.take_digit(), high = static_cast<Digit>(sum.low);
+    const auto [low, middle, high] = columns_.next<false>().digits();
     const Digit second = second_ + high, carry = (second + (Digit{1} << (digit_bits - 1))) >> digit_bits;
     append(third_ + carry);
     third_ = second - (carry << digit_bits);
@@ -336,13 +338,17 @@ constexpr void Columns::Product::know_factors() noexcept {
 }
 
 constexpr void Columns::Product::add_to(Sums& sums) noexcept {
-  SignedDigits &x = *term.x, &y = *term.y;
+  const SignedDigits &x = *term.x, &y = *term.y;
+  const auto add = [&](Sums& to) {
+    if (x.dense() <= y.dense()) {
+      x.add_products(y, depth, depth - y.last(), depth + block, done_x, to);
+    } else {
+      y.add_products(x, depth, depth - x.last(), depth + block, done_y, to);
+    }
+  };
+  if (term.factor == 1) return add(sums);
   Sums own{};
-  if (x.dense() <= y.dense()) {
-    x.add_products(y, depth, depth - y.last(), depth + block, done_x, own);
-  } else {
-    y.add_products(x, depth, depth - x.last(), depth + block, done_y, own);
-  }
+  add(own);
   for (int i = 0; i < block; ++i) sums[i].add(own[i].times(term.factor));
 }
 
