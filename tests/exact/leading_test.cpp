@@ -391,6 +391,32 @@ void expect_invariant(const exact::ContactCubic& p, const mpq_class& truth) {
   EXPECT_EQ(leading.sign, sgn(truth)) << "seed " << properties::seed();
 }
 
+/// The same of what is the same for the pencil about 0 and about -1.
+template <class Polynomial>
+void expect_of_pencil(const exact::detail::EndOfPencil& plain, const exact::detail::EndOfPencil& about,
+                      const mpq_class& truth) {
+  for (const exact::detail::EndOfPencil& e : {plain, about}) {
+    expect_within_bound(Polynomial::few(e), truth);
+    const auto told = exact::leading(Polynomial(e).told());
+    expect_within_bound(told, truth);
+    EXPECT_EQ(told.sign, sgn(truth)) << "seed " << properties::seed();
+  }
+  EXPECT_EQ(exact::detail::told_sign<Polynomial>(plain, about), sgn(truth)) << "seed " << properties::seed();
+}
+void expect_containment_of_pencil(const exact::ContactCubic& p) {
+  const mpq_class d1 = value(p.d1), d2 = value(p.d2), mu = value(p.mu), slope = 2 * value(p.c2) - 3 * mu;
+  const mpq_class delta = mu * mu - 4 * d1 * d2, turn = 3 * d1 - value(p.c1), rest = slope * mu + 2 * d2 * turn;
+  const Number<8> determinant = p.d1 + p.d2 - p.mu, m1 = p.mu - exact::integer(2) * p.d2;
+  const Number<8> exact_slope = exact::integer(2) * p.c2 - exact::integer(3) * p.mu;
+  const Number<8> exact_turn = exact::integer(3) * p.d1 - p.c1;
+  const exact::detail::CubicAboutMinusOne k(p, false);
+  const Number<8> turn_about = exact::integer(3) * determinant - k.k1;
+  const exact::detail::EndOfPencil plain{p.d1, p.mu, p.d2, exact_slope, exact_turn};
+  const exact::detail::EndOfPencil about{determinant, m1, p.d2, exact_slope, turn_about};
+  expect_of_pencil<exact::detail::Bend>(plain, about, slope * slope - 9 * delta);
+  expect_of_pencil<exact::detail::Rise>(plain, about, (slope * slope * delta - rest * rest) / (4 * d2));
+}
+
 TEST(LongCubic, SignsAreThoseOfAllDigits) {
   using exact::detail::Discriminant;
   Random random(properties::seed());
@@ -409,6 +435,7 @@ TEST(LongCubic, SignsAreThoseOfAllDigits) {
     EXPECT_EQ(exact::double_root_is_greater(p), order > 0) << "seed " << properties::seed();
     EXPECT_EQ(exact::detail::short_discriminant_sign(p), sgn(discriminant)) << "seed " << properties::seed();
 
+    expect_containment_of_pencil(p);
     const mpq_class delta = mu * mu - 4 * d1 * d2, slope = 2 * c2 - 3 * mu;
     const bool inside = exact::long_first_in_second(p);
     const mpq_class al = value(p.al), be = value(p.be);
@@ -429,7 +456,6 @@ TEST(LongCubic, SignsAreThoseOfAllDigits) {
 
 /// Polynomials of ellipses of small whole numbers, of which every digit is a leading one: ties, and signs beside them.
 TEST(LongCubic, OfSmallNumbers) {
-  using Few = exact::Leading<exact::few_limbs>;
   const Number<8> one = exact::square(exact::square(exact::square(exact::from_double(1.0))));
   const auto number = [&](int k) -> Number<8> { return exact::integer(k) * one; };
   const Number<4> root_of_one = exact::square(exact::square(exact::from_double(1.0)));
@@ -440,18 +466,19 @@ TEST(LongCubic, OfSmallNumbers) {
     const int c1 = d1 + mu - al, c2 = d2 + mu - be, delta = mu * mu - 4 * d1 * d2, slope = 2 * c2 - 3 * mu;
     const exact::ContactCubic p{number(d1), number(c1), number(c2),  number(d2), number(mu),
                                 number(al), number(be), root(root1), root(root2)};
-    exact::Signs signs;
-    const bool inside = exact::detail::first_in_second<Few>(p, exact::leading_small_parts<Few>(p), signs);
+    expect_containment_of_pencil(p);
+    bool inside = false;
+    const bool certain = exact::few_digits_tell_first_in_second(inside, p);
     const mpq_class rest = mpq_class(slope) * mu + mpq_class(2 * d2) * (3 * d1 - c1);
     EXPECT_LT(rest, 0);
     const int rising = sign_with_root(rest, slope, delta);
     const bool bends = sign_with_root(slope, -3, delta) > 0, tie = !bends && rising == 0;
-    EXPECT_EQ(signs.certain, !tie) << d1 << ' ' << d2 << ' ' << mu << ' ' << al << ' ' << be;
+    EXPECT_EQ(certain, !tie) << d1 << ' ' << d2 << ' ' << mu << ' ' << al << ' ' << be;
     EXPECT_EQ(inside, bends || rising > 0) << d1 << ' ' << d2 << ' ' << mu << ' ' << al << ' ' << be;
     // Digits tell a tie too: it is inside where q is 0 at its maximum.
     const bool touches = tie && sign_with_root(2 * d2 * al - be * mu, -be, delta) == 0;
     touching += touches;
-    EXPECT_EQ(exact::detail::digits_tell_first_in_second(p, exact::exact_small_parts(p)), inside || touches);
+    EXPECT_EQ(exact::more_digits_tell_first_in_second(p, p.d1 + p.d2 - p.mu), inside || touches);
     ties += tie;
     of_slope += slope == 0;
     of_delta += delta == 0;

@@ -58,7 +58,8 @@ constexpr Relation concentric(const ContactCubic& p) noexcept {
 /// is positive semidefinite, that is from y+ = (mu + sqrt(mu^2 - 4 d1 d2)) / (2 d2) on. There q <= 0, so q must rise at
 /// or beyond y+ to a local maximum; with three real roots that maximum is not negative. q'(y+), q''(y+) and q(y+) times
 /// positive factors are numbers a + b sqrt(delta). Of q', rest + slope sqrt(delta), the rest is negative: where
-/// S1 = diag(s, t), S2 = 1 and D = (x, y) it is -2 (s x^2 + t y^2) - (s - t)^2. Degree 32.
+/// S1 = diag(s, t), S2 = 1 and D = (x, y) it is -2 (s x^2 + t y^2) - (s - t)^2. So q' has the sign of
+/// slope^2 delta - rest^2, of which 4 d2 is a factor. Degree 32.
 VESICA_CALLED constexpr bool first_in_second(const ContactCubic& p) noexcept {
   if (is_long(p)) return long_first_in_second(p);
   const Number<0> two = integer(2), three = integer(3);
@@ -66,9 +67,9 @@ VESICA_CALLED constexpr bool first_in_second(const ContactCubic& p) noexcept {
   const Number<8> slope = two * p.c2 - three * p.mu;
   if (slope.sign <= 0) return false;
   if (sign_with_root(slope, integer(-3), delta) > 0) return true;  // q''
-  const Number<16> rest = slope * p.mu + two * (p.d2 * (three * p.d1 - p.c1));
-  const int rising = compare_product_with_square(square(slope), delta, rest);  // q'
-  if (rising != 0) return rising > 0;
+  const Number<8> turn = three * p.d1 - p.c1;  // rest = slope mu + 2 d2 turn
+  const Number<24> falling = p.d1 * square(slope) + turn * (p.mu * slope + p.d2 * turn);
+  if (falling.sign != 0) return falling.sign < 0;  // q'
   const Number<8> minus_be = integer(-1) * p.be;
   return sign_with_root(two * (p.d2 * p.al) + minus_be * p.mu, minus_be, delta) == 0;  // q
 }
@@ -118,8 +119,8 @@ constexpr Relation nesting(const ContactCubic& p) noexcept {
   return roots < 0 || !first_in_second(p) ? Relation::cross : nesting_with(roots, p);
 }
 /// Of long coefficients: what few digits tell goes first, and containment before the number of roots, since ellipses
-/// that all but coincide mostly cross. first_in_second() is false of no ellipse that is in the other, whatever p's roots
-/// are.
+/// that all but coincide mostly cross. Whatever p's roots are, first_in_second() is false of no ellipse that is in the
+/// other.
 constexpr Relation long_nesting(const ContactCubic& p, const Number<8>& determinant) noexcept {
   if (surely_inside(p, determinant)) return Relation::inside;
   bool contained = false;
@@ -128,7 +129,7 @@ constexpr Relation long_nesting(const ContactCubic& p, const Number<8>& determin
   const Leading<few_limbs> few = few_digits_of_discriminant(p);
   const bool are_roots_known = few.sign_is_certain();
   if (are_roots_known && few.sign < 0) return Relation::cross;
-  if (!is_known && !more_digits_tell_first_in_second(p)) return Relation::cross;
+  if (!is_known && !more_digits_tell_first_in_second(p, determinant)) return Relation::cross;
   return nesting_with(are_roots_known ? few.sign : more_digits_tell_discriminant(p, few), p);
 }
 

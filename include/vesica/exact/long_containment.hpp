@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Whether one ellipse lies in another, from leading digits, for extreme magnitudes, where all digits would take up to
-/// a hundred microseconds.
+/// Whether one ellipse lies in another, from leading digits and from digits from the top, for extreme magnitudes, where
+/// whole products would take up to a hundred microseconds.
 #pragma once
 
 #include <vesica/exact/contact_cubic.hpp>
@@ -8,82 +8,104 @@
 
 namespace vesica::exact {
 
-/// What may be far smaller than its terms: delta = mu^2 - 4 d1 d2, which is 0 iff S1 and S2 are proportional, by its
-/// factors mu -+ 2 sqrt(d1 d2), and g = d1 + d2 - mu = det(S1 - S2). From leading digits these lose what cancels; so,
-/// where it must be, they are formed exactly.
-template <class Real>
-struct SmallParts {
-  Real delta_less, delta_more, g, al_less_2be;
-};
-
-constexpr SmallParts<Number<8>> exact_small_parts(const ContactCubic& p) noexcept {
-  const auto twice = integer(2) * (p.root1 * p.root2);
-  return {p.mu - twice, p.mu + twice, p.d1 + p.d2 - p.mu, p.al - integer(2) * p.be};
-}
-
-template <class Real>
-constexpr SmallParts<Real> leading_small_parts(const ContactCubic& p) noexcept {
-  const Real d1(p.d1), d2(p.d2), mu(p.mu), al(p.al), be(p.be), twice = times(2, Real(p.root1) * Real(p.root2));
-  return {mu - twice, mu + twice, d1 + d2 - mu, al - times(2, be)};
-}
-
 namespace detail {
 
-/// (slope^2 delta - rest^2) / (4 d2), slope and rest as of first_in_second() in ellipse_ellipse.hpp, from what cancels
-/// less; g = d1 + d2 - mu and h = al - 2 be.
+/// What q''(y+) and q'(y+) of first_in_second() in ellipse_ellipse.hpp are made of: with p = k0 + k1 x + ..., and
+/// det(S1 + x S2) = m0 + m1 x + m2 x^2, slope = 2 k2 - 3 m1 and turn = 3 m0 - k1. Bend and Rise are the same from p(x)
+/// and from p(t - 1), and fewer digits cancel in either: about -1 where the ellipses all but coincide.
+struct EndOfPencil {
+  const Number<8>&m0, &m1, &m2, &slope, &turn;
+};
+
 template <class Real>
-constexpr Real rise(const ContactCubic& p, const Real& delta, const Real& g, const Real& h) noexcept {
-  const Real d1(p.d1), d2(p.d2), al(p.al), be(p.be);
-  return delta * (g + h) + h * (times(2, be * d1) - al * d2) - times(2, al * be * g);
+constexpr Real bend(const Real& m0, const Real& m1, const Real& m2, const Real& slope) noexcept {
+  return square(slope) - times(9, square(m1) - times(4, m0 * m2));
+}
+template <class Real>
+constexpr Real rise(const Real& m0, const Real& m1, const Real& m2, const Real& slope, const Real& turn) noexcept {
+  return -(m0 * square(slope) + turn * (m1 * slope + m2 * turn));
 }
 
-template <class Real, class Small>
-constexpr bool first_in_second(const ContactCubic& p, const Small& parts, Signs& signs) noexcept {
-  const Real slope = times(2, Real(p.c2)) - times(3, Real(p.mu));
-  if (signs.of(slope) <= 0) return false;
-  const Real delta = Real(parts.delta_less) * Real(parts.delta_more);
-  if (signs.of(delta) == 0 || signs.of(square(slope) - times(9, delta)) > 0) return true;
-  const int rising = signs.of(rise(p, delta, Real(parts.g), Real(parts.al_less_2be)));
-  if (rising == 0) signs.certain = false;  // a tie
-  return rising > 0;
+/// slope^2 - 9 delta, which has the sign of q''(y+) for a positive slope.
+class Bend {
+ public:
+  static constexpr Leading<few_limbs> few(const EndOfPencil& e) noexcept {
+    using Few = Leading<few_limbs>;
+    return bend(Few(e.m0), Few(e.m1), Few(e.m2), Few(e.slope));
+  }
+  constexpr explicit Bend(const EndOfPencil& e) noexcept : m0_(e.m0), m1_(e.m1), m2_(e.m2), slope_(e.slope) {}
+  constexpr ToldSum told() noexcept { return ToldSum({{1, &slope_, &slope_}, {-9, &m1_, &m1_}, {36, &m0_, &m2_}}); }
+
+ private:
+  DigitsOfDegree<8> m0_, m1_, m2_, slope_;
+};
+
+/// (slope^2 delta - rest^2) / (4 d2), which has the sign of q'(y+) for a positive slope; rest = slope mu + 2 d2 turn.
+class Rise {
+ public:
+  static constexpr Leading<few_limbs> few(const EndOfPencil& e) noexcept {
+    using Few = Leading<few_limbs>;
+    return rise(Few(e.m0), Few(e.m1), Few(e.m2), Few(e.slope), Few(e.turn));
+  }
+  constexpr explicit Rise(const EndOfPencil& e) noexcept
+      : m0_(e.m0), m1_(e.m1), m2_(e.m2), slope_(e.slope), turn_(e.turn) {}
+  constexpr ToldSum told() noexcept { return ToldSum({{-1, &m0_, &slope_slope_}, {-1, &turn_, &along_}}); }
+
+ private:
+  DigitsOfDegree<8> m0_, m1_, m2_, slope_, turn_;
+  DigitsOfDegree<16> slope_slope_{{1, &slope_, &slope_}}, along_{{1, &m1_, &slope_}, {1, &m2_, &turn_}};
+};
+
+/// By few digits of either, else by digits from the top of the one of which more is known.
+template <class Polynomial>
+constexpr int told_sign(const EndOfPencil& plain, const EndOfPencil& about) noexcept {
+  const Leading<few_limbs> of_plain = Polynomial::few(plain);
+  if (of_plain.sign_is_certain()) return of_plain.sign;
+  const Leading<few_limbs> of_about = Polynomial::few(about);
+  if (of_about.sign_is_certain()) return of_about.sign;
+  return Polynomial(of_about.error < of_plain.error ? about : plain).told().sign();
 }
 
-/// By digits from the top, which tell ties too.
-constexpr bool digits_tell_first_in_second(const ContactCubic& p, const SmallParts<Number<8>>& parts) noexcept {
-  const Number<8> slope = integer(2) * p.c2 - integer(3) * p.mu, sum = parts.g + parts.al_less_2be;
-  if (slope.sign <= 0) return false;
+/// Whether q(y+) is 0: be sqrt(delta) = 2 d2 al - be mu.
+VESICA_CALLED constexpr bool reaches_end(const ContactCubic& p) noexcept {
   const Number<0> unit = integer(1);
   DigitsOfDegree<0> one(unit);
-  DigitsOfDegree<8> d1(p.d1), d2(p.d2), mu(p.mu), al(p.al), be(p.be), slope_digits(slope), sum_digits(sum), g(parts.g),
-      h(parts.al_less_2be), less(parts.delta_less), more(parts.delta_more);
-  DigitsOfDegree<16> delta{{1, &less, &more}};
-  if (delta.is_zero() || ToldSum({{1, &slope_digits, &slope_digits}, {-9, &delta, &one}}).sign() > 0) return true;
-  DigitsOfDegree<16> al_be{{1, &al, &be}}, turned{{2, &be, &d1}, {-1, &al, &d2}};
-  const int rising = ToldSum({{1, &delta, &sum_digits}, {1, &h, &turned}, {-2, &al_be, &g}}).sign();  // rise()
-  if (rising != 0) return rising > 0;
-  DigitsOfDegree<16> be_be{{1, &be, &be}}, rest{{2, &d2, &al}, {-1, &be, &mu}};
+  DigitsOfDegree<8> d1(p.d1), d2(p.d2), mu(p.mu), al(p.al), be(p.be);
+  DigitsOfDegree<16> delta{{1, &mu, &mu}, {-4, &d1, &d2}}, be_be{{1, &be, &be}}, rest{{2, &d2, &al}, {-1, &be, &mu}};
   return ToldSum({{1, &rest, &one}}).sign() > 0 && ToldSum({{1, &be_be, &delta}, {-1, &rest, &rest}}).sign() == 0;
 }
 
 }  // namespace detail
 
+/// Where this is true, `inside` is first_in_second() of ellipse_ellipse.hpp.
 constexpr bool few_digits_tell_first_in_second(bool& inside, const ContactCubic& p) noexcept {
   using Few = Leading<few_limbs>;
+  const Few d1(p.d1), d2(p.d2), mu(p.mu), slope = times(2, Few(p.c2)) - times(3, mu);
   Signs signs;
-  inside = detail::first_in_second<Few>(p, leading_small_parts<Few>(p), signs);
-  return signs.certain;
+  inside = signs.of(slope) > 0;
+  if (!inside || signs.of(detail::bend(d1, mu, d2, slope)) > 0) return signs.certain;
+  const int rising = signs.of(detail::rise(d1, mu, d2, slope, times(3, d1) - Few(p.c1)));
+  inside = rising > 0;
+  return signs.certain && rising != 0;  // a tie
 }
 
-/// As first_in_second() in ellipse_ellipse.hpp, of long coefficients of which few digits do not tell it.
-constexpr bool more_digits_tell_first_in_second(const ContactCubic& p) noexcept {
-  const auto parts = exact_small_parts(p);
-  Signs signs;
-  const bool inside = detail::first_in_second<Leading<few_limbs>>(p, parts, signs);
-  return signs.certain ? inside : detail::digits_tell_first_in_second(p, parts);
+/// As first_in_second() in ellipse_ellipse.hpp, of long coefficients of which few digits do not tell it; `determinant`:
+/// det(S2 - S1).
+VESICA_CALLED constexpr bool more_digits_tell_first_in_second(const ContactCubic& p,
+                                                              const Number<8>& determinant) noexcept {
+  const Number<0> two = integer(2), three = integer(3);
+  const Number<8> slope = two * p.c2 - three * p.mu;
+  if (slope.sign <= 0) return false;
+  const Number<8> turn = three * p.d1 - p.c1, m1 = p.mu - two * p.d2, turn_about = two * (determinant - p.be) + p.al;
+  const detail::EndOfPencil plain{p.d1, p.mu, p.d2, slope, turn}, about{determinant, m1, p.d2, slope, turn_about};
+  if (detail::told_sign<detail::Bend>(plain, about) > 0) return true;
+  const int rising = detail::told_sign<detail::Rise>(plain, about);
+  return rising != 0 ? rising > 0 : detail::reaches_end(p);
 }
 constexpr bool long_first_in_second(const ContactCubic& p) noexcept {
   bool inside = false;
-  return few_digits_tell_first_in_second(inside, p) ? inside : more_digits_tell_first_in_second(p);
+  return few_digits_tell_first_in_second(inside, p) ? inside
+                                                    : more_digits_tell_first_in_second(p, p.d1 + p.d2 - p.mu);
 }
 
 }  // namespace vesica::exact

@@ -21,9 +21,9 @@ namespace vesica::exact::detail {
 using Digit = std::int64_t;
 inline constexpr int digit_bits = 57;
 
-/// The sum of products at a column, in units of its place: 128 bits in two's complement. Up to 8,770 products, each
-/// counted as often as its factor says, add less than 2^125.1. (The numbers in a sum have 302 digits at most, and its
-/// factors add up to 29 at most.)
+/// The sum of products at a column, in units of its place: 128 bits in two's complement. Up to 13,892 products, each
+/// counted as often as its factor says, add less than 2^125.8. (The numbers in a sum have 302 digits at most, and its
+/// factors add up to 46 at most.)
 struct ColumnSum {
   Limb low = 0, high = 0;
 
@@ -64,7 +64,7 @@ struct ColumnSum {
   }
   constexpr int sign() const noexcept { return high >> 63 != 0 ? -1 : (high | low) != 0 ? 1 : 0; }
   /// Whether it is at least -2^69 and less than 2^69. If not, no column below can change the sign: all of them are less
-  /// than 2^68.2. If so, there is room for the next one.
+  /// than 2^68.9. If so, there is room for the next one.
   constexpr bool is_small() const noexcept {
     const auto above = static_cast<std::int64_t>(high) >> 5;
     return above == 0 || above == -1;
