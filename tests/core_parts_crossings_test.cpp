@@ -105,6 +105,31 @@ TEST(CrossingsParts, GroupsOfSpots) {
   EXPECT_EQ(across.count, 2);
 }
 
+/// How many zeros there are, by signs that may be certain on one side of a gap alone.
+TEST(CrossingsParts, CertainCrossingsOfGroups) {
+  const auto spot = [](double at, int most, bool negative_before, bool is_certain_before, bool is_certain_after) {
+    return Spot{Real(at), Real(at), most, negative_before, !negative_before, 0, is_certain_before, is_certain_after};
+  };
+  const auto certain = [](std::initializer_list<Spot> those) { return Groups(spots_of(those)).certain_crossings(); };
+  EXPECT_EQ(certain({}), 0);
+  EXPECT_EQ(certain({spot(0.5, 1, true, true, true), spot(2.5, 1, false, true, true)}), 2);
+  // The sign in each gap is known from one of its sides, or not at all.
+  EXPECT_EQ(certain({spot(0.5, 1, true, true, false), spot(2.5, 1, false, true, false)}), 2);
+  EXPECT_EQ(certain({spot(0.5, 1, true, false, false), spot(2.5, 1, false, true, true)}), 2);
+  EXPECT_EQ(certain({spot(0.5, 1, true, false, false), spot(2.5, 1, false, true, false)}), std::nullopt);
+  // A sign that is not certain gives way.
+  const Groups mended(
+      spots_of({spot(0.5, 2, true, true, false), spot(1.5, 1, true, true, true), spot(2.5, 1, false, true, true)}));
+  EXPECT_FALSE(mended.group[0].is_odd());
+  EXPECT_EQ(mended.group[0].most, 2);
+  EXPECT_EQ(mended.surely_odd(), 2);
+  // A group may hold three zeros, but not where four groups hold one at least.
+  EXPECT_EQ(certain({spot(0.5, 3, true, true, true), spot(2.5, 1, false, true, true)}), std::nullopt);
+  EXPECT_EQ(certain({spot(0.5, 3, true, true, true), spot(1.5, 1, false, true, true), spot(2.5, 1, true, true, true),
+                     spot(3.5, 2, false, true, true)}),
+            4);
+}
+
 /// Places go to groups with a change of sign, and then to the flattest ones that have room.
 TEST(CrossingsParts, PlacesOfGroups) {
   const auto odd = [](double at, int most) { return Spot{Real(at), Real(at), most, true, false, 0}; };

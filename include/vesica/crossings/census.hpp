@@ -35,8 +35,15 @@ inline Census touching_inside(const exact::ContactCubic& p) noexcept {
   return {0, !has_triple_root(p) && has_rank_one(p) ? 2 : 1, false};
 }
 
-/// The same distinctions as exact::relation makes, with the number of places.
-VESICA_COLD inline Census census(const exact::Ellipse& e, const exact::Ellipse& f) noexcept {
+/// Of ellipses that cross, by the sign of the discriminant.
+inline Census crossing(const exact::ContactCubic& p, int roots) noexcept {
+  if (roots != 0) return {roots > 0 ? 4 : 2, 0, false};
+  return has_triple_root(p) ? Census{2, 0, false} : Census{2, 1, false};
+}
+
+/// The same distinctions as exact::relation makes, with the number of places; less of them where they are known to
+/// cross.
+VESICA_COLD inline Census census(const exact::Ellipse& e, const exact::Ellipse& f, bool cross = false) noexcept {
   exact::ContactCubic p = exact::contact_cubic(e, f);
   if (p.al.sign == 0) {
     switch (exact::detail::concentric(p)) {
@@ -51,6 +58,7 @@ VESICA_COLD inline Census census(const exact::Ellipse& e, const exact::Ellipse& 
         return {0, 0, false};
     }
   }
+  if (cross) return crossing(p, exact::discriminant_sign(p));
   const int order = exact::compare(p.d1, p.d2);
   if (order > 0) exact::detail::exchange_ellipses(p);
   if (order != 0 && exact::is_long(p) && p.c1.sign >= 0 && p.c2.sign >= 0) {
@@ -63,8 +71,7 @@ VESICA_COLD inline Census census(const exact::Ellipse& e, const exact::Ellipse& 
     if (roots > 0 || exact::double_root_is_greater(p)) return {0, 0, false};
     return touching_inside(p);
   }
-  if (roots > 0) return {4, 0, false};
-  return has_triple_root(p) ? Census{2, 0, false} : Census{2, 1, false};
+  return crossing(p, roots);
 }
 
 }  // namespace vesica::detail::crossings

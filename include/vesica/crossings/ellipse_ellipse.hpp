@@ -195,12 +195,19 @@ inline Spots find_spots(Harmonics harmonics) noexcept {
 
 /// Spots next to each other, which are one.
 struct Group {
+  struct Sign {
+    bool negative, is_certain;
+    bool differs(const Sign& other) const noexcept { return negative != other.negative; }
+  };
   Real at;  ///< quarters of the outline, and within one the tangent of half the angle
   int most;
-  bool odd;
   double height;
-  bool is_crossing;  ///< certainly one zero, where the sign changes
+  Sign before, after;
+  bool is_one_if_odd;
   int places = 0;
+
+  bool is_odd() const noexcept { return before.differs(after); }
+  bool is_surely_odd() const noexcept { return is_odd() && before.is_certain && after.is_certain; }
 };
 
 struct Groups {
@@ -225,21 +232,31 @@ struct Groups {
       add(spots, i, end);
       i = end;
     }
+    join_signs();
   }
 
-  /// Whether each is certainly one zero: then these are all zeros.
-  bool are_crossings() const noexcept {
-    return count <= 4 && std::all_of(group, group + count, [](const Group& g) { return g.is_crossing; });
+  int surely_odd() const noexcept {
+    return static_cast<int>(std::count_if(group, group + count, [](const Group& g) { return g.is_surely_odd(); }));
+  }
+  /// How many zeros there are, if each is certainly a crossing of its own: where no group may hold more than one, or
+  /// four hold one at least, which are all there can be.
+  std::optional<int> certain_crossings() const noexcept {
+    const auto is_crossing = [](const Group& g) { return g.is_surely_odd() && g.is_one_if_odd; };
+    if (std::all_of(group, group + count, is_crossing) && count <= 4) return count;
+    return surely_odd() == 4 ? std::optional<int>(4) : std::nullopt;
   }
 
  private:
   void add(const Spots& spots, int from, int end) noexcept {
     const Spot &p = spots.spot[from % spots.count], &q = spots.spot[(end - 1) % spots.count];
-    const bool surely_odd = p.negative_before != q.negative_after && p.is_certain_before && q.is_certain_after;
     // One spot, or two that meet where the sign is not known: with a zero at most in each, an odd number is one.
     const bool meet = end - from == 1 || (end - from == 2 && !p.is_certain_after);
-    Group g{p.from, 0, p.negative_before != q.negative_after, p.height,
-            surely_odd && meet && p.most == 1 && q.most == 1};
+    Group g{p.from,
+            0,
+            p.height,
+            {p.negative_before, p.is_certain_before},
+            {q.negative_after, q.is_certain_after},
+            meet && p.most == 1 && q.most == 1};
     // Where spots meet may be a zero that is known exactly; a start is.
     if (end - from > 1) g.at = spots.spot[(from + (end - from) / 2) % spots.count].from;
     for (int i = from; i < end; ++i) {
@@ -248,8 +265,16 @@ struct Groups {
       g.height = std::fmin(g.height, s.height);
       if (i > from && rounded(s.from) == 0) g.at = Real(0.0);
     }
-    if ((g.most % 2 == 1) != g.odd) ++g.most;
     group[count++] = g;
+  }
+  /// From one group to the next there is no zero: the sign after the one is that before the other.
+  void join_signs() noexcept {
+    for (int i = 0; i < count; ++i) {
+      Group::Sign &after = group[i].after, &before = group[(i + 1) % count].before;
+      if (after.is_certain) before = after;
+      if (before.is_certain) after = before;
+    }
+    for (Group* g = group; g != group + count; ++g) g->most += (g->most % 2 == 1) != g->is_odd() ? 1 : 0;
   }
 };
 
@@ -259,7 +284,7 @@ inline void share_out(Groups& groups, const Census& census) noexcept {
   int crossing = census.crossing, touching = census.touching;
   for (int i = 0; i < groups.count; ++i) {
     Group& g = groups.group[i];
-    if (!g.odd || crossing == 0) continue;
+    if (!g.is_odd() || crossing == 0) continue;
     g.places = 1;
     g.most -= 1;
     --crossing;
@@ -377,10 +402,7 @@ inline Real along_circle(const Real& x, const Real& y, const Real& radius) noexc
 inline void mend_start(const exact::Ellipse& e, const exact::Ellipse& f, Found& found) noexcept {
   const auto z = image(e, f.cx - e.cx + f.a * f.ux, f.cy - e.cy + f.a * f.uy);
   const auto radius = e.a * e.b * exact::dot(e.ux, e.uy, e.ux, e.uy);
-  const auto off_outline = [](const auto& x, const auto& y, const auto& r) {
-    return square(x) + square(y) - square(r);
-  };
-  if (exact::sign_of(off_outline, z.x, z.y, radius) != 0) return;
+  if (exact::side_of_rim(z.x, z.y, radius) != 0) return;
   const int unit = exact::rounded(radius).exponent;
   const Real start = along_circle(two_doubles(z.x, unit), two_doubles(z.y, unit), two_doubles(radius, unit));
   const auto off = [&start](const Place& p) {
@@ -398,7 +420,8 @@ inline Found places(const exact::Ellipse& e, const StoredOutline& stored, const 
   Found found;
   const Outline outline(e, f);
   Groups groups(find_spots(Harmonics(outline)));
-  const Census all = groups.are_crossings() ? Census{groups.count, 0, false} : census(e, f);
+  const std::optional<int> crossings = groups.certain_crossings();
+  const Census all = crossings ? Census{*crossings, 0, false} : census(e, f, groups.surely_odd() > 0);
   found.shared = all.equal;
   if (all.crossing + all.touching == 0) return found;
   assert(groups.count > 0);

@@ -244,15 +244,26 @@ class ZeroSearch {
     // Hardly any digit is left: a part would have negligible coefficients only.
     if (local.bernstein.exponent < -312) return end(i, i.length);
     i.limbs = local.bernstein.limbs;
-    Group narrowest{0, 1};
+    Group wide[4];
+    int count = 0;
     for (int k = i.changes; k <= 4; ++k) {
       const Group group = find_group(i, local, k);
       if (k == 1 && ends_with(i, group)) return;
       // A group that reaches far is likely part of one of more zeros, which is seen better.
-      if (group.reach < 0x1p-32 && narrow(i, local, group)) return;
-      if (group.reach < narrowest.reach) narrowest = group;
+      if (group.reach >= 0x1p-32) {
+        wide[count++] = group;
+      } else if (narrow(i, local, group)) {
+        return;
+      }
     }
-    if (narrowest.reach >= 0x1p-32 && narrowest.reach < 0x1p-5 && narrow(i, local, narrowest)) return;
+    // The narrowest first, which may be one of zeros beyond an end.
+    for (; count > 0; --count) {
+      Group* const narrowest =
+          std::min_element(wide, wide + count, [](const Group& g, const Group& h) { return g.reach < h.reach; });
+      if (narrowest->reach >= 0x1p-5) break;
+      if (narrow(i, local, *narrowest)) return;
+      *narrowest = wide[count - 1];
+    }
     visit_halves(i, *pending_[count_]);
   }
   /// The higher half stays where the whole was.

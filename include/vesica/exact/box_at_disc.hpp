@@ -66,12 +66,8 @@ class BoxAtDisc {
             add(add(centre_.y, half_along_.y, side_x), half_across_.y, side_y)};
   }
 
-  /// 1 inside the disc, 0 on its outline, -1 outside: the sign of (r - |x|) (r + |x|) - y^2, or with x and y exchanged.
-  constexpr int room(const Corner& p) const noexcept {
-    const bool x_is_greater = compare_magnitude(p.x.span(), p.y.span()) > 0;
-    const Number<4> greater = abs(x_is_greater ? p.x : p.y);
-    return compare_product_with_square(radius_ - greater, radius_ + greater, x_is_greater ? p.y : p.x);
-  }
+  /// 1 inside the disc, 0 on its outline, -1 outside.
+  constexpr int room(const Corner& p) const noexcept { return side_of_rim(p.x, p.y, radius_); }
 
   /// Of the edge from one corner to another, in the direction `way` times `sign`. Its line is r beyond / |way| from the
   /// origin.

@@ -67,7 +67,7 @@ VESICA_CALLED constexpr bool first_in_second(const ContactCubic& p) noexcept {
   const Number<8> slope = two * p.c2 - three * p.mu;
   if (slope.sign <= 0) return false;
   if (sign_with_root(slope, integer(-3), delta) > 0) return true;  // q''
-  const Number<8> turn = three * p.d1 - p.c1;  // rest = slope mu + 2 d2 turn
+  const Number<8> turn = three * p.d1 - p.c1;                      // rest = slope mu + 2 d2 turn
   const Number<24> falling = p.d1 * square(slope) + turn * (p.mu * slope + p.d2 * turn);
   if (falling.sign != 0) return falling.sign < 0;  // q'
   const Number<8> minus_be = integer(-1) * p.be;

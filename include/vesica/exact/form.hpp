@@ -78,4 +78,13 @@ constexpr Number<A + B> cross(const Number<A>& ux, const Number<A>& uy, const Nu
   return ux * wy - uy * wx;
 }
 
+/// 1 inside the disc of this radius about the origin, 0 on its rim, -1 outside: the sign of (r - |x|) (r + |x|) - y^2,
+/// or with x and y exchanged, so that only the difference may cancel.
+template <int A, int R>
+constexpr int side_of_rim(const Number<A>& x, const Number<A>& y, const Number<R>& radius) noexcept {
+  const bool x_is_greater = detail::compare_magnitude(x.span(), y.span()) > 0;
+  const Number<A> greater = abs(x_is_greater ? x : y);
+  return compare_product_with_square(radius - greater, radius + greater, x_is_greater ? y : x);
+}
+
 }  // namespace vesica::exact

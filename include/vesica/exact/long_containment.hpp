@@ -104,8 +104,7 @@ VESICA_CALLED constexpr bool more_digits_tell_first_in_second(const ContactCubic
 }
 constexpr bool long_first_in_second(const ContactCubic& p) noexcept {
   bool inside = false;
-  return few_digits_tell_first_in_second(inside, p) ? inside
-                                                    : more_digits_tell_first_in_second(p, p.d1 + p.d2 - p.mu);
+  return few_digits_tell_first_in_second(inside, p) ? inside : more_digits_tell_first_in_second(p, p.d1 + p.d2 - p.mu);
 }
 
 }  // namespace vesica::exact
