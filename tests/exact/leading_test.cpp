@@ -379,7 +379,7 @@ void expect_invariant(const exact::ContactCubic& p, const mpq_class& truth) {
   const exact::detail::CubicAboutMinusOne about(p, false), exchanged(p, true);
   const auto expect = [&truth](const exact::detail::Coefficients& k) {
     expect_within_bound(Polynomial::few(k), truth);
-    const auto told = exact::leading(Polynomial(k).told());
+    const auto told = Polynomial::told(k);
     expect_within_bound(told, truth);
     EXPECT_EQ(told.sign, sgn(truth)) << "seed " << properties::seed();
   };
@@ -429,6 +429,11 @@ TEST(LongCubic, SignsAreThoseOfAllDigits) {
     const mpq_class a = c2 * c2 - 3 * d2 * c1, b = c1 * c2 - 9 * d1 * d2, c = c1 * c1 - 3 * d1 * c2;
     const mpq_class discriminant = (4 * a * c - b * b) / 3;
     expect_invariant<Discriminant>(p, discriminant);
+    for (const auto& told : {Discriminant::by_digits(exact::detail::coefficients(p)),
+                             Discriminant::whole(exact::detail::coefficients(p))}) {
+      expect_within_bound(told, discriminant);
+      EXPECT_EQ(told.sign, sgn(discriminant)) << "seed " << properties::seed();
+    }
     EXPECT_EQ(exact::discriminant_sign(p), sgn(discriminant)) << "seed " << properties::seed();
     const mpq_class order = 2 * c2 * a - 3 * d2 * b;
     expect_invariant<exact::detail::DoubleRootOrder>(p, order);

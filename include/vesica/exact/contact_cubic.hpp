@@ -20,9 +20,8 @@ struct ContactCubic {
 constexpr ContactCubic contact_cubic(const Ellipse& e, const Ellipse& f) noexcept {
   const Length dx = f.cx - e.cx, dy = f.cy - e.cy;
   const auto c = dot(e.ux, e.uy, f.ux, f.uy), s = cross(e.ux, e.uy, f.ux, f.uy);
-  const auto a0 = square(e.a), a1 = square(e.b), b0 = square(f.a), b1 = square(f.b);
   ContactCubic p;
-  p.mu = square(c) * (a0 * b1 + a1 * b0) + square(s) * (a0 * b0 + a1 * b1);
+  p.mu = square(e.a * f.b * c) + square(e.b * f.a * c) + square(e.a * f.a * s) + square(e.b * f.b * s);
   p.al = square(e.b * dot(e.ux, e.uy, dx, dy)) + square(e.a * cross(e.ux, e.uy, dx, dy));
   p.be = square(f.b * dot(f.ux, f.uy, dx, dy)) + square(f.a * cross(f.ux, f.uy, dx, dy));
   p.root1 = e.a * e.b * dot(e.ux, e.uy, e.ux, e.uy);

@@ -64,7 +64,7 @@ constexpr Leading<few_limbs> told_invariant(const ContactCubic& p, const Leading
   if (few.sign_is_certain()) return few;
   const Coefficients plain = coefficients(p);
   // With a negative coefficient one root alone is negative; two that are close to each other are positive, not near -1.
-  if (p.c1.sign < 0 || p.c2.sign < 0) return leading(Polynomial(plain).told());
+  if (p.c1.sign < 0 || p.c2.sign < 0) return Polynomial::told(plain);
   // The third root is farther from the two for the lesser of d1 and d2.
   const CubicAboutMinusOne q(p, Polynomial::is_same_if_exchanged && compare(p.d1, p.d2) < 0);
   const Coefficients about = q.coefficients();
@@ -72,19 +72,14 @@ constexpr Leading<few_limbs> told_invariant(const ContactCubic& p, const Leading
   if (other.sign_is_certain()) return other;
   // The terms are smaller of which more is known. The other cubic's numbers have more digits: a little is not enough.
   constexpr int least_gain = 256;
-  return leading(Polynomial(other.error + least_gain < few.error ? about : plain).told());
+  return Polynomial::told(other.error + least_gain < few.error ? about : plain);
 }
 
-/// The discriminant, which is the same for both orders of the ellipses too.
-class Discriminant {
+/// A cubic's discriminant, by digits from the top.
+class DiscriminantDigits {
  public:
-  static constexpr bool is_same_if_exchanged = true;
-  static constexpr Leading<few_limbs> few(const Coefficients& k) noexcept {
-    const Leading<few_limbs> k0(k.k0), k3(k.k3);
-    return discriminant(k0, Leading<few_limbs>(k.k1), Leading<few_limbs>(k.k2), k3, k0 * k3);
-  }
-  constexpr explicit Discriminant(const Coefficients& k) noexcept : k0_(k.k0), k1_(k.k1), k2_(k.k2), k3_(k.k3) {}
-  /// By digits from the top.
+  constexpr explicit DiscriminantDigits(const Coefficients& k) noexcept
+      : k0_(k.k0), k1_(k.k1), k2_(k.k2), k3_(k.k3) {}
   constexpr ToldSum told() noexcept { return ToldSum({{1, &lower_, &upper_}, {1, &ends_, &rest_}}); }
 
  private:
@@ -93,20 +88,46 @@ class Discriminant {
       ends_{{1, &k0_, &k3_}}, rest_{{2, &k1_, &k2_}, {-27, &k0_, &k3_}};
 };
 
-/// 2 k2^3 - 9 k1 k2 k3 + 27 k0 k3^2: see double_root_is_greater().
-class DoubleRootOrder {
- public:
-  static constexpr bool is_same_if_exchanged = false;  // the roots' order is not
+/// The discriminant, which is the same for both orders of the ellipses too.
+struct Discriminant {
+  static constexpr bool is_same_if_exchanged = true;
   static constexpr Leading<few_limbs> few(const Coefficients& k) noexcept {
-    const Leading<few_limbs> k0(k.k0), k1(k.k1), k2(k.k2), k3(k.k3);
-    return times(2, k2) * (square(k2) - times(3, k1 * k3)) - times(3, k3) * (k1 * k2 - times(9, k0 * k3));
+    const Leading<few_limbs> k0(k.k0), k3(k.k3);
+    return discriminant(k0, Leading<few_limbs>(k.k1), Leading<few_limbs>(k.k2), k3, k0 * k3);
   }
-  constexpr explicit DoubleRootOrder(const Coefficients& k) noexcept : k0_(k.k0), k1_(k.k1), k2_(k.k2), k3_(k.k3) {}
+  /// Numbers of which few limbs matter are multiplied sooner than taken apart.
+  static constexpr Leading<few_limbs> told(const Coefficients& k) noexcept {
+    return is_longer(k.k1, some_limbs) || is_longer(k.k2, some_limbs) ? by_digits(k) : whole(k);
+  }
+  VESICA_CALLED static constexpr Leading<few_limbs> by_digits(const Coefficients& k) noexcept {
+    return leading(DiscriminantDigits(k).told());
+  }
+  VESICA_CALLED static constexpr Leading<few_limbs> whole(const Coefficients& k) noexcept {
+    return Leading<few_limbs>(discriminant(k.k0, k.k1, k.k2, k.k3, k.k0 * k.k3));
+  }
+};
+
+/// 2 k2^3 - 9 k1 k2 k3 + 27 k0 k3^2, by digits from the top.
+class DoubleRootDigits {
+ public:
+  constexpr explicit DoubleRootDigits(const Coefficients& k) noexcept : k0_(k.k0), k1_(k.k1), k2_(k.k2), k3_(k.k3) {}
   constexpr ToldSum told() noexcept { return ToldSum({{2, &k2_, &a_}, {-3, &k3_, &b_}}); }
 
  private:
   DigitsOfDegree<8> k0_, k1_, k2_, k3_;
   DigitsOfDegree<16> a_{{1, &k2_, &k2_}, {-3, &k1_, &k3_}}, b_{{1, &k1_, &k2_}, {-9, &k0_, &k3_}};
+};
+
+/// See double_root_is_greater().
+struct DoubleRootOrder {
+  static constexpr bool is_same_if_exchanged = false;  // the roots' order is not
+  static constexpr Leading<few_limbs> few(const Coefficients& k) noexcept {
+    const Leading<few_limbs> k0(k.k0), k1(k.k1), k2(k.k2), k3(k.k3);
+    return times(2, k2) * (square(k2) - times(3, k1 * k3)) - times(3, k3) * (k1 * k2 - times(9, k0 * k3));
+  }
+  VESICA_CALLED static constexpr Leading<few_limbs> told(const Coefficients& k) noexcept {
+    return leading(DoubleRootDigits(k).told());
+  }
 };
 
 }  // namespace detail
