@@ -78,8 +78,7 @@ constexpr Leading<few_limbs> told_invariant(const ContactCubic& p, const Leading
 /// A cubic's discriminant, by digits from the top.
 class DiscriminantDigits {
  public:
-  constexpr explicit DiscriminantDigits(const Coefficients& k) noexcept
-      : k0_(k.k0), k1_(k.k1), k2_(k.k2), k3_(k.k3) {}
+  constexpr explicit DiscriminantDigits(const Coefficients& k) noexcept : k0_(k.k0), k1_(k.k1), k2_(k.k2), k3_(k.k3) {}
   constexpr ToldSum told() noexcept { return ToldSum({{1, &lower_, &upper_}, {1, &ends_, &rest_}}); }
 
  private:
