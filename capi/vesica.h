@@ -329,7 +329,7 @@ VESICA_API int32_t vesica_shape_area_f64(int32_t kind, const double *numbers, do
  * Accuracy: right to 64 u times the smaller shape's area times the larger aspect ratio, at aspect ratios up to 10^4,
  * even if the outlines nearly touch or coincide and whatever the sizes are.
  * Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines
- * nearly touch or coincide, or if one shape is far larger; at worst 40 us.
+ * nearly touch or coincide, or if one shape is far larger; at worst 30 us.
  */
 VESICA_API int32_t vesica_area_f64(int32_t kind_a, const double *numbers_a,
                                    int32_t kind_b, const double *numbers_b, double *out);

@@ -209,7 +209,7 @@ export interface C {
    * scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u
    * scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size. Cost: about 50
    * ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines nearly touch or
-   * coincide, or if one shape is far larger; at worst 40 us. Since: 0.1.
+   * coincide, or if one shape is far larger; at worst 30 us. Since: 0.1.
    */
   vesica_area_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
   /**
@@ -939,7 +939,7 @@ export interface C {
    * largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at
    * most 4 u times the scale. An aspect ratio is longer over shorter size. Cost: about 50 ns for two boxes, 150 ns for
    * an ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines nearly touch or coincide, or if one shape is
-   * far larger; at worst 40 us. Since: 0.1.
+   * far larger; at worst 30 us. Since: 0.1.
    */
   vesica_area_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
   /**

@@ -255,7 +255,7 @@ namespace Vesica
         /// between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times
         /// the scale. An aspect ratio is longer over shorter size.</para>
         /// <para>Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us
-        /// if outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us.</para>
+        /// if outlines nearly touch or coincide, or if one shape is far larger; at worst 30 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -881,7 +881,7 @@ namespace Vesica
         /// centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An
         /// aspect ratio is longer over shorter size.</para>
         /// <para>Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us
-        /// if outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us.</para>
+        /// if outlines nearly touch or coincide, or if one shape is far larger; at worst 30 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

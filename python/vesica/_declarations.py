@@ -606,7 +606,7 @@ outlines nearly touch or coincide and whatever the sizes are. In bounds on error
 the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
 their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is
 longer over shorter size. Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two
-ellipses; up to 10 us if outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us.
+ellipses; up to 10 us if outlines nearly touch or coincide, or if one shape is far larger; at worst 30 us.
 Since: 0.1.""",
     ),
     "vesica_iou_f64": (
@@ -1444,7 +1444,7 @@ these bounds, and then rounded to float once. In bounds on errors u is 2^-53, ha
 of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
 lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over
 shorter size. Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up
-to 10 us if outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us. Since: 0.1.""",
+to 10 us if outlines nearly touch or coincide, or if one shape is far larger; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_iou_f32": (
         c_int32,

@@ -278,7 +278,7 @@ final class Native {
    * longer over shorter size.
    *
    * <p>Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if
-   * outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us.
+   * outlines nearly touch or coincide, or if one shape is far larger; at worst 30 us.
    *
    * <p>Since: 0.1.
    */
@@ -1028,7 +1028,7 @@ final class Native {
    * "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
    *
    * <p>Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if
-   * outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us.
+   * outlines nearly touch or coincide, or if one shape is far larger; at worst 30 us.
    *
    * <p>Since: 0.1.
    */

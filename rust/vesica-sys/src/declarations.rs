@@ -525,7 +525,7 @@ extern "C" {
     /// ratio is longer over shorter size.
     ///
     /// Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if
-    /// outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us.
+    /// outlines nearly touch or coincide, or if one shape is far larger; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_area_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
@@ -1445,7 +1445,7 @@ extern "C" {
     /// shorter size.
     ///
     /// Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if
-    /// outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us.
+    /// outlines nearly touch or coincide, or if one shape is far larger; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_area_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
