@@ -10,6 +10,8 @@
 #include <vesica/intersection/polygons.hpp>
 #include <vesica/relation.hpp>
 
+#include "crossings/quartics.hpp"
+
 namespace {
 
 using namespace vesica;
@@ -82,6 +84,13 @@ TEST(CrossingsParts, AsManySpotsAsThereIsRoomFor) {
   }
   ASSERT_EQ(spots.count, 16);
   for (int i = 0; i < 16; ++i) EXPECT_EQ(spots.spot[i].most, i);
+  // A search ends then.
+  const Quartic one_zero = crossings_test::quartic_of_powers({-1, 2, 0, 0, 0}, 20);
+  Spots empty;
+  ZeroSearch(one_zero, 1, empty, nullptr);
+  EXPECT_EQ(empty.count, 1);
+  ZeroSearch(one_zero, 1, spots, nullptr);
+  EXPECT_EQ(spots.count, 16);
 }
 
 Spots spots_of(std::initializer_list<Spot> those) {
@@ -149,6 +158,7 @@ TEST(CrossingsParts, PlacesOfGroups) {
   EXPECT_EQ(shared_out(spots_of({odd(0.5, 1), odd(2.5, 3)}), {4, 0, false}), (Places{1, 3}));
   EXPECT_EQ(shared_out(spots_of({even(0.5, 3), even(1.5, 1), even(2.5, 2)}), {0, 2, false}), (Places{0, 1, 1}));
   EXPECT_EQ(shared_out(spots_of({even(0.5, 3), even(1.5, 1)}), {2, 0, false}), (Places{0, 2}));
+  EXPECT_EQ(shared_out(spots_of({odd(0.5, 1), even(1.5, 1)}), {2, 0, false}), (Places{1, 1}));
 }
 
 /// Sizes of which each is just precise enough, and their difference is not: that is formed exactly.

@@ -110,18 +110,10 @@ inline bool settled_outlines(const Circle<double>& a, const Ellipse<double>& b, 
   return settled_outlines(as_ellipse(a), b, relation, out);
 }
 
-/// How outlines meet, as far as the relation tells: at so many places, or more.
-inline std::optional<crossings::Census> places_told_by(Relation relation) noexcept {
-  switch (relation) {
-    case Relation::cross:
-      return crossings::Census{2, 0, false};
-    case Relation::touch:
-    case Relation::inside_touch:
-    case Relation::contains_touch:
-      return crossings::Census{0, 1, false};
-    default:
-      return std::nullopt;
-  }
+/// At how many places outlines meet at least, as far as the relation tells; at a touch where curves are equal, of which
+/// any point will do.
+inline crossings::Census places_told_by(Relation relation) noexcept {
+  return relation == Relation::cross ? crossings::Census{2, 0, false} : crossings::Census{0, 1, false};
 }
 
 template <class A, class B>
@@ -133,9 +125,10 @@ ClosestPoints<double> closest_outline_points(Relation relation, const A& a, cons
     if (found.distance > 0)
       found.distance = relation == Relation::inside ? distance_from_sides(g, f) : distance_from_sides(f, g);
   }
-  double x = 0, y = 0;
-  // Equal curves have no single places; then any point of one will do.
-  return !certain && crossings::one_place(a, b, x, y, places_told_by(relation)) ? at_one_point(x, y) : found;
+  if (certain) return found;
+  double x = found.ax, y = found.ay;
+  crossings::one_place(a, b, x, y, places_told_by(relation));
+  return at_one_point(x, y);
 }
 
 }  // namespace detail::boundary_distance

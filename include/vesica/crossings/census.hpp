@@ -61,9 +61,6 @@ VESICA_COLD inline Census census(const exact::Ellipse& e, const exact::Ellipse& 
   if (cross) return crossing(p, exact::discriminant_sign(p));
   const int order = exact::compare(p.d1, p.d2);
   if (order > 0) exact::detail::exchange_ellipses(p);
-  if (order != 0 && exact::is_long(p) && p.c1.sign >= 0 && p.c2.sign >= 0) {
-    if (exact::detail::surely_inside(p, p.d1 + p.d2 - p.mu)) return {0, 0, false};
-  }
   const int roots = exact::discriminant_sign(p);
   if (roots < 0) return {2, 0, false};
   if (p.c1.sign < 0 || p.c2.sign < 0) return {0, roots > 0 ? 0 : 1, false};

@@ -242,7 +242,7 @@ struct Groups {
   /// four hold one at least, which are all there can be.
   std::optional<int> certain_crossings() const noexcept {
     const auto is_crossing = [](const Group& g) { return g.is_surely_odd() && g.is_one_if_odd; };
-    if (std::all_of(group, group + count, is_crossing) && count <= 4) return count;
+    if (std::all_of(group, group + count, is_crossing)) return count;
     return surely_odd() == 4 ? std::optional<int>(4) : std::nullopt;
   }
 

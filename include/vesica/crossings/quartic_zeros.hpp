@@ -244,25 +244,22 @@ class ZeroSearch {
     // Hardly any digit is left: a part would have negligible coefficients only.
     if (local.bernstein.exponent < -312) return end(i, i.length);
     i.limbs = local.bernstein.limbs;
-    Group wide[4];
-    int count = 0;
+    Group groups[4] = {{0, 1}, {0, 1}, {0, 1}, {0, 1}};
     for (int k = i.changes; k <= 4; ++k) {
-      const Group group = find_group(i, local, k);
+      Group& group = groups[k - 1] = find_group(i, local, k);
       if (k == 1 && ends_with(i, group)) return;
       // A group that reaches far is likely part of one of more zeros, which is seen better.
-      if (group.reach >= 0x1p-32) {
-        wide[count++] = group;
-      } else if (narrow(i, local, group)) {
-        return;
-      }
+      if (group.reach >= 0x1p-32) continue;
+      if (narrow(i, local, group)) return;
+      group.reach = 1;
     }
     // The narrowest first, which may be one of zeros beyond an end.
-    for (; count > 0; --count) {
-      Group* const narrowest =
-          std::min_element(wide, wide + count, [](const Group& g, const Group& h) { return g.reach < h.reach; });
-      if (narrowest->reach >= 0x1p-5) break;
-      if (narrow(i, local, *narrowest)) return;
-      *narrowest = wide[count - 1];
+    for (;;) {
+      Group& narrowest =
+          *std::min_element(groups, groups + 4, [](const Group& g, const Group& h) { return g.reach < h.reach; });
+      if (narrowest.reach >= 0x1p-5) break;
+      if (narrow(i, local, narrowest)) return;
+      narrowest.reach = 1;
     }
     visit_halves(i, *pending_[count_]);
   }
@@ -281,11 +278,8 @@ class ZeroSearch {
       std::swap(pending_[count_], pending_[count_ + 1]);
     }
     if (low.changes == 0) return;
-    if (count_ < most_pending) {
-      ++count_;
-    } else {
-      add_spot(low, low.length);
-    }
+    if (count_ == most_pending) return add_spot(low, low.length);
+    ++count_;
   }
   /// About where zeros of a group are, and how far from there all of them may be; 1 if that is not known to be less.
   struct Group {
