@@ -195,6 +195,7 @@ inline Spots find_spots(Harmonics harmonics) noexcept {
 
 /// Spots next to each other, which are one.
 struct Group {
+  /// Of the form along e.
   struct Sign {
     bool negative, is_certain;
     bool differs(const Sign& other) const noexcept { return negative != other.negative; }
@@ -203,7 +204,7 @@ struct Group {
   int most;
   double height;
   Sign before, after;
-  bool is_one_if_odd;
+  bool is_one_if_odd;  ///< no more than one zero, if the sign changes
   int places = 0;
 
   bool is_odd() const noexcept { return before.differs(after); }

@@ -47,7 +47,7 @@ struct CubicAboutMinusOne {
   constexpr Coefficients coefficients() const noexcept { return {k0, k1, k2, k3}; }
 
  private:
-  /// Of c1 x + c2 x^2 + d2 x^3 and p(-1).
+  /// From p(-1) and the other coefficients of p.
   constexpr CubicAboutMinusOne(const Number<8>& value, const Number<8>& c1, const Number<8>& c2,
                                const Number<8>& d2) noexcept
       : k0(value), k1(c1 - c2), k2(c2 - integer(3) * d2), k3(d2) {

@@ -67,7 +67,8 @@ VESICA_CALLED constexpr bool first_in_second(const ContactCubic& p) noexcept {
   const Number<8> slope = two * p.c2 - three * p.mu;
   if (slope.sign <= 0) return false;
   if (sign_with_root(slope, integer(-3), delta) > 0) return true;  // q''
-  const Number<8> turn = three * p.d1 - p.c1;                      // rest = slope mu + 2 d2 turn
+  // rest = slope mu + 2 d2 turn
+  const Number<8> turn = three * p.d1 - p.c1;
   const Number<24> falling = p.d1 * square(slope) + turn * (p.mu * slope + p.d2 * turn);
   if (falling.sign != 0) return falling.sign < 0;  // q'
   const Number<8> minus_be = integer(-1) * p.be;
@@ -104,16 +105,16 @@ constexpr void exchange_ellipses(ContactCubic& p) noexcept {
   exchange(p.al, p.be);
 }
 
-/// How the first ellipse, in the second or crossing it, relates to it, from the sign of the discriminant where it is in
-/// it. If p has a multiple root then, they touch, with one exception: ellipses that are a projective image of two
-/// concentric circles. Then, and only then, the double root of q is the pair of lower roots, which enclose y+ whenever
-/// one ellipse contains the other.
+/// The relation to the other of an ellipse for which first_in_second() is true, by the sign of the discriminant. If p
+/// has a multiple root they touch, with one exception: ellipses that are a projective image of two concentric circles.
+/// Then, and only then, the double root of q is the pair of lower roots, which enclose y+ whenever one ellipse contains
+/// the other.
 constexpr Relation nesting_with(int roots, const ContactCubic& p) noexcept {
   if (roots < 0) return Relation::cross;
   return roots > 0 || double_root_is_greater(p) ? Relation::inside : Relation::inside_touch;
 }
 
-/// As nesting_with(), of ellipses as for first_in_second().
+/// Of ellipses as for first_in_second(), but with any roots.
 constexpr Relation nesting(const ContactCubic& p) noexcept {
   const int roots = discriminant_sign(p);
   return roots < 0 || !first_in_second(p) ? Relation::cross : nesting_with(roots, p);

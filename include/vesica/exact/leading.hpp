@@ -78,7 +78,7 @@ struct Leading : LeadingLimbs<Leading<count>> {
   static constexpr int first_formed = limbs - 2;
   /// What multiply() leaves out below that, of factors that are not 0.
   constexpr void lose_unformed(const Leading& a, const Leading& b) noexcept {
-    static_assert(first_formed < 64);
+    static_assert(first_formed % 2 == 0 && first_formed < 64);
     if (a.lowest() + b.lowest() < first_formed) this->lose(std::int64_t{64} * (a.low + b.low + first_formed + 1) + 6);
   }
 

@@ -11,8 +11,8 @@ namespace vesica::exact {
 namespace detail {
 
 /// What q''(y+) and q'(y+) of first_in_second() in ellipse_ellipse.hpp are made of: with p = k0 + k1 x + ..., and
-/// det(S1 + x S2) = m0 + m1 x + m2 x^2, slope = 2 k2 - 3 m1 and turn = 3 m0 - k1. Bend and Rise are the same from p(x)
-/// and from p(t - 1), and fewer digits cancel in either: about -1 where the ellipses all but coincide.
+/// det(S1 + x S2) = m0 + m1 x + m2 x^2, slope = 2 k2 - 3 m1 and turn = 3 m0 - k1. Bend and Rise are the same from the
+/// coefficients of these in t, x = t - 1; where the ellipses all but coincide fewer digits cancel then.
 struct EndOfPencil {
   const Number<8>&m0, &m1, &m2, &slope, &turn;
 };
