@@ -18,7 +18,6 @@
 #pragma once
 
 #include <limits>
-#include <optional>
 #include <vesica/boundary_distance/box_box.hpp>
 #include <vesica/boundary_distance/common_point.hpp>
 #include <vesica/boundary_distance/lane_pairs.hpp>

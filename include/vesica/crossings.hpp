@@ -9,7 +9,7 @@
 /// Places come in order along a's outline: counter-clockwise (in the frame of the stored axis) from the corner -hx u -
 /// hy perp u of a box, from the end of the axis +u of an ellipse (+x of a circle); from a segment's first end. A place
 /// exactly there is the first. Places closer than the accuracy may be in either order, or be equal. The same holds for
-/// places of two ellipses within 2^-96 of a turn of each other on the smaller one, as can happen with needles of
+/// places of two ellipses within 2^-95 of a turn of each other on the smaller one, as can happen with needles of
 /// aspects beyond 2^90.
 ///
 /// Accuracy: within 4u of the greatest coordinate and size of either shape, u = 2^-53, of a true place, and so of both
@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <vesica/crossings/box_box.hpp>
 #include <vesica/crossings/box_ellipse.hpp>
 #include <vesica/crossings/ellipse_ellipse.hpp>

@@ -393,9 +393,9 @@ void expect_invariant(const exact::ContactCubic& p, const mpq_class& truth) {
 
 /// The same of what is the same for the pencil about 0 and about -1.
 template <class Polynomial>
-void expect_of_pencil(const exact::detail::EndOfPencil& plain, const exact::detail::EndOfPencil& about,
+void expect_of_pencil(const exact::detail::PencilParts& plain, const exact::detail::PencilParts& about,
                       const mpq_class& truth) {
-  for (const exact::detail::EndOfPencil& e : {plain, about}) {
+  for (const exact::detail::PencilParts& e : {plain, about}) {
     expect_within_bound(Polynomial::few(e), truth);
     const auto told = exact::leading(Polynomial(e).told());
     expect_within_bound(told, truth);
@@ -411,8 +411,8 @@ void expect_containment_of_pencil(const exact::ContactCubic& p) {
   const Number<8> exact_turn = exact::integer(3) * p.d1 - p.c1;
   const exact::detail::CubicAboutMinusOne k(p, false);
   const Number<8> turn_about = exact::integer(3) * determinant - k.k1;
-  const exact::detail::EndOfPencil plain{p.d1, p.mu, p.d2, exact_slope, exact_turn};
-  const exact::detail::EndOfPencil about{determinant, m1, p.d2, exact_slope, turn_about};
+  const exact::detail::PencilParts plain{p.d1, p.mu, p.d2, exact_slope, exact_turn};
+  const exact::detail::PencilParts about{determinant, m1, p.d2, exact_slope, turn_about};
   expect_of_pencil<exact::detail::Bend>(plain, about, slope * slope - 9 * delta);
   expect_of_pencil<exact::detail::Rise>(plain, about, (slope * slope * delta - rest * rest) / (4 * d2));
 }

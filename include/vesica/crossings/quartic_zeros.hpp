@@ -20,8 +20,8 @@ struct Spot {
   bool is_certain_before = false, is_certain_after = false;  ///< the signs
 };
 
-/// In order, to less than the shortest interval of the tangent that matters, which two steps of 48 bits reach. Four
-/// zeros, and as many that rounding cannot tell from zeros.
+/// In order, each narrower than the shortest interval of the tangent that matters, which two steps of 48 bits reach.
+/// Four zeros, and as many that rounding cannot tell from zeros.
 struct Spots {
   Spot spot[16];
   int count = 0;

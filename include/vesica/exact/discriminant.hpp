@@ -75,20 +75,9 @@ constexpr Leading<few_limbs> told_invariant(const ContactCubic& p, const Leading
   return Polynomial::told(other.error + least_gain < few.error ? about : plain);
 }
 
-/// A cubic's discriminant, by digits from the top.
-class DiscriminantDigits {
- public:
-  constexpr explicit DiscriminantDigits(const Coefficients& k) noexcept : k0_(k.k0), k1_(k.k1), k2_(k.k2), k3_(k.k3) {}
-  constexpr ToldSum told() noexcept { return ToldSum({{1, &lower_, &upper_}, {1, &ends_, &rest_}}); }
-
- private:
-  DigitsOfDegree<8> k0_, k1_, k2_, k3_;
-  DigitsOfDegree<16> lower_{{1, &k1_, &k1_}, {-4, &k0_, &k2_}}, upper_{{1, &k2_, &k2_}, {-4, &k1_, &k3_}},
-      ends_{{1, &k0_, &k3_}}, rest_{{2, &k1_, &k2_}, {-27, &k0_, &k3_}};
-};
-
 /// The discriminant, which is the same for both orders of the ellipses too.
-struct Discriminant {
+class Discriminant {
+ public:
   static constexpr bool is_same_if_exchanged = true;
   static constexpr Leading<few_limbs> few(const Coefficients& k) noexcept {
     const Leading<few_limbs> k0(k.k0), k3(k.k3);
@@ -98,35 +87,42 @@ struct Discriminant {
   static constexpr Leading<few_limbs> told(const Coefficients& k) noexcept {
     return is_longer(k.k1, some_limbs) || is_longer(k.k2, some_limbs) ? by_digits(k) : whole(k);
   }
+  /// By digits from the top.
   VESICA_CALLED static constexpr Leading<few_limbs> by_digits(const Coefficients& k) noexcept {
-    return leading(DiscriminantDigits(k).told());
+    return leading(Discriminant(k).sum());
   }
   VESICA_CALLED static constexpr Leading<few_limbs> whole(const Coefficients& k) noexcept {
     return Leading<few_limbs>(discriminant(k.k0, k.k1, k.k2, k.k3, k.k0 * k.k3));
   }
-};
-
-/// 2 k2^3 - 9 k1 k2 k3 + 27 k0 k3^2, by digits from the top.
-class DoubleRootDigits {
- public:
-  constexpr explicit DoubleRootDigits(const Coefficients& k) noexcept : k0_(k.k0), k1_(k.k1), k2_(k.k2), k3_(k.k3) {}
-  constexpr ToldSum told() noexcept { return ToldSum({{2, &k2_, &a_}, {-3, &k3_, &b_}}); }
 
  private:
+  constexpr explicit Discriminant(const Coefficients& k) noexcept : k0_(k.k0), k1_(k.k1), k2_(k.k2), k3_(k.k3) {}
+  constexpr ToldSum sum() noexcept { return ToldSum({{1, &lower_, &upper_}, {1, &ends_, &rest_}}); }
+
   DigitsOfDegree<8> k0_, k1_, k2_, k3_;
-  DigitsOfDegree<16> a_{{1, &k2_, &k2_}, {-3, &k1_, &k3_}}, b_{{1, &k1_, &k2_}, {-9, &k0_, &k3_}};
+  DigitsOfDegree<16> lower_{{1, &k1_, &k1_}, {-4, &k0_, &k2_}}, upper_{{1, &k2_, &k2_}, {-4, &k1_, &k3_}},
+      ends_{{1, &k0_, &k3_}}, rest_{{2, &k1_, &k2_}, {-27, &k0_, &k3_}};
 };
 
-/// See double_root_is_greater().
-struct DoubleRootOrder {
+/// 2 k2^3 - 9 k1 k2 k3 + 27 k0 k3^2: see double_root_is_greater().
+class DoubleRootOrder {
+ public:
   static constexpr bool is_same_if_exchanged = false;  // the roots' order is not
   static constexpr Leading<few_limbs> few(const Coefficients& k) noexcept {
     const Leading<few_limbs> k0(k.k0), k1(k.k1), k2(k.k2), k3(k.k3);
     return times(2, k2) * (square(k2) - times(3, k1 * k3)) - times(3, k3) * (k1 * k2 - times(9, k0 * k3));
   }
+  /// By digits from the top.
   VESICA_CALLED static constexpr Leading<few_limbs> told(const Coefficients& k) noexcept {
-    return leading(DoubleRootDigits(k).told());
+    return leading(DoubleRootOrder(k).sum());
   }
+
+ private:
+  constexpr explicit DoubleRootOrder(const Coefficients& k) noexcept : k0_(k.k0), k1_(k.k1), k2_(k.k2), k3_(k.k3) {}
+  constexpr ToldSum sum() noexcept { return ToldSum({{2, &k2_, &a_}, {-3, &k3_, &b_}}); }
+
+  DigitsOfDegree<8> k0_, k1_, k2_, k3_;
+  DigitsOfDegree<16> a_{{1, &k2_, &k2_}, {-3, &k1_, &k3_}}, b_{{1, &k1_, &k2_}, {-9, &k0_, &k3_}};
 };
 
 }  // namespace detail

@@ -10,10 +10,11 @@ namespace vesica::exact {
 
 namespace detail {
 
-/// What q''(y+) and q'(y+) of first_in_second() in ellipse_ellipse.hpp are made of: with p = k0 + k1 x + ..., and
-/// det(S1 + x S2) = m0 + m1 x + m2 x^2, slope = 2 k2 - 3 m1 and turn = 3 m0 - k1. Bend and Rise are the same from the
-/// coefficients of these in t, x = t - 1; where the ellipses all but coincide fewer digits cancel then.
-struct EndOfPencil {
+/// What q''(y+) and q'(y+) of first_in_second() in ellipse_ellipse.hpp are made of: with p = k0 + k1 x + ... and
+/// det(S1 + x S2) = m0 + m1 x + m2 x^2, slope = 2 k2 - 3 m1 and turn = 3 m0 - k1. With the coefficients of p(t - 1) and
+/// det(S1 + (t - 1) S2) instead, Bend and Rise are the same; where the ellipses all but coincide fewer digits of these
+/// cancel.
+struct PencilParts {
   const Number<8>&m0, &m1, &m2, &slope, &turn;
 };
 
@@ -29,11 +30,11 @@ constexpr Real rise(const Real& m0, const Real& m1, const Real& m2, const Real& 
 /// slope^2 - 9 delta, which has the sign of q''(y+) for a positive slope.
 class Bend {
  public:
-  static constexpr Leading<few_limbs> few(const EndOfPencil& e) noexcept {
+  static constexpr Leading<few_limbs> few(const PencilParts& e) noexcept {
     using Few = Leading<few_limbs>;
     return bend(Few(e.m0), Few(e.m1), Few(e.m2), Few(e.slope));
   }
-  constexpr explicit Bend(const EndOfPencil& e) noexcept : m0_(e.m0), m1_(e.m1), m2_(e.m2), slope_(e.slope) {}
+  constexpr explicit Bend(const PencilParts& e) noexcept : m0_(e.m0), m1_(e.m1), m2_(e.m2), slope_(e.slope) {}
   constexpr ToldSum told() noexcept { return ToldSum({{1, &slope_, &slope_}, {-9, &m1_, &m1_}, {36, &m0_, &m2_}}); }
 
  private:
@@ -43,11 +44,11 @@ class Bend {
 /// (slope^2 delta - rest^2) / (4 d2), which has the sign of q'(y+) for a positive slope; rest = slope mu + 2 d2 turn.
 class Rise {
  public:
-  static constexpr Leading<few_limbs> few(const EndOfPencil& e) noexcept {
+  static constexpr Leading<few_limbs> few(const PencilParts& e) noexcept {
     using Few = Leading<few_limbs>;
     return rise(Few(e.m0), Few(e.m1), Few(e.m2), Few(e.slope), Few(e.turn));
   }
-  constexpr explicit Rise(const EndOfPencil& e) noexcept
+  constexpr explicit Rise(const PencilParts& e) noexcept
       : m0_(e.m0), m1_(e.m1), m2_(e.m2), slope_(e.slope), turn_(e.turn) {}
   constexpr ToldSum told() noexcept { return ToldSum({{-1, &m0_, &slope_slope_}, {-1, &turn_, &along_}}); }
 
@@ -56,9 +57,10 @@ class Rise {
   DigitsOfDegree<16> slope_slope_{{1, &slope_, &slope_}}, along_{{1, &m1_, &slope_}, {1, &m2_, &turn_}};
 };
 
-/// By few digits of either, else by digits from the top of the one of which more is known.
+/// The sign of a polynomial that is the same from both: by few digits of either, else by digits from the top of the one
+/// of which more is known.
 template <class Polynomial>
-constexpr int told_sign(const EndOfPencil& plain, const EndOfPencil& about) noexcept {
+constexpr int told_sign(const PencilParts& plain, const PencilParts& about) noexcept {
   const Leading<few_limbs> of_plain = Polynomial::few(plain);
   if (of_plain.sign_is_certain()) return of_plain.sign;
   const Leading<few_limbs> of_about = Polynomial::few(about);
@@ -97,7 +99,7 @@ VESICA_CALLED constexpr bool more_digits_tell_first_in_second(const ContactCubic
   const Number<8> slope = two * p.c2 - three * p.mu;
   if (slope.sign <= 0) return false;
   const Number<8> turn = three * p.d1 - p.c1, m1 = p.mu - two * p.d2, turn_about = two * (determinant - p.be) + p.al;
-  const detail::EndOfPencil plain{p.d1, p.mu, p.d2, slope, turn}, about{determinant, m1, p.d2, slope, turn_about};
+  const detail::PencilParts plain{p.d1, p.mu, p.d2, slope, turn}, about{determinant, m1, p.d2, slope, turn_about};
   if (detail::told_sign<detail::Bend>(plain, about) > 0) return true;
   const int rising = detail::told_sign<detail::Rise>(plain, about);
   return rising != 0 ? rising > 0 : detail::reaches_end(p);
