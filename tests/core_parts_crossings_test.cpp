@@ -18,7 +18,8 @@ using namespace vesica;
 using namespace vesica::detail::crossings;
 
 Census census_of(const Ellipse<double>& a, const Ellipse<double>& b) {
-  return detail::crossings::census(exact::form(a), exact::form(b));
+  const exact::Ellipse e = exact::form(a), f = exact::form(b);
+  return detail::crossings::census(exact::Outline(e, f));
 }
 ::testing::AssertionResult is(const Census& c, int crossing, int touching) {
   if (c.crossing == crossing && c.touching == touching && !c.equal) return ::testing::AssertionSuccess();

@@ -82,9 +82,9 @@ Tally tell(const Draw& draw, int count) {
     for (const bool exchanged : {false, true}) {
       const Outline outline(exchanged ? f : e, exchanged ? e : f);
       const Groups groups(find_spots(Harmonics(outline)));
-      const Census expected = census(e, f);
+      const Census expected = census(outline);
       if (groups.surely_odd() > 0) {
-        const Census crossing = census(e, f, true);
+        const Census crossing = census(outline, true);
         EXPECT_TRUE(crossing.crossing == expected.crossing && crossing.touching == expected.touching);
         EXPECT_FALSE(expected.equal);
         EXPECT_GE(expected.crossing, groups.surely_odd()) << "case " << i << ", seed " << properties::seed();

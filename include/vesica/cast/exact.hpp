@@ -13,31 +13,13 @@
 #include <vesica/cast/body.hpp>
 #include <vesica/crossings/rough.hpp>
 #include <vesica/depth/exact_zero.hpp>
-#include <vesica/exact/digits.hpp>
-#include <vesica/exact/rounded.hpp>
 
 namespace vesica::detail::cast {
 
+using crossings::rough;
 using crossings::Rough;
 using exact::Leading;
 using exact::Number;
-
-/// Of leading digits.
-template <int Degree>
-Rough rough(const Number<Degree>& kept, std::int64_t error) noexcept {
-  Rough out(kept);
-  if (error == exact::Digits::nothing) return out;
-  const int place = static_cast<int>(error);
-  // Of digits that are all beyond what is known, only how great they may be.
-  if (kept.sign == 0 || place > out.exponent + 60) return {{}, 2, place};
-  return {out.value, out.error + arithmetic::scale(1.01, place - out.exponent), out.exponent};
-}
-template <int limbs>
-Rough rough(const Leading<limbs>& x) noexcept {
-  return rough(exact::detail::digits_of(x), x.error);
-}
-inline Rough rough(const exact::Digits& x) noexcept { return rough(exact::detail::digits_of(x), x.error); }
-inline const Rough& rough(const Rough& x) noexcept { return x; }
 
 /// A shape in its exact form; a round one has an area.
 struct ExactBody {

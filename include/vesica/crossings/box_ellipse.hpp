@@ -46,14 +46,10 @@ struct DiscBox {
   }
 };
 
-/// A corner there, and the sign and size of its squared distance from the origin less the squared radius.
+/// A corner there, and its squared distance from the origin less the squared radius.
 struct DiscCorner {
   exact::Number<4> m0, m1;
   Rough r0, r1, value;
-  int sign;
-  static constexpr auto value_of = [](const auto& x, const auto& y, const auto& r) {
-    return square(x) + square(y) - square(r);
-  };
   void set(const DiscBox& box, const Corners& corners, int i) noexcept {
     const bool right = corners.is_right(i), top = corners.is_top(i);
     m0 = right ? box.k0 + box.p0 : box.k0 - box.p0;
@@ -62,15 +58,12 @@ struct DiscCorner {
     m1 = top ? m1 + box.q1 : m1 - box.q1;
     r0 = Rough(m0);
     r1 = Rough(m1);
-    value = square(r0) + square(r1) - square(box.frame.rough_radius);
-    sign = sign_of_either(
-        value, [&] { return by_factors(box.frame); }, value_of, m0, m1, box.frame.radius);
+    const DiscFrame& frame = box.frame;
+    value = square(r0) + square(r1) - square(frame.rough_radius);
+    if (!value.is_precise()) value = squares_less(frame.radius, m0, m1);
+    if (!value.is_precise()) value = rough(exact::BeyondRim(m0, m1, frame.radius).leading());
   }
-  Rough by_factors(const DiscFrame& frame) const noexcept { return squares_less(frame.radius, m0, m1); }
-  Scaled size(const DiscFrame& frame) const noexcept {
-    return size_of_either(
-        value, [&] { return by_factors(frame); }, value_of, m0, m1, frame.radius);
-  }
+  int sign() const noexcept { return value.sign(); }
 };
 
 /// The line of an edge h w of a box, w its axis or across it, in the plane itself. The frame's cross products are those
@@ -221,7 +214,7 @@ struct Roots {
 
 inline Roots roots_inside(const DiscEdge& edge) noexcept {
   Roots roots;
-  const int start = edge.from.sign, end = edge.to.sign;
+  const int start = edge.from.sign(), end = edge.to.sign();
   if (start < 0 && end <= 0) return roots;
   if (start == 0 && (end <= 0 || edge.slope_sign() >= 0)) return roots;
   if (end == 0 && edge.end_slope_sign() <= 0) return roots;
@@ -243,7 +236,7 @@ inline Roots roots_inside(const DiscEdge& edge) noexcept {
     return roots;
   }
   // a t^2 + 2 b t + c, c and the discriminant each rounded once. |b| + root does not cancel.
-  const Scaled c = m.size(edge.frame);
+  const Scaled c = m.value.scaled();
   const Scaled all = sum({std::fabs(b.value), b.exponent}, root(d));
   const double larger = quotient(all, a), lesser = quotient(c, all);
   if (start > 0) roots.add(b.value > 0 ? -larger : lesser, -1);
@@ -321,7 +314,7 @@ inline Found crossings(const exact::Box& box, const exact::Ellipse& ellipse) noe
   Found found;
   for (int i = 0; i < corners.count; ++i) {
     corner[i].set(disc_box, corners, i);
-    if (corner[i].sign != 0) continue;
+    if (corner[i].sign() != 0) continue;
     const int unit = frame.rough_radius.exponent;
     const Real at = turn(two_doubles(corner[i].m0, unit), two_doubles(corner[i].m1, unit));
     places.at_corner[i] = found.count;

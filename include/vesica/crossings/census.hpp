@@ -43,8 +43,8 @@ inline Census crossing(const exact::ContactCubic& p, int roots) noexcept {
 
 /// The same distinctions as exact::relation makes, with the number of places; less of them where they are known to
 /// cross.
-VESICA_COLD inline Census census(const exact::Ellipse& e, const exact::Ellipse& f, bool cross = false) noexcept {
-  exact::ContactCubic p = exact::contact_cubic(e, f);
+VESICA_COLD inline Census census(const exact::Outline& outline, bool cross = false) noexcept {
+  exact::ContactCubic p = exact::contact_cubic(outline);
   if (p.al.sign == 0) {
     switch (exact::detail::concentric(p)) {
       case Relation::cross:

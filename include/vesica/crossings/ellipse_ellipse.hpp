@@ -16,41 +16,7 @@
 
 namespace vesica::detail::crossings {
 
-/// A point or a vector in the frame in which f is the disc of radius a b W about the origin.
-template <int Degree>
-struct Image {
-  exact::Number<Degree> x, y;
-};
-template <int Degree>
-Image<Degree + 2> image(const exact::Ellipse& f, const exact::Number<Degree>& x,
-                        const exact::Number<Degree>& y) noexcept {
-  return {f.b * exact::dot(f.ux, f.uy, x, y), f.a * exact::cross(f.ux, f.uy, x, y)};
-}
-template <int A, int B>
-exact::Number<A + B> dot(const Image<A>& p, const Image<B>& q) noexcept {
-  return p.x * q.x + p.y * q.y;
-}
-
-/// e's outline C + P cos + Q sin seen from f, and the rim of f.
-struct Outline {
-  const exact::Ellipse &e, &f;
-  exact::Number<2> dot, cross;  ///< of f's axis and e's
-  Image<3> c;
-  Image<4> p, q;
-  exact::Number<4> radius;
-
-  Outline(const exact::Ellipse& its_e, const exact::Ellipse& its_f) noexcept
-      : e(its_e),
-        f(its_f),
-        dot(exact::dot(f.ux, f.uy, e.ux, e.uy)),
-        cross(exact::cross(f.ux, f.uy, e.ux, e.uy)),
-        c(image(f, e.cx - f.cx, e.cy - f.cy)),
-        p{f.b * e.a * dot, f.a * e.a * cross},
-        q{f.b * e.b * cross, f.a * e.b * dot},
-        radius(f.a * f.b * exact::dot(f.ux, f.uy, f.ux, f.uy)) {
-    q.x.sign = -q.x.sign;
-  }
-};
+using exact::Image, exact::Outline;
 
 /// The first limbs of a number, so many or all.
 template <int Degree>
@@ -69,22 +35,13 @@ Image<Degree> first_limbs(const Image<Degree>& z, int count) noexcept {
   return {first_limbs(z.x, count), first_limbs(z.y, count)};
 }
 
-/// |z|^2 - radius^2 = less more + other^2 by the greater coordinate of z, so that it hardly cancels.
-struct BeyondRim {
-  exact::Number<4> less, more, other;
-
-  template <int Degree>
-  BeyondRim(const Image<Degree>& z, const exact::Number<4>& radius, int limbs) noexcept
-      : BeyondRim(is_greater(z.x, z.y) ? z.x : z.y, is_greater(z.x, z.y) ? z.y : z.x, radius, limbs) {}
-  exact::Number<8> value() const noexcept { return less * more + exact::square(other); }
-
- private:
-  BeyondRim(const exact::Number<4>& greater, const exact::Number<4>& lesser, const exact::Number<4>& radius,
-            int limbs) noexcept
-      : less(first_limbs(exact::abs(greater) - radius, limbs)),
-        more(first_limbs(exact::abs(greater) + radius, limbs)),
-        other(first_limbs(lesser, limbs)) {}
-};
+using BeyondRim = exact::BeyondRim<4, 4>;
+inline BeyondRim first_limbs(BeyondRim z, int count) noexcept {
+  z.less = first_limbs(z.less, count);
+  z.more = first_limbs(z.more, count);
+  z.other = first_limbs(z.other, count);
+  return z;
+}
 
 /// What the form of f along e is made of. P.Q = along across, factors that do not cancel. Twice the square of the
 /// radius is taken from what is about as great: from 2 |C|^2 if C is not well within the rim, else half of it from each
@@ -115,9 +72,9 @@ struct FormParts {
         q(first_limbs(o.q, limbs)),
         along(o.e.a * o.e.b * first_limbs(o.dot, limbs)),
         across(first_limbs(o.f.a - o.f.b, limbs) * first_limbs(o.f.a + o.f.b, limbs) * first_limbs(o.cross, limbs)),
-        beyond_c(o.c, within ? exact::Number<4>() : o.radius, limbs),
-        beyond_p(o.p, within ? o.radius : exact::Number<4>(), limbs),
-        beyond_q(o.q, within ? o.radius : exact::Number<4>(), limbs) {}
+        beyond_c(first_limbs(BeyondRim(exact::Number<4>(o.c.x), exact::Number<4>(o.c.y), within ? exact::Number<4>() : o.radius), limbs)),
+        beyond_p(first_limbs(BeyondRim(o.p.x, o.p.y, within ? o.radius : exact::Number<4>()), limbs)),
+        beyond_q(first_limbs(BeyondRim(o.q.x, o.q.y, within ? o.radius : exact::Number<4>()), limbs)) {}
 
   /// Whether C is within a quarter of the radius at least.
   static bool is_within(const Outline& o) noexcept {
@@ -401,7 +358,7 @@ inline Real along_circle(const Real& x, const Real& y, const Real& radius) noexc
 /// The place at which f's outline begins, if it is one of them, is the first along f. Others may be nearer to it than
 /// roundings, as seen from f; along e places are told apart.
 inline void mend_start(const exact::Ellipse& e, const exact::Ellipse& f, Found& found) noexcept {
-  const auto z = image(e, f.cx - e.cx + f.a * f.ux, f.cy - e.cy + f.a * f.uy);
+  const auto z = exact::image(e, f.cx - e.cx + f.a * f.ux, f.cy - e.cy + f.a * f.uy);
   const auto radius = e.a * e.b * exact::dot(e.ux, e.uy, e.ux, e.uy);
   if (exact::side_of_rim(z.x, z.y, radius) != 0) return;
   const int unit = exact::rounded(radius).exponent;
@@ -422,7 +379,7 @@ inline Found places(const exact::Ellipse& e, const StoredOutline& stored, const 
   const Outline outline(e, f);
   Groups groups(find_spots(Harmonics(outline)));
   const std::optional<int> crossings = groups.certain_crossings();
-  const Census all = crossings ? Census{*crossings, 0, false} : census(e, f, groups.surely_odd() > 0);
+  const Census all = crossings ? Census{*crossings, 0, false} : census(outline, groups.surely_odd() > 0);
   found.shared = all.equal;
   if (all.crossing + all.touching == 0) return found;
   assert(groups.count > 0);
@@ -445,7 +402,8 @@ inline Found places(const exact::Ellipse& e, const StoredOutline& stored, const 
 /// where they do not meet or are the same; then it writes nothing.
 inline bool any_place(const exact::Ellipse& e, const StoredOutline& stored, const exact::Ellipse& f, double& x,
                       double& y, const std::optional<Census>& known) noexcept {
-  Harmonics harmonics((Outline(e, f)));
+  const Outline outline(e, f);
+  Harmonics harmonics(outline);
   Spots spots;
   spots.shortest = 0x1p-64;  // one place alone need only be right beyond its rounding
   for (int quarter = 0; quarter < 4; ++quarter) {
@@ -459,7 +417,7 @@ inline bool any_place(const exact::Ellipse& e, const StoredOutline& stored, cons
     }
     harmonics.advance();
   }
-  const Census all = known ? *known : census(e, f);
+  const Census all = known ? *known : census(outline);
   if (all.crossing + all.touching == 0) return false;
   Groups groups(spots);
   share_out(groups, all);

@@ -5,6 +5,8 @@
 
 #include <utility>
 #include <vesica/crossings/points.hpp>
+#include <vesica/exact/digits.hpp>
+#include <vesica/exact/rounded.hpp>
 
 namespace vesica::detail::crossings {
 
@@ -79,6 +81,23 @@ inline Rough operator/(const Rough& a, const Rough& b) noexcept {
   return {quotient, 1.4 * ((a.error + q * b.error) / y) + 0x1p-97 * q, a.exponent - b.exponent};
 }
 inline Rough times(double factor, const Rough& a) noexcept { return a * Rough(Real(factor), 0, 0); }
+
+/// Of leading digits.
+template <int Degree>
+Rough rough(const exact::Number<Degree>& kept, std::int64_t error) noexcept {
+  Rough out(kept);
+  if (error == exact::Digits::nothing) return out;
+  const int place = static_cast<int>(error);
+  // Of digits that are all beyond what is known, only how great they may be.
+  if (kept.sign == 0 || place > out.exponent + 60) return {{}, 2, place};
+  return {out.value, out.error + arithmetic::scale(1.01, place - out.exponent), out.exponent};
+}
+template <int limbs>
+Rough rough(const exact::Leading<limbs>& x) noexcept {
+  return rough(exact::detail::digits_of(x), x.error);
+}
+inline Rough rough(const exact::Digits& x) noexcept { return rough(exact::detail::digits_of(x), x.error); }
+inline const Rough& rough(const Rough& x) noexcept { return x; }
 
 /// The sign of a polynomial in exact numbers, from the rough one or else from these.
 template <class Polynomial, int... Degree>

@@ -17,20 +17,57 @@ struct ContactCubic {
   Number<4> root1, root2;  ///< of d1 and d2
 };
 
-constexpr ContactCubic contact_cubic(const Ellipse& e, const Ellipse& f) noexcept {
-  const Length dx = f.cx - e.cx, dy = f.cy - e.cy;
-  const auto c = dot(e.ux, e.uy, f.ux, f.uy), s = cross(e.ux, e.uy, f.ux, f.uy);
+/// A point or a vector in the frame in which f is the disc of radius a b W about the origin.
+template <int Degree>
+struct Image {
+  Number<Degree> x, y;
+};
+template <int Degree>
+constexpr Image<Degree + 2> image(const Ellipse& f, const Number<Degree>& x, const Number<Degree>& y) noexcept {
+  return {f.b * dot(f.ux, f.uy, x, y), f.a * cross(f.ux, f.uy, x, y)};
+}
+template <int A, int B>
+constexpr Number<A + B> dot(const Image<A>& p, const Image<B>& q) noexcept {
+  return p.x * q.x + p.y * q.y;
+}
+/// e's outline C + P cos + Q sin seen from f, and the rim of f.
+struct Outline {
+  const Ellipse &e, &f;
+  Number<2> dot, cross;  ///< of f's axis and e's
+  Image<3> c;
+  Image<4> p, q;
+  Number<4> radius;
+
+  constexpr Outline(const Ellipse& its_e, const Ellipse& its_f) noexcept
+      : e(its_e),
+        f(its_f),
+        dot(exact::dot(f.ux, f.uy, e.ux, e.uy)),
+        cross(exact::cross(f.ux, f.uy, e.ux, e.uy)),
+        c(image(f, e.cx - f.cx, e.cy - f.cy)),
+        p{f.b * e.a * dot, f.a * e.a * cross},
+        q{f.b * e.b * cross, f.a * e.b * dot},
+        radius(f.a * f.b * exact::dot(f.ux, f.uy, f.ux, f.uy)) {
+    q.x.sign = -q.x.sign;
+  }
+};
+
+constexpr ContactCubic contact_cubic(const Outline& o) noexcept {
+  const Ellipse &e = o.e, &f = o.f;
+  const Image<3> across = image(e, f.cx - e.cx, f.cy - e.cy);
   ContactCubic p;
-  p.mu = square(e.a * f.b * c) + square(e.b * f.a * c) + square(e.a * f.a * s) + square(e.b * f.b * s);
-  p.al = square(e.b * dot(e.ux, e.uy, dx, dy)) + square(e.a * cross(e.ux, e.uy, dx, dy));
-  p.be = square(f.b * dot(f.ux, f.uy, dx, dy)) + square(f.a * cross(f.ux, f.uy, dx, dy));
+  p.mu = sum_of_squares(o.p.x, o.p.y, o.q.x, o.q.y);
+  p.al = sum_of_squares(across.x, across.y);
+  p.be = sum_of_squares(o.c.x, o.c.y);
   p.root1 = e.a * e.b * dot(e.ux, e.uy, e.ux, e.uy);
-  p.root2 = f.a * f.b * dot(f.ux, f.uy, f.ux, f.uy);
+  p.root2 = o.radius;
   p.d1 = square(p.root1);
   p.d2 = square(p.root2);
   p.c1 = p.d1 + p.mu - p.al;
   p.c2 = p.d2 + p.mu - p.be;
   return p;
+}
+constexpr ContactCubic contact_cubic(const Ellipse& e, const Ellipse& f) noexcept {
+  return contact_cubic(Outline(e, f));
 }
 
 }  // namespace vesica::exact

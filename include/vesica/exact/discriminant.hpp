@@ -83,9 +83,9 @@ class Discriminant {
     const Leading<few_limbs> k0(k.k0), k3(k.k3);
     return discriminant(k0, Leading<few_limbs>(k.k1), Leading<few_limbs>(k.k2), k3, k0 * k3);
   }
-  /// Numbers of which few limbs matter are multiplied sooner than taken apart.
+  /// Sparse numbers are multiplied sooner than taken apart.
   static constexpr Leading<few_limbs> told(const Coefficients& k) noexcept {
-    return is_longer(k.k1, some_limbs) || is_longer(k.k2, some_limbs) ? by_digits(k) : whole(k);
+    return is_sparse(k.k0) && is_sparse(k.k1) && is_sparse(k.k2) && is_sparse(k.k3) ? whole(k) : by_digits(k);
   }
   /// By digits from the top.
   VESICA_CALLED static constexpr Leading<few_limbs> by_digits(const Coefficients& k) noexcept {

@@ -78,13 +78,36 @@ constexpr Number<A + B> cross(const Number<A>& ux, const Number<A>& uy, const Nu
   return ux * wy - uy * wx;
 }
 
-/// 1 inside the disc of this radius about the origin, 0 on its rim, -1 outside: the sign of (r - |x|) (r + |x|) - y^2,
-/// or with x and y exchanged, so that only the difference may cancel.
+/// How far a point is beyond the rim of the disc of radius r about the origin: x^2 + y^2 - r^2 as
+/// (|x| - r) (|x| + r) + y^2, or with x and y exchanged, so that only the sum may cancel.
+template <int A, int R>
+struct BeyondRim {
+  static constexpr int degree = A > R ? A : R;
+  Number<degree> less, more;
+  Number<A> other;
+
+  constexpr BeyondRim(const Number<A>& x, const Number<A>& y, const Number<R>& radius) noexcept
+      : BeyondRim(detail::compare_magnitude(x.span(), y.span()) > 0, x, y, radius) {}
+  constexpr Number<2 * degree> value() const noexcept { return less * more + square(other); }
+  /// Its leading digits, however many cancel.
+  VESICA_CALLED constexpr Leading<few_limbs> leading() const noexcept {
+    detail::DigitsOfDegree<degree> a(less), b(more), c(other);
+    return exact::leading(detail::ToldSum({{1, &a, &b}, {1, &c, &c}}));
+  }
+
+ private:
+  constexpr BeyondRim(bool x_is_greater, const Number<A>& x, const Number<A>& y, const Number<R>& radius) noexcept
+      : less(abs(x_is_greater ? x : y) - radius),
+        more(abs(x_is_greater ? x : y) + radius),
+        other(x_is_greater ? y : x) {}
+};
+
+/// 1 inside that disc, 0 on its rim, -1 outside.
 template <int A, int R>
 constexpr int side_of_rim(const Number<A>& x, const Number<A>& y, const Number<R>& radius) noexcept {
-  const bool x_is_greater = detail::compare_magnitude(x.span(), y.span()) > 0;
-  const Number<A> greater = abs(x_is_greater ? x : y);
-  return compare_product_with_square(radius - greater, radius + greater, x_is_greater ? y : x);
+  BeyondRim<A, R> z(x, y, radius);
+  z.less.sign = -z.less.sign;
+  return compare_product_with_square(z.less, z.more, z.other);
 }
 
 }  // namespace vesica::exact

@@ -202,6 +202,21 @@ constexpr bool is_longer(const Number<Degree>& x, int limbs) noexcept {
   return 2 * dense_limbs(x) > 3 * limbs;
 }
 
+/// Whether few limbs are dense, in few runs, each of which costs as much as two limbs: products of products have the
+/// squares of these numbers.
+template <int Degree>
+constexpr bool is_sparse(const Number<Degree>& x) noexcept {
+  constexpr int most = 21;
+  int cost = 0;
+  bool was_dense = false;
+  for (int i = 0; i < x.size && cost <= most; ++i) {
+    const bool is_dense = x.limb[i] + 1 > 1;
+    if (is_dense) cost += was_dense ? 1 : 3;
+    was_dense = is_dense;
+  }
+  return cost <= most;
+}
+
 template <int limbs, class Polynomial, int... Degree>
 constexpr bool digits_tell(int& sign, const Polynomial& value, const Number<Degree>&... x) noexcept {
   const auto leading = value(Leading<limbs>(x)...);

@@ -105,23 +105,24 @@ inline constexpr int least_sparse = 12;
 /// Limbs of the longest product that is tried here. Those of degree 32 are shorter.
 inline constexpr int most_sparse = 1100;
 
-/// The runs of a number, twice as great: `room` is where their limbs are put.
-constexpr void double_runs(Runs& x, Limb* room) noexcept {
+/// The runs of a number, and the same twice as great, whose limbs are put into `room`.
+constexpr void double_runs(const Runs& x, Runs& twice, Limb* room) noexcept {
+  twice.count = x.count;
   for (int i = 0; i < x.count; ++i) {
-    Span& s = x.run[i].span;
+    const Span& s = x.run[i].span;
     Limb below = 0;
     for (int k = 0; k < s.size; ++k) {
       room[k] = s.limb[k] << 1 | below >> 63;
       below = s.limb[k];
     }
     room[s.size] = below >> 63;
-    s = {room, s.low, s.size + static_cast<int>(below >> 63)};
-    room += s.size;
+    twice.run[i] = {{room, s.low, s.size + static_cast<int>(below >> 63)}, x.run[i].negative};
+    room += s.size + 1;
   }
 }
 
-/// All products of a run of x and one of y that have this sign. Of a number by itself, x is twice y, and runs that are
-/// the same number are left out.
+/// All products of a run of x and one of y that have this sign; of a number by itself, x being twice y, those of
+/// different runs alone.
 template <bool negative>
 constexpr void take_products(const Runs& x, const Runs& y, bool same, Limb* out) noexcept {
   for (int i = 0; i < x.count; ++i) {
@@ -142,15 +143,21 @@ VESICA_CALLED constexpr bool multiply_sparse(const Span& a, const Span& b, Limb*
   if (n > most_sparse || !x.set(a.limb, a.size) || !y.set(b.limb, b.size)) return false;
   if (x.cost() * y.cost() > a.size * b.size) return false;
   for (int i = 0; i < n; ++i) out[i] = 0;
-  const bool same = a.limb == b.limb;
-  Limb room[Runs::most_limbs + Runs::most_runs];
-  if (same) {
-    for (int i = 0; i < y.count; ++i) add_product(y.run[i].span, y.run[i].span, out);
-    double_runs(x, room);
-  }
   // What is taken away last never makes the sum negative.
-  take_products<false>(x, y, same, out);
-  take_products<true>(x, y, same, out);
+  take_products<false>(x, y, false, out);
+  take_products<true>(x, y, false, out);
+  return true;
+}
+
+/// sum += a * a, of which it has room for two limbs more, where few limbs matter; false where limb by limb is as quick.
+VESICA_CALLED constexpr bool add_square_sparse(const Span& a, Limb* sum) noexcept {
+  Runs x, twice;
+  if (2 * a.size + 2 > most_sparse || !x.set(a.limb, a.size) || x.cost() > a.size) return false;
+  Limb room[Runs::most_limbs + Runs::most_runs];
+  double_runs(x, twice, room);
+  for (int i = 0; i < x.count; ++i) add_product(x.run[i].span, x.run[i].span, sum);
+  take_products<false>(twice, x, true, sum);
+  take_products<true>(twice, x, true, sum);
   return true;
 }
 
