@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 #include <vesica/exact/digits.hpp>
 #include <vesica/exact/ellipse_ellipse.hpp>
@@ -48,20 +49,26 @@ std::vector<Limb> sparse_limbs(Random& random) {
 
 TEST(Sparse, ProductsAndSquares) {
   Random random(properties::seed());
+  const auto expect = [&random](const std::vector<Limb>& a, const std::vector<Limb>& b) {
+    const int na = static_cast<int>(a.size()), nb = static_cast<int>(b.size());
+    std::vector<Limb> out(a.size() + b.size() + 2, 0x5555), sum(2 * a.size() + 2, 0);
+    for (std::size_t i = 0; i + 3 < sum.size(); ++i) sum[i] = random.bits();
+    const mpz_class before = integer(sum.data(), 2 * na + 2);
+    if (exact::detail::add_square_sparse({a.data(), 0, na}, sum.data())) {
+      EXPECT_EQ(integer(sum.data(), 2 * na + 2), before + integer(a.data(), na) * integer(a.data(), na))
+          << "seed " << properties::seed();
+    } else {
+      EXPECT_EQ(integer(sum.data(), 2 * na + 2), before);
+    }
+    if (!exact::detail::multiply_sparse({a.data(), 0, na}, {b.data(), 0, nb}, out.data())) return false;
+    EXPECT_EQ(integer(out.data(), na + nb + 2), integer(a.data(), na) * integer(b.data(), nb))
+        << "seed " << properties::seed();
+    return true;
+  };
   int formed = 0, left = 0;
   for (int i = 0; i < 20'000 * properties::repeat(); ++i) {
-    const std::vector<Limb> a = sparse_limbs(random), b = random.chance(0.3) ? a : sparse_limbs(random);
-    const bool same = random.chance(0.5) && a == b;
-    const int na = static_cast<int>(a.size()), nb = static_cast<int>(b.size());
-    std::vector<Limb> out(a.size() + b.size() + 2, 0x5555);
-    const exact::detail::Span x{a.data(), 0, na}, y{same ? a.data() : b.data(), 0, nb};
-    if (!exact::detail::multiply_sparse(x, y, out.data())) {
-      ++left;
-      continue;
-    }
-    ++formed;
-    ASSERT_EQ(integer(out.data(), na + nb + 2), integer(a.data(), na) * integer(b.data(), nb))
-        << "seed " << properties::seed();
+    const std::vector<Limb> a = sparse_limbs(random);
+    (expect(a, random.chance(0.3) ? a : sparse_limbs(random)) ? formed : left) += 1;
   }
   EXPECT_GT(formed, left);
   EXPECT_GT(left, 0);
@@ -329,20 +336,60 @@ TEST(Leading, NothingIsLostOfWhatFits) {
   }
 }
 
+/// Of right triangles, whose legs end on the rim of their hypotenuse, and beside them.
+TEST(Leading, BeyondARim) {
+  Random random(properties::seed());
+  const auto any = [&random] {
+    const auto length = [&] { return exact::from_double(std::ldexp(1 + random.unit(), random.integer(-1000, 1000))); };
+    return random.chance(0.5) ? length() * length() : length() * length() - length() * length();
+  };
+  int on = 0, precise = 0;
+  for (int i = 0; i < 2000 * properties::repeat(); ++i) {
+    const Number<2> s = any(), t = any();
+    Number<4> legs[] = {square(s) - square(t), exact::integer(2) * (s * t)}, radius = square(s) + square(t);
+    if (random.chance(0.5)) std::swap(legs[0], legs[1]);
+    const auto tiny = square(exact::from_double(std::ldexp(1 + random.unit(), random.integer(-500, 500))));
+    if (random.chance(0.3)) radius = radius + tiny;
+    if (random.chance(0.3)) legs[0] = legs[0] - tiny;
+    const auto &x = legs[0], &y = legs[1];
+    const exact::BeyondRim z(x, y, radius);
+    const mpq_class truth = value(x) * value(x) + value(y) * value(y) - value(radius) * value(radius);
+    EXPECT_EQ(value(z.value()), truth);
+    const auto leading = z.leading();
+    expect_within_bound(leading, truth);
+    EXPECT_TRUE(leading.sign == sgn(truth) && leading.sign_is_certain()) << "seed " << properties::seed();
+    EXPECT_EQ(exact::side_of_rim(x, y, radius), -sgn(truth)) << "seed " << properties::seed();
+    (truth == 0 ? on : precise) += truth == 0 || leading.error < leading.top() - 100;
+  }
+  EXPECT_GT(on, 500 * properties::repeat());
+  EXPECT_EQ(on + precise, 2000 * properties::repeat());
+}
+
+/// A number in these limbs; beyond them there is no zero.
+Number<4> of_limbs(std::initializer_list<Limb> limbs) {
+  Number<4> x;
+  for (Limb& limb : x.limb) limb = 5;
+  x.sign = 1;
+  for (const Limb limb : limbs) x.limb[x.size++] = limb;
+  return x;
+}
+constexpr Limb ones = ~Limb{0};
+
 /// Limbs that are neither all zeros nor all ones, and none beyond the number's own.
 TEST(Leading, DenseLimbs) {
-  const auto dense = [](std::initializer_list<Limb> limbs) {
-    Number<4> x;
-    for (Limb& limb : x.limb) limb = 5;
-    x.sign = 1;
-    for (const Limb limb : limbs) x.limb[x.size++] = limb;
-    return exact::detail::dense_limbs(x);
-  };
-  constexpr Limb ones = ~Limb{0};
-  EXPECT_EQ(dense({1}), 1);
-  EXPECT_EQ(dense({ones}), 0);
-  EXPECT_EQ(dense({1, 0, 0, 2}), 2);
-  EXPECT_EQ(dense({7, ones, ones - 1, 0, 1, ones}), 3);
+  EXPECT_EQ(exact::detail::dense_limbs(of_limbs({1})), 1);
+  EXPECT_EQ(exact::detail::dense_limbs(of_limbs({ones})), 0);
+  EXPECT_EQ(exact::detail::dense_limbs(of_limbs({1, 0, 0, 2})), 2);
+  EXPECT_EQ(exact::detail::dense_limbs(of_limbs({7, ones, ones - 1, 0, 1, ones})), 3);
+}
+
+/// 19 dense limbs in one run, or 7 runs of one limb.
+TEST(Leading, FewLimbsInFewRunsAreSparse) {
+  EXPECT_TRUE(exact::detail::is_sparse(Number<4>()));
+  EXPECT_TRUE(exact::detail::is_sparse(of_limbs({1, 2, 3, 4, 5, 6, 7, 8, 9, 8, 7, 6, 5, 4, 3, 2, 1, 2, 3})));
+  EXPECT_FALSE(exact::detail::is_sparse(of_limbs({1, 2, 3, 4, 5, 6, 7, 8, 9, 8, 7, 6, 5, 4, 3, 2, 1, 2, 3, 4})));
+  EXPECT_TRUE(exact::detail::is_sparse(of_limbs({1, 0, 2, ones, 3, 0, 0, 4, ones, 5, ones, ones, 6, 0, 7})));
+  EXPECT_FALSE(exact::detail::is_sparse(of_limbs({1, 0, 2, ones, 3, 0, 0, 4, ones, 5, ones, ones, 6, 0, 7, 8})));
 }
 
 /// Ellipses with numbers of wildly unlike exponents, of which many are alike: then much cancels.

@@ -114,11 +114,28 @@ inline constexpr double beyond_guess = 1 + 0x1p-10;
 /// Two brackets are halved by turns, that of angles and that which the ellipse sees: more than the digits of both.
 inline constexpr int most_halvings = 128;
 
-/// Whether rounding leaves nothing between its ends, which are about 1 long, or nothing that matters: of ellipses that
-/// are not thinner than 2^-52 a normal turned by 2^-200 is that of the same point.
+/// Of ellipses that are not thinner than 2^-52 a normal turned by this is that of the same point.
+inline constexpr double least_turn = 0x1p-200;
+
+/// Whether rounding leaves nothing between its ends, which are about 1 long, or nothing that matters.
 inline bool is_closed(const Bracket<double>& b) noexcept {
   const double p = b.low.x * b.high.y, q = b.low.y * b.high.x;
-  return p - q <= 0x1p-52 * (abs(p) + abs(q)) + 0x1p-200;
+  return p - q <= 0x1p-52 * (abs(p) + abs(q)) + least_turn;
+}
+
+/// By powers of two halfway from one end to the other, where both are in a quadrant of the frame, and one of them is
+/// far nearer to an axis; else false. Halving the angle, each power would take a step.
+inline bool halves_powers(const Bracket<double>& b, Direction<double>& n) noexcept {
+  const auto far = [](double p, double q) { return max(p, q) > 0x1p16 * min(p, q); };
+  const auto agree = [](double p, double q) { return max(p, q) <= 0 || min(p, q) >= 0; };
+  if (!far(abs(b.low.x * b.high.y), abs(b.low.y * b.high.x))) return false;
+  if (!agree(b.low.x, b.high.x) || !agree(b.low.y, b.high.y)) return false;
+  const auto slope = [](const Direction<double>& v) {
+    return max(least_turn, min(1 / least_turn, abs(v.y) / abs(v.x)));
+  };
+  const double p = slope(b.low), q = slope(b.high), middle = std::sqrt(p) * std::sqrt(q);
+  n = about_unit(std::copysign(1.0, b.low.x + b.high.x), std::copysign(middle, b.low.y + b.high.y));
+  return far(p, q);
 }
 
 /// farthest_normal() by the signs of slopes alone, to the last place of the direction in a frame.
@@ -135,7 +152,11 @@ VESICA_COLD FoundNormal bracketed_normal(const Shapes& shapes, const Vector<doub
     (turn.slope > 0 ? bracket.low : bracket.high) = n;
     const Direction<double> guess = turned(n, beyond_guess * turn.tangent);
     const bool is_guessed = step < most_guesses && turn.sane && turn.tangent != 0 && bracket.holds(guess);
-    n = is_guessed ? about_unit(guess.x, guess.y) : middle(seen, towards, bracket, step);
+    if (is_guessed) {
+      n = about_unit(guess.x, guess.y);
+    } else if (step % 2 == 0 || !halves_powers(bracket, n)) {
+      n = middle(seen, towards, bracket, step);
+    }
   }
   return {frame.back(n), true, step};
 }
