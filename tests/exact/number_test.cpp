@@ -206,8 +206,7 @@ TEST(Number, SumsOfSquares) {
     const mpq_class two = a.truth * a.truth + b.truth * b.truth;
     expect_value(sum_of_squares(a.number), a.truth * a.truth);
     expect_value(sum_of_squares(a.number, b.number), two);
-    expect_value(sum_of_squares(a.number, b.number, c.number, d.number),
-                 two + c.truth * c.truth + d.truth * d.truth);
+    expect_value(sum_of_squares(a.number, b.number, c.number, d.number), two + c.truth * c.truth + d.truth * d.truth);
   };
   expect({}, {}, {}, {});
   for (int i = 0; i < 500 * properties::repeat(); ++i) {

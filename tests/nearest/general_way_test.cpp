@@ -51,13 +51,14 @@ TEST(GeneralWay, FeaturesOfBoxAndEllipse) {
   EXPECT_GT(asked, 1000);
 }
 
-/// Halfway from 2^-20 to 2^-60, and from an axis to another; slopes below 2^-200 are no farther.
+/// Halfway from 2^-20 to 2^-60, and from an axis to another; slopes below 2^-200 are no farther. To both sides of an
+/// axis it is that.
 TEST(GeneralWay, BracketsAreHalvedByPowersOfTwo) {
   const auto slope = [](const Bracket<double>& b) {
     Direction<double> n{0, 0};
     const bool halved = halves_powers(b, n);
     EXPECT_TRUE(!halved || (b.holds(n) && std::fabs(std::fabs(n.x) + std::fabs(n.y) - 1) < 1e-15));
-    return halved ? n.y / n.x : 0;
+    return halved ? n.y / n.x : 7;
   };
   EXPECT_DOUBLE_EQ(slope({{1, 0x1p-60}, {1, 0x1p-20}}), 0x1p-40);
   EXPECT_DOUBLE_EQ(slope({{1, -0x1p-20}, {1, -0x1p-60}}), -0x1p-40);
@@ -67,10 +68,14 @@ TEST(GeneralWay, BracketsAreHalvedByPowersOfTwo) {
   EXPECT_DOUBLE_EQ(slope({{1, 0}, {0, 1}}), 1);
   EXPECT_DOUBLE_EQ(slope({{0, -1}, {1, 0}}), -1);
   EXPECT_DOUBLE_EQ(slope({{1, 0x1p-900}, {1, 0x1p-20}}), 0x1p-110);
-  EXPECT_EQ(slope({{1, 0x1p-900}, {1, 0x1p-300}}), 0);
-  EXPECT_EQ(slope({{1, 0x1p-10}, {1, 0.5}}), 0) << "not far";
-  EXPECT_EQ(slope({{1, -0x1p-60}, {1, 0x1p-20}}), 0) << "in two quadrants";
-  EXPECT_EQ(slope({{0x1p-20, 1}, {-0x1p-60, 1}}), 0) << "in two quadrants";
+  EXPECT_EQ(slope({{1, -0x1p-60}, {1, 0x1p-20}}), 0);
+  EXPECT_EQ(slope({{-1, 0x1p-60}, {-1, -0x1p-20}}), 0);
+  EXPECT_EQ(slope({{0x1p-20, 1}, {-0x1p-60, 1}}), INFINITY);
+  EXPECT_EQ(slope({{-0x1p-60, -1}, {0x1p-20, -1}}), -INFINITY);
+  constexpr double none = 7;
+  EXPECT_EQ(slope({{1, 0x1p-900}, {1, 0x1p-300}}), none) << "no difference that matters";
+  EXPECT_EQ(slope({{1, 0x1p-10}, {1, 0.5}}), none) << "not far";
+  EXPECT_EQ(slope({{1, -0x1p-20}, {1, 0x1p-20}}), none) << "not far";
 }
 
 /// Every vertex and every face, without a thought of which may be the closest.

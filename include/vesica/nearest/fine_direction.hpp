@@ -123,19 +123,32 @@ inline bool is_closed(const Bracket<double>& b) noexcept {
   return p - q <= 0x1p-52 * (abs(p) + abs(q)) + least_turn;
 }
 
-/// By powers of two halfway from one end to the other, where both are in a quadrant of the frame, and one of them is
-/// far nearer to an axis; else false. Halving the angle, each power would take a step.
+/// Where one end is far nearer to an axis of the frame than the other: by powers of two halfway between them, or the
+/// axis, where it is between them; else false. Halving the angle, each power would take a step.
 inline bool halves_powers(const Bracket<double>& b, Direction<double>& n) noexcept {
   const auto far = [](double p, double q) { return max(p, q) > 0x1p16 * min(p, q); };
-  const auto agree = [](double p, double q) { return max(p, q) <= 0 || min(p, q) >= 0; };
+  const auto differ = [](double p, double q) { return max(p, q) > 0 && min(p, q) < 0; };
   if (!far(abs(b.low.x * b.high.y), abs(b.low.y * b.high.x))) return false;
-  if (!agree(b.low.x, b.high.x) || !agree(b.low.y, b.high.y)) return false;
+  const Direction<double> both{std::copysign(1.0, b.low.x + b.high.x), std::copysign(1.0, b.low.y + b.high.y)};
+  if (differ(b.low.x, b.high.x) || differ(b.low.y, b.high.y)) {
+    n = differ(b.low.x, b.high.x) ? Direction<double>{0, both.y} : Direction<double>{both.x, 0};
+    return true;
+  }
   const auto slope = [](const Direction<double>& v) {
     return max(least_turn, min(1 / least_turn, abs(v.y) / abs(v.x)));
   };
-  const double p = slope(b.low), q = slope(b.high), middle = std::sqrt(p) * std::sqrt(q);
-  n = about_unit(std::copysign(1.0, b.low.x + b.high.x), std::copysign(middle, b.low.y + b.high.y));
+  const double p = slope(b.low), q = slope(b.high);
+  n = about_unit(both.x, both.y * (std::sqrt(p) * std::sqrt(q)));
   return far(p, q);
+}
+template <class Shapes>
+Direction<double> halfway(const Shapes& shapes, const Direction<double>& d, const Bracket<double>& bracket,
+                          int step) noexcept {
+  Direction<double> n;
+  return step % 2 == 1 && halves_powers(bracket, n) ? n : middle(shapes, d, bracket, step);
+}
+inline bool is_inside(const Direction<double>& n, const Bracket<double>& b) noexcept {
+  return cross(b.low, n) > 0 && cross(n, b.high) > 0;
 }
 
 /// farthest_normal() by the signs of slopes alone, to the last place of the direction in a frame.
@@ -151,12 +164,12 @@ VESICA_COLD FoundNormal bracketed_normal(const Shapes& shapes, const Vector<doub
     const Turn<double> turn = turn_at(seen, towards, size, n);
     (turn.slope > 0 ? bracket.low : bracket.high) = n;
     const Direction<double> guess = turned(n, beyond_guess * turn.tangent);
-    const bool is_guessed = step < most_guesses && turn.sane && turn.tangent != 0 && bracket.holds(guess);
-    if (is_guessed) {
-      n = about_unit(guess.x, guess.y);
-    } else if (step % 2 == 0 || !halves_powers(bracket, n)) {
-      n = middle(seen, towards, bracket, step);
-    }
+    n = about_unit(guess.x, guess.y);
+    const bool is_guessed = step < most_guesses && turn.sane && is_inside(n, bracket);
+    if (!is_guessed) n = halfway(seen, towards, bracket, step);
+    // Rounding may lead to an end, or beyond.
+    if (!is_inside(n, bracket)) n = middle(bracket);
+    if (!is_inside(n, bracket)) break;
   }
   return {frame.back(n), true, step};
 }
