@@ -85,12 +85,11 @@ class PlaneLine {
         half_(along_ ? corners.box.hx : corners.box.hy),
         rough_half_(half_) {}
   VESICA_COLD Scaled off() const noexcept {
-    const auto x = distance();
     const auto product = [](const auto& a, const auto& b) { return a * b; };
-    return nearest_size(scale() * Rough(x), product, exact_scale(), x);
+    return nearest_size(scale() * Rough(distance()), product, exact_scale(), distance());
   }
   VESICA_COLD Scaled discriminant() const noexcept {
-    const auto x = distance();
+    const auto& x = distance();
     const bool by_p = is_greater(p_, q_);
     const auto greater = exact::abs(by_p ? p_ : q_), size = exact::abs(x);
     const Rough product = Rough(greater - size) * (Rough(greater) + Rough(size));
@@ -102,22 +101,11 @@ class PlaneLine {
     const auto all = [](const auto& s, const auto& factor) { return s * square(factor); };
     return nearest_size(squared_scale * Rough(sum), all, sum, exact_scale());
   }
-  /// Of DiscEdge: at the edge's start for an `end` of -1, at its end for 1. With m the edge's middle in the plane, as
-  /// seen from the ellipse, and a > b, w times m is in the frame b^2 V (w.m) + (a + b) (a - b) (v x w) (v x m): only
-  /// the sum may cancel. With a < b it is the same by a, and dot products.
+  /// Of DiscEdge: at the edge's start for an `end` of -1, at its end for 1.
   VESICA_COLD Rough slope(int end) const noexcept {
-    const bool across = exact::compare(e_.a, e_.b) > 0;
-    const exact::Length &lesser = across ? e_.b : e_.a, &greater = across ? e_.a : e_.b;
-    const Rough less(lesser), axis(exact::dot(e_.ux, e_.uy, e_.ux, e_.uy));
-    Rough middle = times(2, square(less) * axis * Rough(centre_on_way()));
-    const exact::Length excess = greater - lesser;
-    if (excess.sign != 0) {
-      const Rough of_way(across == along_ ? s_ : c_), of_middle(twice_middle(across));
-      const Rough more = (Rough(greater) + less) * Rough(excess) * of_way * of_middle;
-      middle = across || along_ ? middle + more : middle - more;
-    }
-    const Rough half_length = times(2 * end, rough_half_ * (square(Rough(p_)) + square(Rough(q_))));
-    return rough_half_ * (half_length + (backward_ ? -middle : middle));
+    if (!slopes_) slopes_ = {slope_in_middle(), times(2, rough_half_ * (square(Rough(p_)) + square(Rough(q_))))};
+    const auto& [middle, half] = *slopes_;
+    return rough_half_ * (middle + (end < 0 ? -half : half));
   }
 
  private:
@@ -130,6 +118,12 @@ class PlaneLine {
   exact::Number<3> p_, q_;
   const exact::Length& half_;
   Rough rough_half_;
+  // Worked out where they are asked for.
+  mutable std::optional<exact::Number<3>> distance_;
+  struct Slopes {
+    Rough in_middle, from_middle;
+  };
+  mutable std::optional<Slopes> slopes_;
 
   /// 2 h r.
   Rough scale() const noexcept { return times(factor(), rough_half_ * frame_.rough_radius); }
@@ -150,15 +144,33 @@ class PlaneLine {
     const Position y = corners_.y[edge_] + corners_.y[next] - exact::integer(2) * e_.cy;
     return across ? exact::cross(e_.ux, e_.uy, x, y) : exact::dot(e_.ux, e_.uy, x, y);
   }
+  /// With m the edge's middle in the plane, as seen from the ellipse, and a > b, w times m is in the frame b^2 V (w.m) +
+  /// (a + b) (a - b) (v x w) (v x m): only the sum may cancel. With a < b it is the same by a, and dot products.
+  Rough slope_in_middle() const noexcept {
+    const bool across = exact::compare(e_.a, e_.b) > 0;
+    const exact::Length &lesser = across ? e_.b : e_.a, &greater = across ? e_.a : e_.b;
+    const Rough less(lesser), axis(exact::dot(e_.ux, e_.uy, e_.ux, e_.uy));
+    Rough middle = times(2, square(less) * axis * Rough(centre_on_way()));
+    const exact::Length excess = greater - lesser;
+    if (excess.sign != 0) {
+      const Rough of_way(across == along_ ? s_ : c_), of_middle(twice_middle(across));
+      const Rough more = (Rough(greater) + less) * Rough(excess) * of_way * of_middle;
+      middle = across || along_ ? middle + more : middle - more;
+    }
+    return backward_ ? -middle : middle;
+  }
   /// x.
-  exact::Number<3> distance() const noexcept {
-    const exact::Box& box = corners_.box;
-    const Position squared_axis = exact::dot(box.ux, box.uy, box.ux, box.uy);
-    // Edges in order are below the centre, to the right, above, to the left; a segment's is through it.
-    const auto off = (along_ ? box.hy : box.hx) * squared_axis;
-    const auto centre = along_ ? exact::cross(box.ux, box.uy, offset_x(), offset_y())
-                               : exact::integer(-1) * exact::dot(box.ux, box.uy, offset_x(), offset_y());
-    return backward_ ? centre + off : centre - off;
+  const exact::Number<3>& distance() const noexcept {
+    if (!distance_) {
+      const exact::Box& box = corners_.box;
+      const Position squared_axis = exact::dot(box.ux, box.uy, box.ux, box.uy);
+      // Edges in order are below the centre, to the right, above, to the left; a segment's is through it.
+      const auto off = (along_ ? box.hy : box.hx) * squared_axis;
+      const auto centre = along_ ? exact::cross(box.ux, box.uy, offset_x(), offset_y())
+                                 : exact::integer(-1) * exact::dot(box.ux, box.uy, offset_x(), offset_y());
+      distance_ = backward_ ? centre + off : centre - off;
+    }
+    return *distance_;
   }
 };
 

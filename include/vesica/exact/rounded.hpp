@@ -2,26 +2,54 @@
 /// From exact numbers back to floating point.
 #pragma once
 
+#include <cstddef>
 #include <initializer_list>
 #include <vesica/arithmetic/scaled.hpp>
 #include <vesica/exact/digits.hpp>
 
 namespace vesica::exact {
 
+namespace detail {
+
+/// The upper 53 bits of a limb whose uppermost is set, to nearest and ties to even; `rest`: whether anything is below.
+constexpr Limb upper_bits(Limb top, bool rest) noexcept {
+  constexpr Limb half = 0x400;
+  const Limb kept = top >> 11, cut = top & (2 * half - 1);
+  return kept + (cut > half || (cut == half && (rest || (kept & 1) != 0)) ? 1 : 0);
+}
+
+/// What a number, not 0, begins with: `bits` whose uppermost is set, from 2^(exponent - 1) down.
+template <int limbs>
+struct Beginning {
+  Limb bits[std::size_t{limbs}];  ///< the uppermost first
+  bool rest;                      ///< whether anything is below
+  int exponent;
+
+  template <int Degree>
+  constexpr explicit Beginning(const Number<Degree>& x) noexcept : rest(x.size > limbs + 1) {
+    const int last = x.size - 1, shift = std::countl_zero(x.limb[last]);
+    const auto at = [&](int i) { return i <= last ? x.limb[last - i] : Limb{0}; };
+    for (int i = 0; i < limbs; ++i) bits[i] = at(i) << shift | at(i + 1) >> 1 >> (63 - shift);
+    rest = rest || at(limbs) << shift != 0;
+    exponent = 64 * (x.low + x.size) - shift;
+  }
+  constexpr bool is_any_below_first() const noexcept {
+    bool any = rest;
+    for (int i = 1; i < limbs; ++i) any = any || bits[i] != 0;
+    return any;
+  }
+};
+
+}  // namespace detail
+
 /// The nearest value * 2^exponent with a value of 53 bits, half of it or more below 1 and ties to even; 0 for 0. The
 /// exponent may be far beyond those of double.
 template <int Degree>
 constexpr vesica::detail::arithmetic::Scaled rounded(const Number<Degree>& x) noexcept {
   if (x.sign == 0) return {0, 0};
-  const auto at = [&](int i) { return i < 0 ? Limb{0} : x.limb[i]; };
-  const int last = x.size - 1, shift = std::countl_zero(x.limb[last]);
-  const Limb top = shift == 0 ? at(last) : at(last) << shift | at(last - 1) >> (64 - shift);
-  // The bits below the top 64 only say whether there are any.
-  const bool rest = (shift == 0 ? at(last - 1) : at(last - 1) << shift) != 0 || last >= 2;
-  const Limb kept = top >> 11, cut = top & 0x7ff, half = 0x400;
-  const bool up = cut > half || (cut == half && (rest || (kept & 1) != 0));
-  const double value = static_cast<double>(kept + (up ? 1 : 0)) * 0x1p-53;
-  return {x.sign < 0 ? -value : value, 64 * (x.low + x.size) - shift};
+  const detail::Beginning<1> begins(x);
+  const Limb kept = detail::upper_bits(begins.bits[0], begins.is_any_below_first());
+  return {x.sign * (static_cast<double>(kept) * 0x1p-53), begins.exponent};
 }
 
 namespace detail {
@@ -81,25 +109,33 @@ struct RoundedTwice {
 };
 template <int Degree>
 constexpr RoundedTwice rounded_twice(const Number<Degree>& x) noexcept {
-  using vesica::detail::arithmetic::Scaled, vesica::detail::arithmetic::scale_far;
-  const auto with_low = [](const Scaled& high, const Scaled& low) {
-    return RoundedTwice{high, scale_far(low.value, low.exponent - high.exponent)};
-  };
-  const Scaled high = rounded(x);
-  const auto less = from_double(high.value, high.exponent);
-  // What is below the leading limbs only says that there is more, where 128 bits or more are left above it.
-  constexpr int kept = 6;
-  if (x.size > kept) {
-    Number<1> leading;
-    leading.sign = x.sign;
-    leading.size = kept;
-    leading.low = x.low + x.size - kept;
-    detail::move_limbs(x.limb + x.size - kept, kept, leading.limb);
-    leading.limb[0] |= 1;
-    const Number<1> rest = leading - less;
-    if (rest.low + rest.size - leading.low >= 3) return with_low(high, rounded(rest));
+  using vesica::detail::arithmetic::power_of_two, vesica::detail::arithmetic::scale_far;
+  if (x.sign == 0) return {{0, 0}, 0};
+  const detail::Beginning<3> begins(x);
+  const Limb kept = detail::upper_bits(begins.bits[0], begins.is_any_below_first());
+  const RoundedTwice first{{x.sign * (static_cast<double>(kept) * 0x1p-53), begins.exponent}, 0};
+  // What is left in two limbs and 11 bits above them, or what lacks where it was rounded up.
+  const bool lacks = kept != begins.bits[0] >> 11;
+  Limb left[] = {begins.bits[0] & 0x7ff, begins.bits[1], begins.bits[2]};
+  if (lacks) {
+    const detail::LimbPair low = detail::subtract_limbs(0, left[2], begins.rest ? 1 : 0);
+    const detail::LimbPair middle = detail::subtract_limbs(0, left[1], low.high);
+    left[0] = 0x800 - left[0] - middle.high;
+    left[1] = middle.low;
+    left[2] = low.low;
   }
-  return with_low(high, rounded(x - less));
+  const int skipped = left[0] != 0 ? 0 : 1;
+  if (left[skipped] == 0) {
+    // Mostly nothing is left.
+    if (!begins.is_any_below_first()) return first;
+    const auto rest = rounded(x - from_double(first.high.value, begins.exponent));
+    return {first.high, scale_far(rest.value, rest.exponent - begins.exponent)};
+  }
+  const int shift = std::countl_zero(left[skipped]);
+  const Limb next = left[skipped + 1], top = left[skipped] << shift | next >> 1 >> (63 - shift);
+  const bool rest = next << shift != 0 || (skipped == 0 && left[2] != 0) || begins.rest;
+  const double low = static_cast<double>(detail::upper_bits(top, rest)) * power_of_two(-53 - 64 * skipped - shift);
+  return {first.high, (lacks ? -x.sign : x.sign) * low};
 }
 
 }  // namespace vesica::exact
