@@ -109,6 +109,30 @@ TEST(NearestContact, CommonPointsOfNeedles) {
   }
 }
 
+// A needle's tip in the flank of another that is all but parallel to it. Were up to 1e7 u of the scale outside: the
+// point was beyond the tip, and only the other ellipse was asked whether it holds the point.
+TEST(NearestContact, CommonPointsOfTipsInFlanks) {
+  properties::Random random(properties::seed());
+  const auto power = [&random](int least, int most) {
+    return std::ldexp(1 + random.unit(), random.integer(least, most));
+  };
+  int overlapping = 0;
+  for (int i = 0; i < 8000 * properties::repeat(); ++i) {
+    const double angle = 6.3 * random.unit(), ux = std::cos(angle), uy = std::sin(angle), turn = power(-41, -31);
+    const double length = power(-16, -13), width = length * power(-18, -14), over = power(-29, -25);
+    const double along = 1 + length * std::sqrt(over) * random.unit(), across = width * (1 - over);
+    const Pair pair{
+        VESICA_ELLIPSE,
+        VESICA_ELLIPSE,
+        {0, 0, ux, uy, 1, power(-46, -34)},
+        {ux * along - uy * across, uy * along + ux * across, ux - uy * turn, uy + ux * turn, length, width}};
+    if (nearest_test::nearest(properties::Scalar::f64, pair).distance > 0) continue;
+    ++overlapping;
+    EXPECT_LE(common_point_outside(pair), 8) << properties::describe(pair);
+  }
+  EXPECT_GT(overlapping, 4000 * properties::repeat());
+}
+
 // The common point of needles that meet in plain arithmetic is not in both; one of their crossings is. And the search
 // for the normal of two needles far less than the other that ends by its limit of steps. In the last pair a needle that
 // is taken for a segment holds a smaller one beside that segment.

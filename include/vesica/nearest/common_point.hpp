@@ -209,11 +209,12 @@ inline double beyond(const ScaledShape& s, double x, double y) noexcept {
   return inside ? 0 : off_ellipse(a, b, along, across);
 }
 
-/// Whether the other shape holds the point too, to rounding.
+/// Whether both shapes hold the point, to rounding.
 inline bool is_certain(const Common& c, const ScaledPair& p) noexcept {
-  const double sign = c.of_a ? -1.0 : 1.0;
-  const Vector<double> d = flipped(p.d, sign);
-  return beyond(c.of_a ? p.b : p.a, c.contact.x + d.x.high, c.contact.y + d.y.high) <= least_certain;
+  const ScaledShape &own = c.of_a ? p.a : p.b, &other = c.of_a ? p.b : p.a;
+  const Vector<double> d = flipped(p.d, c.of_a ? -1.0 : 1.0);
+  const double x = c.contact.x, y = c.contact.y;
+  return beyond(own, x, y) <= least_certain && beyond(other, x + d.x.high, y + d.y.high) <= least_certain;
 }
 
 inline bool holds_other(const ScaledShape& a, const ScaledShape& b, const Vector<double>& d, double size) noexcept {
