@@ -144,8 +144,9 @@ class PlaneLine {
     const Position y = corners_.y[edge_] + corners_.y[next] - exact::integer(2) * e_.cy;
     return across ? exact::cross(e_.ux, e_.uy, x, y) : exact::dot(e_.ux, e_.uy, x, y);
   }
-  /// With m the edge's middle in the plane, as seen from the ellipse, and a > b, w times m is in the frame b^2 V (w.m) +
-  /// (a + b) (a - b) (v x w) (v x m): only the sum may cancel. With a < b it is the same by a, and dot products.
+  /// With m the edge's middle in the plane, as seen from the ellipse, and a > b, w times m is in the frame
+  /// b^2 V (w.m) + (a + b) (a - b) (v x w) (v x m): only the sum may cancel. With a < b it is the same by a, and dot
+  /// products.
   Rough slope_in_middle() const noexcept {
     const bool across = exact::compare(e_.a, e_.b) > 0;
     const exact::Length &lesser = across ? e_.b : e_.a, &greater = across ? e_.a : e_.b;

@@ -10,6 +10,8 @@
 
 namespace vesica::detail::crossings {
 
+using exact::DifferenceOfProducts, exact::SumOfProducts;
+
 /// Within error * 2^exponent of value * 2^exponent; value is 0 or between 1/4 and 4 in magnitude.
 struct Rough {
   Real value;
@@ -156,19 +158,5 @@ Rough squares_less(const exact::Number<A>& whole, const exact::Number<B>& first,
   }
   return sum;
 }
-
-/// a b + c d, and a b - c d.
-struct SumOfProducts {
-  template <class A, class B, class C, class D>
-  auto operator()(const A& a, const B& b, const C& c, const D& d) const noexcept {
-    return a * b + c * d;
-  }
-};
-struct DifferenceOfProducts {
-  template <class A, class B, class C, class D>
-  auto operator()(const A& a, const B& b, const C& c, const D& d) const noexcept {
-    return a * b - c * d;
-  }
-};
 
 }  // namespace vesica::detail::crossings

@@ -241,14 +241,50 @@ constexpr int sign_of(const Polynomial& value, const Number<Degree>&... x) noexc
   return detail::leading_digits_tell(sign, value, x...) ? sign : value(x...).sign;
 }
 
+/// a b + factor c d, the factor being 1 or -1.
+template <int factor>
+struct TwoProducts {
+  template <class A, class B, class C, class D>
+  constexpr auto operator()(const A& a, const B& b, const C& c, const D& d) const noexcept {
+    static_assert(factor == 1 || factor == -1);
+    if constexpr (factor == 1) {
+      return a * b + c * d;
+    } else {
+      return a * b - c * d;
+    }
+  }
+};
+using SumOfProducts = TwoProducts<1>;
+using DifferenceOfProducts = TwoProducts<-1>;
+
 namespace detail {
 
-/// Sign of a b - c d, of degree 32 at most; c and d may be the same number.
-VESICA_CALLED constexpr int compare_long_products(const AnyNumber& a, const AnyNumber& b, const AnyNumber& c,
-                                                  const AnyNumber& d) noexcept {
+/// What tells the sign of a b + factor c d, of degree 32 at most; c and d may be the same number.
+VESICA_CALLED constexpr ToldSum told_products(const AnyNumber& a, const AnyNumber& b, int factor, const AnyNumber& c,
+                                              const AnyNumber& d) noexcept {
   DigitsOfDegree<16> w(a), x(b), y(c), z(d);
-  return ToldSum({{1, &w, &x}, {-1, &y, c.magnitude.limb == d.magnitude.limb ? &y : &z}}).sign();
+  return ToldSum({{1, &w, &x}, {factor, &y, c.magnitude.limb == d.magnitude.limb ? &y : &z}});
 }
+constexpr int compare_long_products(const AnyNumber& a, const AnyNumber& b, const AnyNumber& c,
+                                    const AnyNumber& d) noexcept {
+  return told_products(a, b, -1, c, d).sign();
+}
+
+}  // namespace detail
+
+/// As sign_of() of any polynomial. Where few digits do not tell it, digits from the top do; below a degree of 5 all
+/// digits are as quick.
+template <int factor, int A, int B, int C, int D>
+requires(A + B > 4) constexpr int sign_of(const TwoProducts<factor>& value, const Number<A>& a, const Number<B>& b,
+                                          const Number<C>& c, const Number<D>& d) noexcept {
+  static_assert(A <= 16 && B <= 16 && C <= 16 && D <= 16);
+  if (!is_long(a) && !is_long(b) && !is_long(c) && !is_long(d)) return value(a, b, c, d).sign;
+  int sign = 0;
+  if (detail::digits_tell<few_limbs>(sign, value, a, b, c, d)) return sign;
+  return detail::told_products(a, b, factor, c, d).sign();
+}
+
+namespace detail {
 
 /// Sign of a^2 x - b^2 y, of degree 32 at most.
 VESICA_CALLED constexpr int compare_long_squares_times(const AnyNumber& a, const AnyNumber& x, const AnyNumber& b,
