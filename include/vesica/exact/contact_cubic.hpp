@@ -6,17 +6,6 @@
 
 namespace vesica::exact {
 
-/// The cubic p(x) = d1 + c1 x + c2 x^2 + d2 x^3 that decides everything between two ellipses: they share a point
-/// iff p(x) >= 0 for all x > 0. With S1, S2 the matrices of the ellipses, E = { K + z : z . S^-1 z <= 1 }, and D the
-/// offset of centres, they share a point iff the Perram-Wertheim contact function D . (S1 / l + S2 / (1 - l))^-1 D
-/// stays at most 1 on 0 < l < 1. With x = l / (1 - l), cleared of fractions, that is
-/// p(x) = (1 + x) det(S1 + x S2) - x D . adj(S1 + x S2) D, where det = d1 + mu x + d2 x^2 and the rest al + be x.
-/// J. W. Perram and M. S. Wertheim, J. Comput. Phys. 58 (1985) 409.
-struct ContactCubic {
-  Number<8> d1, c1, c2, d2, mu, al, be;
-  Number<4> root1, root2;  ///< of d1 and d2
-};
-
 /// A point or a vector in the frame in which f is the disc of radius a b W about the origin.
 template <int Degree>
 struct Image {
@@ -30,6 +19,7 @@ template <int A, int B>
 constexpr Number<A + B> dot(const Image<A>& p, const Image<B>& q) noexcept {
   return p.x * q.x + p.y * q.y;
 }
+
 /// e's outline C + P cos + Q sin seen from f, and the rim of f.
 struct Outline {
   const Ellipse &e, &f;
@@ -51,23 +41,42 @@ struct Outline {
   }
 };
 
+/// The cubic p(x) = d1 + c1 x + c2 x^2 + d2 x^3 that decides everything between two ellipses: they share a point
+/// iff p(x) >= 0 for all x > 0. With S1, S2 the matrices of the ellipses, E = { K + z : z . S^-1 z <= 1 }, and D the
+/// offset of centres, they share a point iff the Perram-Wertheim contact function D . (S1 / l + S2 / (1 - l))^-1 D
+/// stays at most 1 on 0 < l < 1. With x = l / (1 - l), cleared of fractions, that is
+/// p(x) = (1 + x) det(S1 + x S2) - x D . adj(S1 + x S2) D, where det = d1 + mu x + d2 x^2 and the rest al + be x.
+/// J. W. Perram and M. S. Wertheim, J. Comput. Phys. 58 (1985) 409.
+struct ContactCubic {
+  Number<8> d1, c1, c2, d2, mu, al, be;
+  Number<4> root1, root2;  ///< of d1 and d2
+
+  constexpr void set(const Outline& o) noexcept {
+    const Ellipse &e = o.e, &f = o.f;
+    const Image<3> from_e = image(e, f.cx - e.cx, f.cy - e.cy);
+    mu = sum_of_squares(o.p.x, o.p.y, o.q.x, o.q.y);
+    al = sum_of_squares(from_e.x, from_e.y);
+    be = sum_of_squares(o.c.x, o.c.y);
+    root1 = e.a * e.b * dot(e.ux, e.uy, e.ux, e.uy);
+    root2 = o.radius;
+    d1 = square(root1);
+    d2 = square(root2);
+    c1 = d1 + mu - al;
+    c2 = d2 + mu - be;
+  }
+  /// Not inlined: the outline takes stack that is not needed later.
+  VESICA_CALLED constexpr void set(const Ellipse& e, const Ellipse& f) noexcept { set(Outline(e, f)); }
+};
+
 constexpr ContactCubic contact_cubic(const Outline& o) noexcept {
-  const Ellipse &e = o.e, &f = o.f;
-  const Image<3> across = image(e, f.cx - e.cx, f.cy - e.cy);
   ContactCubic p;
-  p.mu = sum_of_squares(o.p.x, o.p.y, o.q.x, o.q.y);
-  p.al = sum_of_squares(across.x, across.y);
-  p.be = sum_of_squares(o.c.x, o.c.y);
-  p.root1 = e.a * e.b * dot(e.ux, e.uy, e.ux, e.uy);
-  p.root2 = o.radius;
-  p.d1 = square(p.root1);
-  p.d2 = square(p.root2);
-  p.c1 = p.d1 + p.mu - p.al;
-  p.c2 = p.d2 + p.mu - p.be;
+  p.set(o);
   return p;
 }
 constexpr ContactCubic contact_cubic(const Ellipse& e, const Ellipse& f) noexcept {
-  return contact_cubic(Outline(e, f));
+  ContactCubic p;
+  p.set(e, f);
+  return p;
 }
 
 }  // namespace vesica::exact

@@ -104,7 +104,7 @@ struct BeyondRim {
 
 /// 1 inside that disc, 0 on its rim, -1 outside.
 template <int A, int R>
-constexpr int side_of_rim(const Number<A>& x, const Number<A>& y, const Number<R>& radius) noexcept {
+VESICA_CALLED constexpr int side_of_rim(const Number<A>& x, const Number<A>& y, const Number<R>& radius) noexcept {
   BeyondRim<A, R> z(x, y, radius);
   z.less.sign = -z.less.sign;
   return compare_product_with_square(z.less, z.more, z.other);

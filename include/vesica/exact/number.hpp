@@ -167,13 +167,15 @@ constexpr Number<2 * A> sum_of_squares(const Number<A>& first, const Same&... re
 
 template <int A>
 constexpr Number<2 * A> square(const Number<A>& a) noexcept {
-  if (a.size >= detail::least_sparse) return sum_of_squares(a);
   Number<2 * A> product;
   if (a.sign == 0) return product;
   product.sign = 1;
   product.low = 2 * a.low;
   product.size = 2 * a.size;
-  detail::multiply_by_itself(a.limb, a.size, product.limb);
+  assert(product.size <= product.capacity);
+  if (a.size < detail::least_sparse || !detail::square_sparse(a.span(), product.limb)) {
+    detail::multiply_by_itself(a.limb, a.size, product.limb);
+  }
   product.strip();
   return product;
 }

@@ -160,5 +160,10 @@ VESICA_CALLED constexpr bool add_square_sparse(const Span& a, Limb* sum) noexcep
   take_products<true>(twice, x, true, sum);
   return true;
 }
+/// out = a * a in the same way.
+VESICA_CALLED constexpr bool square_sparse(const Span& a, Limb* out) noexcept {
+  for (int i = 0; i < 2 * a.size + 2; ++i) out[i] = 0;
+  return add_square_sparse(a, out);
+}
 
 }  // namespace vesica::exact::detail
