@@ -596,6 +596,44 @@ TEST(LeadingDigits, OneThatIsFarBelow) {
   }
 }
 
+/// The nearest number of 53 bits, ties to even; of a whole number over a power of two.
+mpq_class nearest_of_53_bits(const mpq_class& x) {
+  const auto cut = static_cast<long>(mpz_sizeinbase(x.get_num().get_mpz_t(), 2)) - 53;
+  if (cut <= 0) return x;
+  mpz_class unit, kept, rest;
+  mpz_ui_pow_ui(unit.get_mpz_t(), 2, static_cast<unsigned long>(cut));
+  mpz_fdiv_qr(kept.get_mpz_t(), rest.get_mpz_t(), x.get_num().get_mpz_t(), unit.get_mpz_t());
+  const int order = cmp(mpz_class(2 * rest), unit);
+  if (order > 0 || (order == 0 && mpz_odd_p(kept.get_mpz_t()) != 0)) ++kept;
+  mpq_class nearest(kept * unit, x.get_den());
+  nearest.canonicalize();
+  return nearest;
+}
+
+/// Limbs of zeros, of ones, of one bit, and any: ties, carries through all limbs, and little that is left.
+TEST(Leading, RoundedOnceAndTwice) {
+  Random random(properties::seed());
+  for (int i = 0; i < 20'000 * properties::repeat(); ++i) {
+    Number<4> x;
+    x.sign = random.chance(0.5) ? 1 : -1;
+    x.low = random.integer(-4, 4);
+    x.size = random.chance(0.1) ? random.integer(1, 60) : random.integer(1, 6);
+    for (int k = 0; k < x.size; ++k) {
+      const Limb bit = Limb{1} << random.below(64), kinds[] = {0, ~Limb{0}, bit, ~(bit - 1), bit - 1, random.bits()};
+      x.limb[k] = kinds[random.below(6)];
+    }
+    x.strip();
+    const mpq_class truth = value(x);
+    const auto once = exact::rounded(x);
+    const auto [high, low] = exact::rounded_twice(x);
+    const mpq_class first = mpq_class(high.value) * power_of_two(high.exponent);
+    EXPECT_EQ(first, nearest_of_53_bits(truth)) << "seed " << properties::seed();
+    EXPECT_EQ(mpq_class(low) * power_of_two(high.exponent), nearest_of_53_bits(truth - first))
+        << "seed " << properties::seed();
+    EXPECT_TRUE(once.value == high.value && once.exponent == high.exponent);
+  }
+}
+
 /// The ratio of a circle's circumference to its diameter, to a hundred decimals.
 TEST(ExactPi, HasThreeLimbsOfFraction) {
   mpz_class digits(

@@ -46,7 +46,7 @@ struct DiscBox {
   }
 };
 
-/// A corner there, and its squared distance from the origin less the squared radius.
+/// A corner there, and its squared distance from the origin less the squared radius, however much of it cancels.
 struct DiscCorner {
   exact::Number<4> m0, m1;
   Rough r0, r1, value;
@@ -118,11 +118,11 @@ class PlaneLine {
   exact::Number<3> p_, q_;
   const exact::Length& half_;
   Rough rough_half_;
-  // Worked out where they are asked for.
-  mutable std::optional<exact::Number<3>> distance_;
   struct Slopes {
     Rough in_middle, from_middle;
   };
+  // Worked out where they are asked for.
+  mutable std::optional<exact::Number<3>> distance_;
   mutable std::optional<Slopes> slopes_;
 
   /// 2 h r.

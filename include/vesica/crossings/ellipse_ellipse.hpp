@@ -72,9 +72,7 @@ struct FormParts {
         q(first_limbs(o.q, limbs)),
         along(o.e.a * o.e.b * first_limbs(o.dot, limbs)),
         across(first_limbs(o.f.a - o.f.b, limbs) * first_limbs(o.f.a + o.f.b, limbs) * first_limbs(o.cross, limbs)),
-        beyond_c(first_limbs(
-            BeyondRim(exact::Number<4>(o.c.x), exact::Number<4>(o.c.y), within ? exact::Number<4>() : o.radius),
-            limbs)),
+        beyond_c(first_limbs(BeyondRim(o.c.x, o.c.y, within ? exact::Number<4>() : o.radius), limbs)),
         beyond_p(first_limbs(BeyondRim(o.p.x, o.p.y, within ? o.radius : exact::Number<4>()), limbs)),
         beyond_q(first_limbs(BeyondRim(o.q.x, o.q.y, within ? o.radius : exact::Number<4>()), limbs)) {}
 
