@@ -278,9 +278,10 @@ VESICA_INLINE FoundDirection<V> search_between(const Shapes& shapes, const Direc
 
 /// The maximiser of phi for disjoint shapes.
 template <class V, class Shapes>
-VESICA_INLINE FoundDirection<V> farthest_direction(const Shapes& shapes, const Direction<V>& d, V size) noexcept {
+VESICA_INLINE FoundDirection<V> farthest_direction(const Shapes& shapes, const Direction<V>& d, V size,
+                                                   int step_limit = direction_step_limit) noexcept {
   const Direction<V> n = first_direction(shapes, d);
-  return search_between(shapes, d, size, n, first_bracket(d, n), V(0.0) > V(0.0), direction_step_limit);
+  return search_between(shapes, d, size, n, first_bracket(d, n), V(0.0) > V(0.0), step_limit);
 }
 
 }  // namespace vesica::detail::nearest

@@ -15,10 +15,14 @@ struct FoundNormal {
   int steps;
 };
 
+/// Where farthest_direction() is not at rest by then, rounding leads it; bracketed_normal() ends sooner.
+inline constexpr int most_farthest_steps = 40;
+
 /// farthest_direction(), support() and separation() as calls, which are shorter.
 template <class Shapes>
 VESICA_CALLED FoundNormal farthest_normal(const Shapes& shapes, const Vector<double>& d, double size) noexcept {
-  const FoundDirection<double> best = farthest_direction(shapes, Direction<double>{d.x.high, d.y.high}, size);
+  const FoundDirection<double> best =
+      farthest_direction(shapes, Direction<double>{d.x.high, d.y.high}, size, most_farthest_steps);
   return {twofold(best.n), best.found, best.steps};
 }
 VESICA_CALLED inline Support<double> called_support(const Axes<double>& e, const NormalOf<double>& n) noexcept {
@@ -129,24 +133,26 @@ inline bool halves_powers(const Bracket<double>& b, Direction<double>& n) noexce
   const auto far = [](double p, double q) { return max(p, q) > 0x1p16 * min(p, q); };
   const auto differ = [](double p, double q) { return max(p, q) > 0 && min(p, q) < 0; };
   if (!far(abs(b.low.x * b.high.y), abs(b.low.y * b.high.x))) return false;
-  const Direction<double> both{std::copysign(1.0, b.low.x + b.high.x), std::copysign(1.0, b.low.y + b.high.y)};
+  const Direction<double> signs{std::copysign(1.0, b.low.x + b.high.x), std::copysign(1.0, b.low.y + b.high.y)};
   if (differ(b.low.x, b.high.x) || differ(b.low.y, b.high.y)) {
-    n = differ(b.low.x, b.high.x) ? Direction<double>{0, both.y} : Direction<double>{both.x, 0};
+    n = differ(b.low.x, b.high.x) ? Direction<double>{0, signs.y} : Direction<double>{signs.x, 0};
     return true;
   }
   const auto slope = [](const Direction<double>& v) {
     return max(least_turn, min(1 / least_turn, abs(v.y) / abs(v.x)));
   };
   const double p = slope(b.low), q = slope(b.high);
-  n = about_unit(both.x, both.y * (std::sqrt(p) * std::sqrt(q)));
+  n = about_unit(signs.x, signs.y * (std::sqrt(p) * std::sqrt(q)));
   return far(p, q);
 }
+/// As middle(), or by powers of two in every other step.
 template <class Shapes>
 Direction<double> halfway(const Shapes& shapes, const Direction<double>& d, const Bracket<double>& bracket,
                           int step) noexcept {
   Direction<double> n;
   return step % 2 == 1 && halves_powers(bracket, n) ? n : middle(shapes, d, bracket, step);
 }
+/// Between the ends and, as far as rounding tells, at neither.
 inline bool is_inside(const Direction<double>& n, const Bracket<double>& b) noexcept {
   return cross(b.low, n) > 0 && cross(n, b.high) > 0;
 }
