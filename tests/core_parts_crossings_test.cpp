@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <initializer_list>
+#include <optional>
 #include <vector>
 #include <vesica/crossings.hpp>
 #include <vesica/intersection/polygons.hpp>
@@ -178,7 +179,11 @@ TEST(CrossingsParts, SidesThatAreJustPrecise) {
         ASSERT_TRUE(size.is_precise());
       }
       ASSERT_FALSE((rough.size[i][j] - rough.size[i][end]).is_precise());
-      EXPECT_EQ(rough.crossing(a, i, b, j), sides.crossing(a, i, b, j));
+      std::optional<Scaled> edges, not_asked;
+      const double at = sides.crossing(a, i, b, j, not_asked);
+      EXPECT_EQ(rough.crossing(a, i, b, j, edges), at);
+      EXPECT_TRUE(edges && !not_asked);
+      EXPECT_EQ(rough.crossing(a, i, b, j, edges), at);
       ++crossings;
     }
   }

@@ -153,15 +153,17 @@ struct Sides {
       }
     }
   }
-  /// From one corner to the next of q, which are on different sides of edge i: how far off the edge's line is.
-  double crossing(const Polygon& p, int i, const Polygon& q, int j) const noexcept {
+  /// From one corner to the next of q, which are on different sides of edge i: how far off the edge's line is. `edges`:
+  /// q's edge times p's, once it was worked out exactly.
+  double crossing(const Polygon& p, int i, const Polygon& q, int j, std::optional<Scaled>& edges) const noexcept {
     const int end = q.corners.next(j);
     const Rough &part = size[i][j], whole = part - size[i][end];
     const Corners &a = p.corners, &b = q.corners;
     Scaled x = part.scaled(), y = whole.scaled();
     if (!part.is_precise() && !rounds_surely(by_centres_->size(i, j), x)) x = exact_size(a, i, b, j, a.x[i], a.y[i]);
     if (!whole.is_precise() && !(by_centres_ && rounds_surely(by_centres_->backwards(i, j), y))) {
-      y = exact_size(a, i, b, j, b.x[end], b.y[end]);
+      if (!edges) edges = exact_size(a, i, b, j, b.x[end], b.y[end]);
+      y = *edges;
     }
     return quotient(x, y);
   }
@@ -211,7 +213,10 @@ struct EdgeCrossing {
 };
 inline EdgeCrossing edge_crossing(const Polygon& a, const Sides& of_a, int i, const Polygon& b, const Sides& of_b,
                                   int j) noexcept {
-  const double t = of_b.crossing(b, j, a, i), s = of_a.crossing(a, i, b, j);
+  std::optional<Scaled> edges;
+  const double t = of_b.crossing(b, j, a, i, edges);
+  if (edges) edges->value = -edges->value;  // in the other order
+  const double s = of_a.crossing(a, i, b, j, edges);
   const RoundedEdge e(a.corners, i), f(b.corners, j);
   // The shorter edge tells the place better. Of equal ones, either order of the boxes takes the same.
   const double ex = e.at_x(t), ey = e.at_y(t), fx = f.at_x(s), fy = f.at_y(s);
