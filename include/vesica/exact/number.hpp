@@ -122,45 +122,14 @@ constexpr Number<A> times(int factor, const Number<A>& a) noexcept {
   return integer(factor) * a;
 }
 
-namespace detail {
-
-/// sum += a^2, of which it has room for two limbs more.
-template <int A>
-constexpr void add_square(const Number<A>& a, Limb* sum) noexcept {
-  if (a.size >= least_sparse && add_square_sparse(a.span(), sum)) return;
-  Limb whole[std::size_t{2 * Number<A>::capacity}];
-  multiply_by_itself(a.limb, a.size, whole);
-  Limb carry = 0;
-  for (int i = 0; i < 2 * a.size; ++i, ++sum) {
-    const LimbPair total = add_limbs(*sum, whole[i], carry);
-    *sum = total.low;
-    carry = total.high;
-  }
-  for (; carry != 0; ++sum) carry = ++*sum == 0;
-}
-
-}  // namespace detail
-
 /// One square after the other is added to the same limbs: numbers are long where few limbs matter.
 template <int A, class... Same>
 constexpr Number<2 * A> sum_of_squares(const Number<A>& first, const Same&... rest) noexcept {
-  const Number<A>* const part[] = {&first, &rest...};
+  const detail::Span part[] = {first.span(), rest.span()...};
   Number<2 * A> sum;
-  int low = INT32_MAX, top = INT32_MIN;
-  for (const Number<A>* p : part) {
-    if (p->sign == 0) continue;
-    low = low < 2 * p->low ? low : 2 * p->low;
-    top = top > 2 * (p->low + p->size) ? top : 2 * (p->low + p->size);
-  }
-  if (top < low) return sum;
-  sum.sign = 1;
-  sum.low = low;
-  sum.size = top - low + 2;
+  sum.size = detail::sum_squares(part, 1 + static_cast<int>(sizeof...(rest)), sum.limb, sum.low);
   assert(sum.size <= sum.capacity);
-  for (int i = 0; i < sum.size; ++i) sum.limb[i] = 0;
-  for (const Number<A>* p : part) {
-    if (p->sign != 0) detail::add_square(*p, sum.limb + (2 * p->low - low));
-  }
+  sum.sign = 1;
   sum.strip();
   return sum;
 }

@@ -25,8 +25,7 @@ struct Beginning {
   bool rest;                      ///< whether anything is below
   int exponent;
 
-  template <int Degree>
-  constexpr explicit Beginning(const Number<Degree>& x) noexcept : rest(x.size > limbs + 1) {
+  constexpr explicit Beginning(const Span& x) noexcept : rest(x.size > limbs + 1) {
     const int last = x.size - 1, shift = std::countl_zero(x.limb[last]);
     const auto at = [&](int i) { return i <= last ? x.limb[last - i] : Limb{0}; };
     for (int i = 0; i < limbs; ++i) bits[i] = at(i) << shift | at(i + 1) >> 1 >> (63 - shift);
@@ -40,6 +39,12 @@ struct Beginning {
   }
 };
 
+VESICA_CALLED constexpr vesica::detail::arithmetic::Scaled rounded_magnitude(const Span& x) noexcept {
+  const Beginning<1> begins(x);
+  const Limb kept = upper_bits(begins.bits[0], begins.is_any_below_first());
+  return {static_cast<double>(kept) * 0x1p-53, begins.exponent};
+}
+
 }  // namespace detail
 
 /// The nearest value * 2^exponent with a value of 53 bits, half of it or more below 1 and ties to even; 0 for 0. The
@@ -47,9 +52,8 @@ struct Beginning {
 template <int Degree>
 constexpr vesica::detail::arithmetic::Scaled rounded(const Number<Degree>& x) noexcept {
   if (x.sign == 0) return {0, 0};
-  const detail::Beginning<1> begins(x);
-  const Limb kept = detail::upper_bits(begins.bits[0], begins.is_any_below_first());
-  return {x.sign * (static_cast<double>(kept) * 0x1p-53), begins.exponent};
+  const auto magnitude = detail::rounded_magnitude(x.span());
+  return {x.sign * magnitude.value, magnitude.exponent};
 }
 
 namespace detail {
@@ -107,35 +111,44 @@ struct RoundedTwice {
   vesica::detail::arithmetic::Scaled high;
   double low;
 };
-template <int Degree>
-constexpr RoundedTwice rounded_twice(const Number<Degree>& x) noexcept {
-  using vesica::detail::arithmetic::power_of_two, vesica::detail::arithmetic::scale_far;
-  if (x.sign == 0) return {{0, 0}, 0};
-  const detail::Beginning<3> begins(x);
-  const Limb kept = detail::upper_bits(begins.bits[0], begins.is_any_below_first());
-  const RoundedTwice first{{x.sign * (static_cast<double>(kept) * 0x1p-53), begins.exponent}, 0};
+
+namespace detail {
+
+/// Of a sign and a magnitude that are not 0; false where three limbs do not tell what is left.
+VESICA_CALLED constexpr bool limbs_rounded_twice(int sign, const Span& x, RoundedTwice& out) noexcept {
+  using vesica::detail::arithmetic::power_of_two;
+  const Beginning<3> begins(x);
+  const Limb kept = upper_bits(begins.bits[0], begins.is_any_below_first());
+  out = {{sign * (static_cast<double>(kept) * 0x1p-53), begins.exponent}, 0};
   // What is left in two limbs and 11 bits above them, or what lacks where it was rounded up.
   const bool lacks = kept != begins.bits[0] >> 11;
   Limb left[] = {begins.bits[0] & 0x7ff, begins.bits[1], begins.bits[2]};
   if (lacks) {
-    const detail::LimbPair low = detail::subtract_limbs(0, left[2], begins.rest ? 1 : 0);
-    const detail::LimbPair middle = detail::subtract_limbs(0, left[1], low.high);
+    const LimbPair low = subtract_limbs(0, left[2], begins.rest ? 1 : 0);
+    const LimbPair middle = subtract_limbs(0, left[1], low.high);
     left[0] = 0x800 - left[0] - middle.high;
     left[1] = middle.low;
     left[2] = low.low;
   }
   const int skipped = left[0] != 0 ? 0 : 1;
-  if (left[skipped] == 0) {
-    // Mostly nothing is left.
-    if (!begins.is_any_below_first()) return first;
-    const auto rest = rounded(x - from_double(first.high.value, begins.exponent));
-    return {first.high, scale_far(rest.value, rest.exponent - begins.exponent)};
-  }
+  if (left[skipped] == 0) return !begins.is_any_below_first();
   const int shift = std::countl_zero(left[skipped]);
   const Limb next = left[skipped + 1], top = left[skipped] << shift | next >> 1 >> (63 - shift);
   const bool rest = next << shift != 0 || (skipped == 0 && left[2] != 0) || begins.rest;
-  const double low = static_cast<double>(detail::upper_bits(top, rest)) * power_of_two(-53 - 64 * skipped - shift);
-  return {first.high, (lacks ? -x.sign : x.sign) * low};
+  const double low = static_cast<double>(upper_bits(top, rest)) * power_of_two(-53 - 64 * skipped - shift);
+  out.low = (lacks ? -sign : sign) * low;
+  return true;
+}
+
+}  // namespace detail
+
+template <int Degree>
+constexpr RoundedTwice rounded_twice(const Number<Degree>& x) noexcept {
+  if (x.sign == 0) return {{0, 0}, 0};
+  RoundedTwice out{};
+  if (detail::limbs_rounded_twice(x.sign, x.span(), out)) return out;
+  const auto rest = rounded(x - from_double(out.high.value, out.high.exponent));
+  return {out.high, vesica::detail::arithmetic::scale_far(rest.value, rest.exponent - out.high.exponent)};
 }
 
 }  // namespace vesica::exact

@@ -160,7 +160,26 @@ VESICA_CALLED constexpr bool add_square_sparse(const Span& a, Limb* sum) noexcep
   take_products<true>(twice, x, true, sum);
   return true;
 }
-/// out = a * a in the same way.
+/// The sum of the squares from `low` on; returns how many limbs it has. Of zeros no limb is set.
+VESICA_CALLED constexpr int sum_squares(const Span* part, int count, Limb* out, int& low) noexcept {
+  low = INT32_MAX;
+  int top = INT32_MIN;
+  for (const Span* p = part; p != part + count; ++p) {
+    if (p->size == 0) continue;
+    low = low < 2 * p->low ? low : 2 * p->low;
+    top = top > 2 * (p->low + p->size) ? top : 2 * (p->low + p->size);
+  }
+  const int size = top < low ? 0 : top - low + 2;
+  for (int i = 0; i < size; ++i) out[i] = 0;
+  for (const Span* p = part; p != part + count; ++p) {
+    if (p->size == 0) continue;
+    const Span own{p->limb, 0, p->size};
+    Limb* const sum = out + (2 * p->low - low);
+    if (own.size < least_sparse || !add_square_sparse(own, sum)) add_product(own, own, sum);
+  }
+  return size;
+}
+/// out = a * a where few limbs matter; false where limb by limb is as quick.
 VESICA_CALLED constexpr bool square_sparse(const Span& a, Limb* out) noexcept {
   for (int i = 0; i < 2 * a.size + 2; ++i) out[i] = 0;
   return add_square_sparse(a, out);

@@ -129,10 +129,10 @@ inline bool is_closed(const Bracket<double>& b) noexcept {
 
 /// Where one end is far nearer to an axis of the frame than the other: by powers of two halfway between them, or the
 /// axis, where it is between them; else false. Halving the angle, each power would take a step.
-inline bool halves_powers(const Bracket<double>& b, Direction<double>& n) noexcept {
-  const auto far = [](double p, double q) { return max(p, q) > 0x1p16 * min(p, q); };
+VESICA_CALLED inline bool halves_powers(const Bracket<double>& b, Direction<double>& n) noexcept {
+  const auto is_far = [](double p, double q) { return max(p, q) > 0x1p16 * min(p, q); };
   const auto differ = [](double p, double q) { return max(p, q) > 0 && min(p, q) < 0; };
-  if (!far(abs(b.low.x * b.high.y), abs(b.low.y * b.high.x))) return false;
+  if (!is_far(abs(b.low.x * b.high.y), abs(b.low.y * b.high.x))) return false;
   const Direction<double> signs{std::copysign(1.0, b.low.x + b.high.x), std::copysign(1.0, b.low.y + b.high.y)};
   if (differ(b.low.x, b.high.x) || differ(b.low.y, b.high.y)) {
     n = differ(b.low.x, b.high.x) ? Direction<double>{0, signs.y} : Direction<double>{signs.x, 0};
@@ -143,7 +143,7 @@ inline bool halves_powers(const Bracket<double>& b, Direction<double>& n) noexce
   };
   const double p = slope(b.low), q = slope(b.high);
   n = about_unit(signs.x, signs.y * (std::sqrt(p) * std::sqrt(q)));
-  return far(p, q);
+  return is_far(p, q);
 }
 /// As middle(), or by powers of two in every other step.
 template <class Shapes>
