@@ -171,6 +171,9 @@ TEST(Leading, PolynomialsOfLongNumbers) {
     const Number<8> a = any_number(random), b = any_number(random), c = about(a, random), d = about(b, random);
     const auto truth = difference(a, b, c, d);
     EXPECT_EQ(exact::sign_of(difference, a, b, c, d), truth.sign) << "seed " << properties::seed();
+    EXPECT_EQ(exact::sign_of(exact::DifferenceOfProducts{}, a, b, c, d), truth.sign) << "seed " << properties::seed();
+    EXPECT_EQ(exact::sign_of(exact::SumOfProducts{}, a, b, exact::times(-1, c), d), truth.sign)
+        << "seed " << properties::seed();
     const auto rounded = exact::rounded_value(difference, a, b, c, d), expected = exact::rounded(truth);
     EXPECT_TRUE(rounded.value == expected.value && rounded.exponent == expected.exponent)
         << "seed " << properties::seed();

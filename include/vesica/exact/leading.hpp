@@ -189,11 +189,12 @@ constexpr bool is_long(const Leading<limbs>&) noexcept {
 
 namespace detail {
 
-/// The limbs that cost time in products: those of all zeros or all ones hardly do.
+/// Whether a limb costs time in products: of all zeros or all ones it hardly does.
+constexpr bool is_dense(Limb x) noexcept { return x + 1 > 1; }
 template <int Degree>
 constexpr int dense_limbs(const Number<Degree>& x) noexcept {
   int count = 0;
-  for (int i = 0; i < x.size; ++i) count += x.limb[i] + 1 > 1 ? 1 : 0;
+  for (int i = 0; i < x.size; ++i) count += is_dense(x.limb[i]) ? 1 : 0;
   return count;
 }
 /// Whether so many leading limbs are worth while: at most two thirds of the dense ones.
@@ -210,9 +211,9 @@ constexpr bool is_sparse(const Number<Degree>& x) noexcept {
   int cost = 0;
   bool was_dense = false;
   for (int i = 0; i < x.size && cost <= most; ++i) {
-    const bool is_dense = x.limb[i] + 1 > 1;
-    if (is_dense) cost += was_dense ? 1 : 3;
-    was_dense = is_dense;
+    const bool costs = is_dense(x.limb[i]);
+    if (costs) cost += was_dense ? 1 : 3;
+    was_dense = costs;
   }
   return cost <= most;
 }

@@ -32,6 +32,8 @@ struct Beginning {
     rest = rest || at(limbs) << shift != 0;
     exponent = 64 * (x.low + x.size) - shift;
   }
+  /// The upper 53 bits, to nearest and ties to even, in units of 2^(exponent - 53).
+  constexpr Limb rounded() const noexcept { return upper_bits(bits[0], is_any_below_first()); }
   constexpr bool is_any_below_first() const noexcept {
     bool any = rest;
     for (int i = 1; i < limbs; ++i) any = any || bits[i] != 0;
@@ -39,10 +41,10 @@ struct Beginning {
   }
 };
 
+/// rounded() of a magnitude that is not 0.
 VESICA_CALLED constexpr vesica::detail::arithmetic::Scaled rounded_magnitude(const Span& x) noexcept {
   const Beginning<1> begins(x);
-  const Limb kept = upper_bits(begins.bits[0], begins.is_any_below_first());
-  return {static_cast<double>(kept) * 0x1p-53, begins.exponent};
+  return {static_cast<double>(begins.rounded()) * 0x1p-53, begins.exponent};
 }
 
 }  // namespace detail
@@ -118,7 +120,7 @@ namespace detail {
 VESICA_CALLED constexpr bool limbs_rounded_twice(int sign, const Span& x, RoundedTwice& out) noexcept {
   using vesica::detail::arithmetic::power_of_two;
   const Beginning<3> begins(x);
-  const Limb kept = upper_bits(begins.bits[0], begins.is_any_below_first());
+  const Limb kept = begins.rounded();
   out = {{sign * (static_cast<double>(kept) * 0x1p-53), begins.exponent}, 0};
   // What is left in two limbs and 11 bits above them, or what lacks where it was rounded up.
   const bool lacks = kept != begins.bits[0] >> 11;

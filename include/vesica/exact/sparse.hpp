@@ -122,7 +122,7 @@ constexpr void double_runs(const Runs& x, Runs& twice, Limb* room) noexcept {
 }
 
 /// All products of a run of x and one of y that have this sign; of a number by itself, x being twice y, those of
-/// different runs alone.
+/// different runs alone. Negative ones are taken away last: then the sum never is negative.
 template <bool negative>
 constexpr void take_products(const Runs& x, const Runs& y, bool same, Limb* out) noexcept {
   for (int i = 0; i < x.count; ++i) {
@@ -143,7 +143,6 @@ VESICA_CALLED constexpr bool multiply_sparse(const Span& a, const Span& b, Limb*
   if (n > most_sparse || !x.set(a.limb, a.size) || !y.set(b.limb, b.size)) return false;
   if (x.cost() * y.cost() > a.size * b.size) return false;
   for (int i = 0; i < n; ++i) out[i] = 0;
-  // What is taken away last never makes the sum negative.
   take_products<false>(x, y, false, out);
   take_products<true>(x, y, false, out);
   return true;
@@ -160,6 +159,13 @@ VESICA_CALLED constexpr bool add_square_sparse(const Span& a, Limb* sum) noexcep
   take_products<true>(twice, x, true, sum);
   return true;
 }
+
+/// out = a * a where few limbs matter; false where limb by limb is as quick.
+VESICA_CALLED constexpr bool square_sparse(const Span& a, Limb* out) noexcept {
+  for (int i = 0; i < 2 * a.size + 2; ++i) out[i] = 0;
+  return add_square_sparse(a, out);
+}
+
 /// The sum of the squares from `low` on; returns how many limbs it has. Of zeros no limb is set.
 VESICA_CALLED constexpr int sum_squares(const Span* part, int count, Limb* out, int& low) noexcept {
   low = INT32_MAX;
@@ -178,11 +184,6 @@ VESICA_CALLED constexpr int sum_squares(const Span* part, int count, Limb* out, 
     if (own.size < least_sparse || !add_square_sparse(own, sum)) add_product(own, own, sum);
   }
   return size;
-}
-/// out = a * a where few limbs matter; false where limb by limb is as quick.
-VESICA_CALLED constexpr bool square_sparse(const Span& a, Limb* out) noexcept {
-  for (int i = 0; i < 2 * a.size + 2; ++i) out[i] = 0;
-  return add_square_sparse(a, out);
 }
 
 }  // namespace vesica::exact::detail

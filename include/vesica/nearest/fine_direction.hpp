@@ -15,7 +15,7 @@ struct FoundNormal {
   int steps;
 };
 
-/// Where farthest_direction() is not at rest by then, rounding leads it; bracketed_normal() ends sooner.
+/// A search that is not at rest by then is mostly led by rounding, and bracketed_normal() ends sooner.
 inline constexpr int most_farthest_steps = 40;
 
 /// farthest_direction(), support() and separation() as calls, which are shorter.
