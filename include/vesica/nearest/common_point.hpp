@@ -119,11 +119,11 @@ inline Common common_of_box_and_ellipse(const Box<double>& box, const ScaledShap
 /// Shrunk about their centres by one factor s < 1, two overlapping ellipses touch in one point. s is the greatest value
 /// of n.D / (h1(n) + h2(n)) over all n, has no other maximum, and is stationary where D = s (x1(n) + x2(n)).
 inline Direction<double> common_normal(const TwoEllipses<double>& e, const Direction<double>& d, double size) noexcept {
-  Direction<double> n = d;
+  const auto same = [](const Direction<double>& p, const Direction<double>& q) { return p.x == q.x && p.y == q.y; };
+  Direction<double> n = unit(d.x, d.y);
   Bracket<double> bracket{{d.y, -d.x}, {-d.y, d.x}};
   double slope_before = 0, tangent_before = 0;
   for (int step = 0; step < 200; ++step) {
-    n = unit(n.x, n.y);
     const Image<double> ia = image(e.sa, n), ib = image(e.sb, n);
     const double ha = sqrt(ia.square), hb = sqrt(ib.square), s = dot(n, d) / (ha + hb);
     const Direction<double> g{d.x - s * (ia.x / ha + ib.x / hb), d.y - s * (ia.y / ha + ib.y / hb)};
@@ -136,6 +136,8 @@ inline Direction<double> common_normal(const TwoEllipses<double>& e, const Direc
     const bool calm = slope * slope_before >= 0 || abs(tangent) <= 0.5 * abs(tangent_before);
     const Direction<double> next = turned(n, tangent);
     n = calm && bracket.holds(next) && step % 8 != 7 ? next : middle(e, d, bracket, step);
+    n = unit(n.x, n.y);
+    if (same(n, bracket.low) || same(n, bracket.high)) break;  // nothing is between
     slope_before = slope, tangent_before = tangent;
   }
   return n;

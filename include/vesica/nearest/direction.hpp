@@ -140,11 +140,13 @@ VESICA_INLINE Pull<V> pull(const TwoEllipses<V>& s, const Direction<V>& n, V nn)
   return {p.x + q.x, p.y + q.y, p.bend + q.bend, p.third + q.third, p.fourth + q.fourth, max(p.flatness, q.flatness)};
 }
 
-/// How far N is to be turned, in tangents; what is known of phi' and phi'' times |N|.
+/// How far N is to be turned, in tangents; what is known of phi' and phi'' times |N|; how large the terms are that phi'
+/// is summed from.
 template <class V>
 struct Turn {
   V slope, bend, tangent;
   MaskOf<V> sane, last;
+  V terms;
 };
 
 /// A turn t is the last when the slope it will leave, at most about 8 t^4 (phi'''^2 / (4 phi'') + |phi''''| / 4), is
@@ -168,7 +170,8 @@ VESICA_INLINE Turn<V> turn_at(const Shapes& shapes, const Direction<V>& d, V siz
   const V t = abs(tangent), left = ((t * t) * (t * t)) * (third * third + abs(bend * fourth));
   const auto holds = (t * t) * p.flatness <= V(0x1p-4);
   const auto last = either(both(holds, left <= V(slope_left) * (size * bend)), t <= V(last_tangent));
-  return {slope, bend, tangent, sane, both(sane, last)};
+  const V terms = abs(n.x) * (abs(d.y) + abs(p.y)) + abs(n.y) * (abs(d.x) + abs(p.x));
+  return {slope, bend, tangent, sane, both(sane, last), terms};
 }
 
 template <class V>

@@ -111,12 +111,14 @@ inline Frame frame_of_flatter(const TwoEllipses<double>& s, const FoundNormal& b
   return Frame(a > b || (a == b && in_order(n.x, n.y)) ? s.a : s.b);
 }
 
-/// The first steps within a bracket go to where the slope is likely to be 0 and a little beyond, so that the bracket
-/// closes from both sides.
-inline constexpr int most_guesses = 24;
+/// A step within a bracket goes to where the slope is likely to be 0 and a little beyond, so that the bracket closes
+/// from both sides. It is taken if it is at most half as long as the one taken just before; else the bracket is halved.
 inline constexpr double beyond_guess = 1 + 0x1p-10;
-/// Two brackets are halved by turns, that of angles and that which the ellipse sees: more than the digits of both.
-inline constexpr int most_halvings = 128;
+/// For certainty: by then the three ways of halving, which take turns, have closed any bracket.
+inline constexpr int most_bracket_steps = 152;
+
+/// A slope below this share of its terms is of rounding alone.
+inline constexpr double lost_slope = 0x1p-52;
 
 /// Of ellipses that are not thinner than 2^-52 a normal turned by this is that of the same point.
 inline constexpr double least_turn = 0x1p-200;
@@ -130,7 +132,7 @@ inline bool is_closed(const Bracket<double>& b) noexcept {
 /// Where one end is far nearer to an axis of the frame than the other: by powers of two halfway between them, or the
 /// axis, where it is between them; else false. Halving the angle, each power would take a step.
 VESICA_CALLED inline bool halves_powers(const Bracket<double>& b, Direction<double>& n) noexcept {
-  const auto is_far = [](double p, double q) { return max(p, q) > 0x1p16 * min(p, q); };
+  const auto is_far = [](double p, double q) { return max(p, q) > 16 * min(p, q); };
   const auto differ = [](double p, double q) { return max(p, q) > 0 && min(p, q) < 0; };
   if (!is_far(abs(b.low.x * b.high.y), abs(b.low.y * b.high.x))) return false;
   const Direction<double> signs{std::copysign(1.0, b.low.x + b.high.x), std::copysign(1.0, b.low.y + b.high.y)};
@@ -165,14 +167,17 @@ VESICA_COLD FoundNormal bracketed_normal(const Shapes& shapes, const Vector<doub
   const Direction<double> towards = frame.of(d);
   Direction<double> n = first_direction(seen, towards);
   Bracket<double> bracket = first_bracket(about_unit(towards.x, towards.y), n);
-  int step = 0;
-  for (; step < most_guesses + most_halvings && !is_closed(bracket); ++step) {
+  double tangent_before = 0x1p1000;
+  int step = 0, halvings = 0;
+  for (; step < most_bracket_steps && !is_closed(bracket); ++step) {
     const Turn<double> turn = turn_at(seen, towards, size, n);
+    if (abs(turn.slope) <= lost_slope * turn.terms) break;
     (turn.slope > 0 ? bracket.low : bracket.high) = n;
     const Direction<double> guess = turned(n, beyond_guess * turn.tangent);
     n = about_unit(guess.x, guess.y);
-    const bool is_guessed = step < most_guesses && turn.sane && is_inside(n, bracket);
-    if (!is_guessed) n = halfway(seen, towards, bracket, step);
+    const bool guessed = turn.sane && abs(turn.tangent) <= 0.5 * tangent_before && is_inside(n, bracket);
+    tangent_before = guessed ? abs(turn.tangent) : 0x1p1000;
+    if (!guessed) n = halfway(seen, towards, bracket, halvings++);
     // Rounding may lead to an end, or beyond.
     if (!is_inside(n, bracket)) n = middle(bracket);
     if (!is_inside(n, bracket)) break;
