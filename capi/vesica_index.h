@@ -138,8 +138,9 @@ VESICA_API int64_t vesica_index_build_f64(const vesica_shapes_f64 *sets, int32_t
  * time. All parts of a step must end before the next step begins. All other arguments are the same in all calls.
  * Requires: 0 <= step <= 4 and 0 <= part < parts; parts is 1 in steps 0 and 4. The rest is as for the build.
  * Returns: 0; at step 4 what vesica_index_build_f64 returns.
- * Errors: those of vesica_index_build_f64. VESICA_E_ARGUMENT also if step, part or parts is out of range, or if the
- * scratch is not that of step 0 of a build that has not ended.
+ * Errors: those of vesica_index_build_f64. VESICA_E_ARGUMENT also, with nothing done, if step, part or parts is out of
+ * range, if the scratch is not that of step 0 of a build that has not ended, if a part of the step before is missing,
+ * or if some of this part was done before.
  * Cost: in all that of the build: three fifths in step 1; a tenth in step 0, which cannot be divided.
  */
 VESICA_API int64_t vesica_index_step_f64(int32_t step, int64_t part, int64_t parts, const vesica_shapes_f64 *sets,

@@ -1730,12 +1730,11 @@ export interface C {
    * Steps 0 and 4 have one part. Steps 1, 2 and 3 have as many parts as the caller likes, and these may run at the same
    * time. All parts of a step must end before the next step begins. All other arguments are the same in all calls.
    *
-   * Requires: 0 <= step <= 4 and 0 <= part < parts; parts is 1 in steps 0 and 4. The rest is as for the build.
-   * Returns: 0; at step 4 what vesica_index_build_f64 returns.
-   * Errors: those of vesica_index_build_f64. VESICA_E_ARGUMENT also if step, part or parts is out of range, or if the
-   * scratch is not that of step 0 of a build that has not ended.
-   * Cost: in all that of the build: three fifths in step 1; a tenth in step 0, which cannot be divided.
-   * Since: 0.1.
+   * Requires: 0 <= step <= 4 and 0 <= part < parts; parts is 1 in steps 0 and 4. The rest is as for the build. Returns:
+   * 0; at step 4 what vesica_index_build_f64 returns. Errors: those of vesica_index_build_f64. VESICA_E_ARGUMENT also,
+   * with nothing done, if step, part or parts is out of range, if the scratch is not that of step 0 of a build that has
+   * not ended, if a part of the step before is missing, or if some of this part was done before. Cost: in all that of
+   * the build: three fifths in step 1; a tenth in step 0, which cannot be divided. Since: 0.1.
    */
   vesica_index_step_f64(step: number, part: bigint, parts: bigint, sets: number, set_count: number, index: number,
     index_size: bigint, scratch: number, scratch_size: bigint): bigint;
@@ -1839,12 +1838,11 @@ export interface C {
    * Steps 0 and 4 have one part. Steps 1, 2 and 3 have as many parts as the caller likes, and these may run at the same
    * time. All parts of a step must end before the next step begins. All other arguments are the same in all calls.
    *
-   * Requires: 0 <= step <= 4 and 0 <= part < parts; parts is 1 in steps 0 and 4. The rest is as for the build.
-   * Returns: 0; at step 4 what vesica_index_build_f32 returns.
-   * Errors: those of vesica_index_build_f32. VESICA_E_ARGUMENT also if step, part or parts is out of range, or if the
-   * scratch is not that of step 0 of a build that has not ended.
-   * Cost: in all that of the build: three fifths in step 1; a tenth in step 0, which cannot be divided.
-   * Since: 0.1.
+   * Requires: 0 <= step <= 4 and 0 <= part < parts; parts is 1 in steps 0 and 4. The rest is as for the build. Returns:
+   * 0; at step 4 what vesica_index_build_f32 returns. Errors: those of vesica_index_build_f32. VESICA_E_ARGUMENT also,
+   * with nothing done, if step, part or parts is out of range, if the scratch is not that of step 0 of a build that has
+   * not ended, if a part of the step before is missing, or if some of this part was done before. Cost: in all that of
+   * the build: three fifths in step 1; a tenth in step 0, which cannot be divided. Since: 0.1.
    */
   vesica_index_step_f32(step: number, part: bigint, parts: bigint, sets: number, set_count: number, index: number,
     index_size: bigint, scratch: number, scratch_size: bigint): bigint;

@@ -26,6 +26,7 @@ class Builder {
   void begin() noexcept {
     state() = {{}, sets_.items, slices_for(sets_.items), 0, 0, 0, sizeof(Header), 0, 0, 0, {}};
     std::memcpy(state().magic, state_magic, sizeof state_magic);
+    std::memset(done(1), 0, static_cast<std::size_t>(Layout::done_bytes(layout_.cells)));
     plan(nullptr, sets_.items, full_cell);
   }
 
@@ -33,28 +34,47 @@ class Builder {
     return std::memcmp(state().magic, state_magic, sizeof state_magic) == 0 && state().items == sets_.items;
   }
 
-  std::int64_t first_slice(std::int64_t part, std::int64_t parts) const noexcept {
-    const std::int64_t slices = state().slices;
-    return parts <= slices ? slices * part / parts : part < slices ? part : slices;
+  /// One part of a step. Returns false where the step before is not complete, or some of this part is done already.
+  bool run(int step, std::int64_t part, std::int64_t parts) noexcept {
+    if (step > 1 && count_done(step - 1, {0, units(step - 1)}) != units(step - 1)) return false;
+    if (step == build_steps - 1) {
+      conclude();
+      return true;
+    }
+    const Share share = share_of(units(step), part, parts);
+    if (count_done(step, share) != 0) return false;
+    if (share.first == share.last) return true;
+    if (step == 1) bin_slices(share);
+    if (step == 2) place_slices(share);
+    if (step == 3) finish_cells(share.first, share.last, state().slices, state().items, sizeof(Header));
+    std::memset(done(step) + share.first, 1, static_cast<std::size_t>(share.last - share.first));
+    return true;
   }
 
-  void bin_part(std::int64_t part, std::int64_t parts) noexcept {
-    for (std::int64_t s = first_slice(part, parts); s < first_slice(part + 1, parts); ++s)
-      bin(nullptr, s, state().slices);
+ private:
+  struct Share {
+    std::int64_t first, last;
+  };
+  static Share share_of(std::int64_t n, std::int64_t part, std::int64_t parts) noexcept {
+    if (parts <= n) return {n * part / parts, n * (part + 1) / parts};
+    return part < n ? Share{part, part + 1} : Share{n, n};
   }
 
-  void place_part(std::int64_t part, std::int64_t parts) noexcept {
-    const std::int64_t first = first_slice(part, parts), last = first_slice(part + 1, parts);
-    if (first == last) return;
-    set_positions(first, last, state().slices, state().items, sizeof(Header), 0);
-    for (std::int64_t s = first; s < last; ++s) place(nullptr, s, state().slices);
+  /// Steps 1 and 2 are divided by slices of the items, step 3 by cells.
+  std::int64_t units(int step) const noexcept { return step == 3 ? std::int64_t{1} << state().levels : state().slices; }
+  unsigned char* done(int step) const noexcept { return &at<unsigned char>(layout_.done, (step - 1) * most_slices); }
+  std::int64_t count_done(int step, const Share& share) const noexcept {
+    std::int64_t n = 0;
+    for (std::int64_t i = share.first; i < share.last; ++i) n += done(step)[i];
+    return n;
   }
 
-  void finish_part(std::int64_t part, std::int64_t parts) noexcept {
-    const std::int64_t cells = std::int64_t{1} << state().levels;
-    const std::int64_t first = parts <= cells ? cells * part / parts : part < cells ? part : cells;
-    const std::int64_t last = parts <= cells ? cells * (part + 1) / parts : part < cells ? part + 1 : cells;
-    if (first < last) finish_cells(first, last, state().slices, state().items, sizeof(Header));
+  void bin_slices(const Share& share) noexcept {
+    for (std::int64_t s = share.first; s < share.last; ++s) bin(nullptr, s, state().slices);
+  }
+  void place_slices(const Share& share) noexcept {
+    set_positions(share.first, share.last, state().slices, state().items, sizeof(Header), 0);
+    for (std::int64_t s = share.first; s < share.last; ++s) place(nullptr, s, state().slices);
   }
 
   void conclude() noexcept {
@@ -68,7 +88,6 @@ class Builder {
     s.magic[0] = 0;  // another step needs another beginning
   }
 
- private:
   template <class T>
   T& at(std::int64_t offset, std::int64_t i = 0) const noexcept {
     return reinterpret_cast<T*>(scratch_ + offset)[i];
@@ -395,12 +414,7 @@ bool build_step(const Kernels& kernels, const Sets& sets, int step, std::int64_t
     builder.begin();
     return true;
   }
-  if (!builder.begun()) return false;
-  if (step == 1) builder.bin_part(part, parts);
-  if (step == 2) builder.place_part(part, parts);
-  if (step == 3) builder.finish_part(part, parts);
-  if (step == 4) builder.conclude();
-  return true;
+  return builder.begun() && builder.run(step, part, parts);
 }
 
 }  // namespace vesica::index

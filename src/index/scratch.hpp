@@ -49,7 +49,10 @@ inline constexpr char state_magic[8] = {'V', 'E', 'S', 'B', 'U', 'I', 'L', 'D'};
 
 /// Where things lie in the scratch.
 struct Layout {
-  std::int64_t cells, samples, state, node, cell, frame, counts, positions, runs, record, item_cell, list, bytes;
+  std::int64_t cells, samples, state, done, node, cell, frame, counts, positions, runs, record, item_cell, list, bytes;
+
+  /// A byte for each slice binned, each slice placed, each cell finished.
+  static constexpr std::int64_t done_bytes(std::int64_t cells) noexcept { return 2 * most_slices + cells; }
 
   static constexpr Layout of(std::int64_t items) noexcept {
     Layout l{};
@@ -63,6 +66,7 @@ struct Layout {
       return begin;
     };
     l.state = take(sizeof(State));
+    l.done = take(done_bytes(l.cells));
     l.node = take(tables * 8);
     l.cell = take(tables * static_cast<std::int64_t>(sizeof(Cell)));
     l.frame = take(tables * static_cast<std::int64_t>(sizeof(Frame)));

@@ -85,6 +85,44 @@ TYPED_TEST(ArgumentsTest, Build) {
   for (std::int32_t number = 1; number <= 4; ++number) EXPECT_EQ(step(number, 0, 1), VESICA_E_ARGUMENT) << "it ended";
 }
 
+/// Steps in another order than theirs, and a part that is missing or comes twice, are refused, and harm nothing: the
+/// build goes on as if they had not been asked for. Scratch and index hold numbers of no sense before.
+TYPED_TEST(ArgumentsTest, StepsOutOfOrder) {
+  const Laid<TypeParam> laid = mixed<TypeParam>("decades_3", 20000, 1);
+  const Sets<TypeParam> sets(laid);
+  const Indexed<TypeParam> whole{Laid<TypeParam>(laid)};
+  const Memory index(vesica_index_size(sets.items)), scratch(vesica_index_scratch(sets.items));
+  std::memset(index.get(), 0xa5, static_cast<std::size_t>(index.size));
+  std::memset(scratch.get(), 0xa5, static_cast<std::size_t>(scratch.size));
+  const auto step = [&](std::int32_t number, std::int64_t part, std::int64_t parts) {
+    return Face<TypeParam>::index_step(number, part, parts, sets.data(), sets.count(), index.get(), index.size,
+                                       scratch.get(), scratch.size);
+  };
+  const auto refused = [&](std::int32_t number, std::int64_t part, std::int64_t parts) {
+    EXPECT_EQ(step(number, part, parts), VESICA_E_ARGUMENT) << number << ": " << part << " of " << parts;
+  };
+  const auto only_next_is = [&](std::int32_t next) {
+    for (std::int32_t number = 1; number <= 4; ++number) {
+      if (number != next) refused(number, 0, 1);
+    }
+  };
+  ASSERT_EQ(step(0, 0, 1), 0);
+  for (std::int32_t number = 1; number <= 3; ++number) {
+    only_next_is(number);
+    ASSERT_EQ(step(number, 0, 3), 0);
+    only_next_is(number);
+    refused(number, 0, 3);
+    refused(number, 0, 2);
+    ASSERT_EQ(step(number, 2, 3), 0);
+    only_next_is(number);
+    ASSERT_EQ(step(number, 1, 3), 0);
+    ASSERT_EQ(step(number, 999, 1000), 0) << "a part without a share";
+  }
+  only_next_is(4);
+  ASSERT_EQ(step(4, 0, 1), whole.result);
+  EXPECT_EQ(std::memcmp(index.get(), whole.index.get(), static_cast<std::size_t>(whole.result)), 0);
+}
+
 /// An index holds 64 sets that are not empty, however few shapes they have; of empty ones there may be any number.
 TYPED_TEST(ArgumentsTest, SetsOfOneShape) {
   const Laid<TypeParam> laid{rects<TypeParam>("uniform", 1, 1)};

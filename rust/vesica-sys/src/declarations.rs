@@ -2470,8 +2470,9 @@ extern "C" {
     ///
     /// Returns: 0; at step 4 what vesica_index_build_f64 returns.
     ///
-    /// Errors: those of vesica_index_build_f64. VESICA_E_ARGUMENT also if step, part or parts is out of range, or if
-    /// the scratch is not that of step 0 of a build that has not ended.
+    /// Errors: those of vesica_index_build_f64. VESICA_E_ARGUMENT also, with nothing done, if step, part or parts is
+    /// out of range, if the scratch is not that of step 0 of a build that has not ended, if a part of the step before
+    /// is missing, or if some of this part was done before.
     ///
     /// Cost: in all that of the build: three fifths in step 1; a tenth in step 0, which cannot be divided.
     ///
@@ -2619,8 +2620,9 @@ extern "C" {
     ///
     /// Returns: 0; at step 4 what vesica_index_build_f32 returns.
     ///
-    /// Errors: those of vesica_index_build_f32. VESICA_E_ARGUMENT also if step, part or parts is out of range, or if
-    /// the scratch is not that of step 0 of a build that has not ended.
+    /// Errors: those of vesica_index_build_f32. VESICA_E_ARGUMENT also, with nothing done, if step, part or parts is
+    /// out of range, if the scratch is not that of step 0 of a build that has not ended, if a part of the step before
+    /// is missing, or if some of this part was done before.
     ///
     /// Cost: in all that of the build: three fifths in step 1; a tenth in step 0, which cannot be divided.
     ///
