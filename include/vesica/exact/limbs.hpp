@@ -47,12 +47,36 @@ constexpr LimbPair multiply_add(Limb a, Limb b, Limb c, Limb d) noexcept {
 #endif
 }
 
-/// a + b + carry
-constexpr LimbPair add_limbs(Limb a, Limb b, Limb carry) noexcept { return multiply_add(1, a, b, carry); }
+/// a + b + carry, the latter 0 or 1. Of sums one after the other it stays in the processor's flag where it has one.
+constexpr LimbPair add_limbs(Limb a, Limb b, Limb carry) noexcept {
+#if defined(__x86_64__) && !defined(__CUDA_ARCH__)
+  if (!std::is_constant_evaluated()) {
+    unsigned long long sum = 0;
+    const unsigned char carried = __builtin_ia32_addcarryx_u64(static_cast<unsigned char>(carry), a, b, &sum);
+    return {sum, carried};
+  }
+#endif
+  return multiply_add(1, a, b, carry);
+}
 /// a - b - borrow; `high` is what is borrowed from the limb above.
 constexpr LimbPair subtract_limbs(Limb a, Limb b, Limb borrow) noexcept {
   const LimbPair sum = add_limbs(~a, b, borrow);
   return {~sum.low, sum.high};
+}
+
+/// out[0, 4) += a[0, 4) + carry; returns what is carried out of it.
+constexpr Limb add_four(const Limb* a, Limb carry, Limb* out) noexcept {
+  const LimbPair s = add_limbs(out[0], a[0], carry), t = add_limbs(out[1], a[1], s.high);
+  const LimbPair u = add_limbs(out[2], a[2], t.high), v = add_limbs(out[3], a[3], u.high);
+  out[0] = s.low, out[1] = t.low, out[2] = u.low, out[3] = v.low;
+  return v.high;
+}
+/// out[0, 4) -= a[0, 4) + borrow; returns what is borrowed.
+constexpr Limb subtract_four(const Limb* a, Limb borrow, Limb* out) noexcept {
+  const LimbPair s = subtract_limbs(out[0], a[0], borrow), t = subtract_limbs(out[1], a[1], s.high);
+  const LimbPair u = subtract_limbs(out[2], a[2], t.high), v = subtract_limbs(out[3], a[3], u.high);
+  out[0] = s.low, out[1] = t.low, out[2] = u.low, out[3] = v.low;
+  return v.high;
 }
 
 /// out[0, n) += factor * a; returns what is carried out of it.
@@ -142,13 +166,19 @@ constexpr void place_magnitude(const Span& a, int low, int n, Limb* out) noexcep
   for (int i = zeros + kept.size; i < n; ++i) out[i] = 0;
 }
 
+constexpr bool are_zero(const Limb* four) noexcept { return (four[0] | four[1] | four[2] | four[3]) == 0; }
+
 /// out[0, n) = |a| + |b| on the grid from low on; n leaves room for the carry.
 constexpr void add_magnitude(const Span& a, const Span& b, int low, int n, Limb* out) noexcept {
   place_magnitude(a, low, n, out);
   const Span added = from(b, low);
   Limb* sum = out + (added.low - low);
   Limb carry = 0;
-  for (int k = 0; k < added.size; ++k, ++sum) {
+  int k = 0;
+  for (; k + 4 <= added.size; k += 4, sum += 4) {
+    if (carry != 0 || !are_zero(added.limb + k)) carry = add_four(added.limb + k, carry, sum);
+  }
+  for (; k < added.size; ++k, ++sum) {
     if ((added.limb[k] | carry) == 0) continue;
     const LimbPair total = add_limbs(*sum, added.limb[k], carry);
     *sum = total.low;
@@ -163,7 +193,11 @@ constexpr void subtract_magnitude(const Span& a, const Span& b, int low, int n, 
   const Span taken = from(b, low);
   Limb* difference = out + (taken.low - low);
   Limb borrow = 0;
-  for (int k = 0; k < taken.size; ++k, ++difference) {
+  int k = 0;
+  for (; k + 4 <= taken.size; k += 4, difference += 4) {
+    if (borrow != 0 || !are_zero(taken.limb + k)) borrow = subtract_four(taken.limb + k, borrow, difference);
+  }
+  for (; k < taken.size; ++k, ++difference) {
     if ((taken.limb[k] | borrow) == 0) continue;
     const LimbPair total = subtract_limbs(*difference, taken.limb[k], borrow);
     *difference = total.low;
