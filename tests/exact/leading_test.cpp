@@ -183,6 +183,24 @@ TEST(Leading, PolynomialsOfLongNumbers) {
   EXPECT_GT(differing, 500 * properties::repeat());
 }
 
+// Each of the four may be the only long one; digits tell as well where none is.
+TEST(Leading, TwoProductsOfWhichOneIsLong) {
+  const Number<8> one = exact::integer(1), two = exact::integer(2), longer = one + exact::from_double(0x1p-1074);
+  ASSERT_TRUE(is_long(longer) && !is_long(two));
+  const auto sum = exact::SumOfProducts{};
+  const auto difference = exact::DifferenceOfProducts{};
+  EXPECT_EQ(exact::sign_of(difference, two, one, one, two), 0);
+  EXPECT_EQ(exact::sign_of(difference, longer, one, one, one), 1);
+  EXPECT_EQ(exact::sign_of(difference, one, longer, one, one), 1);
+  EXPECT_EQ(exact::sign_of(difference, one, one, longer, one), -1);
+  EXPECT_EQ(exact::sign_of(difference, one, one, one, longer), -1);
+  EXPECT_EQ(exact::sign_of(sum, two, one, exact::times(-1, one), two), 0);
+  EXPECT_EQ(exact::sign_of(sum, longer, one, exact::times(-1, one), one), 1);
+  EXPECT_EQ(exact::sign_of(sum, one, longer, exact::times(-1, one), one), 1);
+  EXPECT_EQ(exact::sign_of(sum, exact::times(-1, one), one, longer, one), 1);
+  EXPECT_EQ(exact::sign_of(sum, exact::times(-1, one), one, one, longer), 1);
+}
+
 // Halfway between two doubles, and so little from there that leading digits do not tell.
 TEST(Leading, RoundsTiesByWhatIsFarBelow) {
   const auto itself = [](const auto& x) { return x; };

@@ -319,9 +319,12 @@ class ZeroSearch {
   }
   /// Whether all zeros of an interval are in this part of it, as none is on either side.
   static bool has_no_zero_beside(const Interval& i, exact::Limb from, exact::Limb to) noexcept {
+    const exact::Limb side[][2] = {{0, from}, {to, 0}};
     Quartic beside;
-    return (from == 0 || part(i.q, 0, from, i.limbs, beside) == 0) &&
-           (to == 0 || part(i.q, to, 0, i.limbs, beside) == 0);
+    for (const auto& [begin, end] : side) {
+      if (begin != end && part(i.q, begin, end, i.limbs, beside) != 0) return false;
+    }
+    return true;
   }
   /// The part within reach of a group, a power of two long, takes the place of an interval if all of the zeros are in
   /// it; or nothing does, if there is none.

@@ -149,9 +149,10 @@ VESICA_CALLED constexpr bool multiply_sparse(const Span& a, const Span& b, Limb*
 }
 
 /// sum += a * a, of which it has room for two limbs more, where few limbs matter; false where limb by limb is as quick.
+/// No square that is asked for is longer than most_sparse.
 VESICA_CALLED constexpr bool add_square_sparse(const Span& a, Limb* sum) noexcept {
   Runs x, twice;
-  if (2 * a.size + 2 > most_sparse || !x.set(a.limb, a.size) || x.cost() > a.size) return false;
+  if (!x.set(a.limb, a.size) || x.cost() > a.size) return false;
   Limb room[Runs::most_limbs + Runs::most_runs];
   double_runs(x, twice, room);
   for (int i = 0; i < x.count; ++i) add_product(x.run[i].span, x.run[i].span, sum);

@@ -114,8 +114,8 @@ inline Frame frame_of_flatter(const TwoEllipses<double>& s, const FoundNormal& b
 /// A step within a bracket goes to where the slope is likely to be 0 and a little beyond, so that the bracket closes
 /// from both sides. It is taken if it is at most half as long as the one taken just before; else the bracket is halved.
 inline constexpr double beyond_guess = 1 + 0x1p-10;
-/// For certainty: by then the three ways of halving, which take turns, have closed any bracket.
-inline constexpr int most_bracket_steps = 152;
+/// For certainty: one halving in three at least is of the angle or its logarithm, and 62 of these close any bracket.
+inline constexpr int most_bracket_steps = 400;
 
 /// A slope below this share of its terms is of rounding alone.
 inline constexpr double lost_slope = 0x1p-52;
@@ -129,12 +129,11 @@ inline bool is_closed(const Bracket<double>& b) noexcept {
   return p - q <= 0x1p-52 * (abs(p) + abs(q)) + least_turn;
 }
 
-/// Where one end is far nearer to an axis of the frame than the other: by powers of two halfway between them, or the
-/// axis, where it is between them; else false. Halving the angle, each power would take a step.
+/// The axis of the frame that is between the ends; or, where one end is far nearer to an axis than the other, what is by
+/// powers of two halfway between them; else false. Halving the angle, each power would take a step.
 VESICA_CALLED inline bool halves_powers(const Bracket<double>& b, Direction<double>& n) noexcept {
   const auto is_far = [](double p, double q) { return max(p, q) > 16 * min(p, q); };
   const auto differ = [](double p, double q) { return max(p, q) > 0 && min(p, q) < 0; };
-  if (!is_far(abs(b.low.x * b.high.y), abs(b.low.y * b.high.x))) return false;
   const Direction<double> signs{std::copysign(1.0, b.low.x + b.high.x), std::copysign(1.0, b.low.y + b.high.y)};
   if (differ(b.low.x, b.high.x) || differ(b.low.y, b.high.y)) {
     n = differ(b.low.x, b.high.x) ? Direction<double>{0, signs.y} : Direction<double>{signs.x, 0};
