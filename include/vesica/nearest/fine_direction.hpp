@@ -129,8 +129,8 @@ inline bool is_closed(const Bracket<double>& b) noexcept {
   return p - q <= 0x1p-52 * (abs(p) + abs(q)) + least_turn;
 }
 
-/// The axis of the frame that is between the ends; or, where one end is far nearer to an axis than the other, what is by
-/// powers of two halfway between them; else false. Halving the angle, each power would take a step.
+/// The axis of the frame that is between the ends; or, where one end is far nearer to an axis than the other, what is
+/// halfway between them by powers of two; else false. Halving the angle, each power would take a step.
 VESICA_CALLED inline bool halves_powers(const Bracket<double>& b, Direction<double>& n) noexcept {
   const auto is_far = [](double p, double q) { return max(p, q) > 16 * min(p, q); };
   const auto differ = [](double p, double q) { return max(p, q) > 0 && min(p, q) < 0; };
