@@ -15,7 +15,7 @@ limit() {
 
 modules=$1
 limit "$modules/vesica.wasm" 1266 431
-limit "$modules/simd/vesica.wasm" 1459 489
+limit "$modules/simd/vesica.wasm" 1460 489
 limit "$modules/vesica-overlap.wasm" 457 150
 limit "$modules/simd/vesica-overlap.wasm" 600 180
 limit "$modules/vesica-methods.wasm" 126 59
