@@ -119,12 +119,15 @@ export interface C {
    * C - hx u - hy perp(u), an ellipse's point C + a u (one without area begins as a box), a circle's point C + (r, 0),
    * or a segment's first end.
    *
-   * Returns: the number of places, 0 to 8. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   * Returns: the number of places, 0 to 8.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
    * Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape, even
    * where the outlines nearly coincide. Places closer to one another than that may come in either order or be equal. In
    * bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and
    * |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the
-   * scale. An aspect ratio is longer over shorter size. Cost: 1 to 10 us; at worst 30 us. Since: 0.1.
+   * scale. An aspect ratio is longer over shorter size.
+   * Cost: 1 to 10 us; at worst 30 us.
+   * Since: 0.1.
    */
   vesica_crossings_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
   /**
@@ -134,15 +137,18 @@ export interface C {
    * not, the distance is > 0. Exchanging the shapes exchanges the points and changes no bit. Moving both shapes alike
    * changes no bit of the distance if no coordinate is rounded.
    *
-   * Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: the distance is right
-   * to 4 u scale at any aspect ratio; the largest error seen was 1 u scale, and 3.3 u beside the ends of the thinnest
-   * ellipses. Its relative error is at most 2 u above 1e-10 scale (aspect ratios up to 1e6) or 1e-14 scale (up to
-   * 1000). Closest points are right to 4 u scale, and a common point to 8 u scale, before they are rounded. In bounds
-   * on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy|
-   * between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the
-   * scale. An aspect ratio is longer over shorter size. Cost: 100 to 250 ns for disjoint shapes, 450 ns for a point and
-   * an ellipse, 500 ns for the thinnest ellipses; 50 ns if a shape holds the other's centre; 0.3 to 3 us for shapes
-   * that cross, near-ties and magnitudes above 2^40 or below 2^-40; at worst 25 us. Since: 0.1.
+   * Returns: 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   * Accuracy: the distance is right to 4 u scale at any aspect ratio; the largest error seen was 1 u scale, and 3.3 u
+   * beside the ends of the thinnest ellipses. Its relative error is at most 2 u above 1e-10 scale (aspect ratios up to
+   * 1e6) or 1e-14 scale (up to 1000). Closest points are right to 4 u scale, and a common point to 8 u scale, before
+   * they are rounded. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is
+   * the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error
+   * of at most 4 u times the scale. An aspect ratio is longer over shorter size.
+   * Cost: 100 to 250 ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest ellipses; 50 ns
+   * if a shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or
+   * below 2^-40; at worst 25 us.
+   * Since: 0.1.
    */
   vesica_nearest_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
   /**
@@ -154,14 +160,16 @@ export interface C {
    * over the whole outline, never a local minimum. Which case holds is decided exactly. Exchanging the shapes exchanges
    * the points and changes no bit. Moving both shapes alike changes no bit of the distance if no coordinate is rounded.
    *
-   * Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: at aspect ratios up to
-   * 1e6 the distance is right to 4 u scale, and the points are that far apart to 16 u scale. At any ratio it is above 0
-   * unless outlines meet, and points are on them to 12 u scale before they are rounded. In bounds on errors u is 2^-53,
-   * half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres
-   * and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is
-   * longer over shorter size. Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, for
-   * a few 1 us more; 0.4 to 0.8 us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for
-   * near-ties; at worst 30 us. Since: 0.1.
+   * Returns: 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   * Accuracy: at aspect ratios up to 1e6 the distance is right to 4 u scale, and the points are that far apart to 16 u
+   * scale. At any ratio it is above 0 unless outlines meet, and points are on them to 12 u scale before they are
+   * rounded. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest
+   * of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4
+   * u times the scale. An aspect ratio is longer over shorter size.
+   * Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.4 to
+   * 0.8 us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for near-ties; at worst 30 us.
+   * Since: 0.1.
    */
   vesica_boundary_distance_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number,
     out: number): number;
@@ -175,13 +183,16 @@ export interface C {
    * 0. Exchanging the shapes reverses the direction and changes no other bit, except for two equal shapes in one place.
    * Moving both shapes alike changes no bit if no coordinate is rounded.
    *
-   * Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: at aspect ratios up to
-   * 1e6 the depth is right to 4 u scale; for circles and points, to its last place. The length of (x, y) is 1 to 3 u.
-   * After the move at most 8 u scale of overlap is left. Whether the depth is 0 is exact. In bounds on errors u is
-   * 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their
-   * centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect
-   * ratio is longer over shorter size. Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a
-   * few 1 us more; up to 5 us if only exact arithmetic can tell the depth from 0; at worst 25 us. Since: 0.1.
+   * Returns: 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   * Accuracy: at aspect ratios up to 1e6 the depth is right to 4 u scale; for circles and points, to its last place.
+   * The length of (x, y) is 1 to 3 u. After the move at most 8 u scale of overlap is left. Whether the depth is 0 is
+   * exact. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest
+   * of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4
+   * u times the scale. An aspect ratio is longer over shorter size.
+   * Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to 5 us if only
+   * exact arithmetic can tell the depth from 0; at worst 25 us.
+   * Since: 0.1.
    */
   vesica_depth_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
   /**
@@ -203,13 +214,16 @@ export interface C {
    * insides of shapes with area meet, unless that underflows. Exchanging the shapes changes no bit. Scaling both by a
    * power of two scales the area by its square.
    *
-   * Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: right to 64 u times the
-   * smaller shape's area times the larger aspect ratio, at aspect ratios up to 10^4, even if the outlines nearly touch
-   * or coincide and whatever the sizes are. In bounds on errors u is 2^-53, half a unit in the last place of 1. The
-   * scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u
-   * scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size. Cost: about 50
-   * ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines nearly touch or
-   * coincide, or if one shape is far larger; at worst 30 us. Since: 0.1.
+   * Returns: 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   * Accuracy: right to 64 u times the smaller shape's area times the larger aspect ratio, at aspect ratios up to 10^4,
+   * even if the outlines nearly touch or coincide and whatever the sizes are. In bounds on errors u is 2^-53, half a
+   * unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
+   * their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer
+   * over shorter size.
+   * Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines
+   * nearly touch or coincide, or if one shape is far larger; at worst 30 us.
+   * Since: 0.1.
    */
   vesica_area_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
   /**
@@ -228,10 +242,12 @@ export interface C {
   /**
    * Smallest box of representable numbers that contains a shape.
    *
-   * Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: each side is the true
-   * extreme of the shape, rounded outward once. So a representable box is exact. Cost: up to 80 ns; 1 to 3 us for
-   * magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis and representable sides; at worst 6
-   * us. Since: 0.1.
+   * Returns: 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   * Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is exact.
+   * Cost: up to 80 ns; 1 to 3 us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis
+   * and representable sides; at worst 6 us.
+   * Since: 0.1.
    */
   vesica_bounds_f64(kind: number, numbers: number, out: number): number;
   /**
@@ -456,11 +472,14 @@ export interface C {
   /**
    * Rectangle from centre, angle and full size: width along the angle, height across it.
    *
-   * Requires: the angle in radians, counter-clockwise from +x if y points up; width, height >= 0. Returns: 0; the shape
-   * is valid. Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE. Accuracy: the axis is (cos, sin),
-   * each right to 1 unit in the last place. No double is exactly pi/2, so a quarter turn has an exact axis only by
-   * vesica_rects_from_boxes_f64, which takes degrees too. Sizes are exact: if halving one would round (an odd multiple
-   * of the smallest subnormal number), the axis is halved instead. Cost: about 40 ns. Since: 0.1.
+   * Requires: the angle in radians, counter-clockwise from +x if y points up; width, height >= 0.
+   * Returns: 0; the shape is valid.
+   * Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.
+   * Accuracy: the axis is (cos, sin), each right to 1 unit in the last place. No double is exactly pi/2, so a quarter
+   * turn has an exact axis only by vesica_rects_from_boxes_f64, which takes degrees too. Sizes are exact: if halving
+   * one would round (an odd multiple of the smallest subnormal number), the axis is halved instead.
+   * Cost: about 40 ns.
+   * Since: 0.1.
    */
   vesica_rect_from_angle_f64(cx: number, cy: number, angle: number, width: number, height: number, out: number): number;
   /**
@@ -471,11 +490,13 @@ export interface C {
    * edge. Opposite edges are averaged; the longer pair gives the direction, and the shorter pair counts by its part
    * across it. Two or four equal corners are legal: they give a segment, or a point with axis (1, 0).
    *
-   * Returns: 0; the shape is valid. Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_RANGE (a half extent
-   * overflows). Accuracy: half extents, and the axis times the longer one, are right to 8 units in the last place of
-   * the longer one; the centre is right to 1 unit in its own. Both errors may grow by 2^-98 times the largest
-   * coordinate. A rectangle along the coordinate axes is found exactly if its centre and half extents are
-   * representable. Cost: about 110 ns. Since: 0.1.
+   * Returns: 0; the shape is valid.
+   * Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_RANGE (a half extent overflows).
+   * Accuracy: half extents, and the axis times the longer one, are right to 8 units in the last place of the longer
+   * one; the centre is right to 1 unit in its own. Both errors may grow by 2^-98 times the largest coordinate. A
+   * rectangle along the coordinate axes is found exactly if its centre and half extents are representable.
+   * Cost: about 110 ns.
+   * Since: 0.1.
    */
   vesica_rect_from_corners_f64(corners: number, out: number): number;
   /**
@@ -755,11 +776,14 @@ export interface C {
    * Which of many shapes overlap one? Their indices are written to out[0], out[1] ..., in ascending order.
    *
    * Requires: one, an array of count 1, which is looked at unless many is empty; capacity, how many indices out has
-   * room for. It may be 0, and out then NULL. Returns: how many there are, even if that exceeds the capacity. If room
-   * is left, the entry after the last is -1. Errors: VESICA_E_SHAPE if a shape is invalid: it is not selected, and the
-   * others are written as usual, up to the -1 or the capacity. Before anything is written: VESICA_E_NULL,
-   * VESICA_E_KIND, VESICA_E_ARGUMENT (one's count is not 1, a negative capacity, and as vesica_overlap_many_f64).
-   * Accuracy: every answer is that of vesica_overlap_f64. Cost: that of vesica_overlap_many_f64. Since: 0.1.
+   * room for. It may be 0, and out then NULL.
+   * Returns: how many there are, even if that exceeds the capacity. If room is left, the entry after the last is -1.
+   * Errors: VESICA_E_SHAPE if a shape is invalid: it is not selected, and the others are written as usual, up to the -1
+   * or the capacity. Before anything is written: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (one's count is not 1,
+   * a negative capacity, and as vesica_overlap_many_f64).
+   * Accuracy: every answer is that of vesica_overlap_f64.
+   * Cost: that of vesica_overlap_many_f64.
+   * Since: 0.1.
    */
   vesica_overlap_select_f64(one: number, many: number, out: number, capacity: bigint): bigint;
   /**
@@ -776,13 +800,16 @@ export interface C {
    *
    * Of equal scores the lower index comes first. Infinite scores are legal. At threshold 1 all shapes are kept.
    *
-   * Requires: shapes, of a kind from VESICA_CIRCLE to VESICA_ELLIPSE; scores, one for each; threshold from 0 to 1;
-   * scratch, of vesica_nms_scratch bytes or more, with any alignment and content; keep, with room for all indices.
+   * Requires: shapes, of a kind from VESICA_CIRCLE to VESICA_ELLIPSE; scores, one for each; threshold from 0 to
+   * 1; scratch, of vesica_nms_scratch bytes or more, with any alignment and content; keep, with room for all indices.
    * Returns: 0, with *kept set to how many are kept. keep has their indices in the order of their scores; the rest of
-   * keep is not written. Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN: it is left out, and the
-   * result of the others is written. Before anything is written: VESICA_E_NULL (with count 0 all but shapes and kept
-   * may be NULL), VESICA_E_KIND (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f64,
-   * threshold, too little scratch). Cost: 0.3 to 1.2 us a shape. Since: 0.1.
+   * keep is not written.
+   * Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN: it is left out, and the result of the others is
+   * written. Before anything is written: VESICA_E_NULL (with count 0 all but shapes and kept may be NULL),
+   * VESICA_E_KIND (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f64, threshold, too
+   * little scratch).
+   * Cost: 0.3 to 1.2 us a shape.
+   * Since: 0.1.
    */
   vesica_nms_f64(shapes: number, scores: number, threshold: number, scratch: number, scratch_size: bigint, keep: number,
     kept: number): number;
@@ -843,13 +870,16 @@ export interface C {
    * C - hx u - hy perp(u), an ellipse's point C + a u (one without area begins as a box), a circle's point C + (r, 0),
    * or a segment's first end.
    *
-   * Returns: the number of places, 0 to 8. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   * Returns: the number of places, 0 to 8.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
    * Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape, even
    * where the outlines nearly coincide. Places closer to one another than that may come in either order or be equal.
    * Each number is computed in double, within these bounds, and then rounded to float once. In bounds on errors u is
    * 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their
    * centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect
-   * ratio is longer over shorter size. Cost: 1 to 10 us; at worst 30 us. Since: 0.1.
+   * ratio is longer over shorter size.
+   * Cost: 1 to 10 us; at worst 30 us.
+   * Since: 0.1.
    */
   vesica_crossings_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
   /**
@@ -859,16 +889,19 @@ export interface C {
    * not, the distance is > 0. Exchanging the shapes exchanges the points and changes no bit. Moving both shapes alike
    * changes no bit of the distance if no coordinate is rounded.
    *
-   * Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: the distance is right
-   * to 4 u scale at any aspect ratio; the largest error seen was 1 u scale, and 3.3 u beside the ends of the thinnest
-   * ellipses. Its relative error is at most 2 u above 1e-10 scale (aspect ratios up to 1e6) or 1e-14 scale (up to
-   * 1000). Closest points are right to 4 u scale, and a common point to 8 u scale, before they are rounded. Each number
-   * is computed in double, within these bounds, and then rounded to float once. In bounds on errors u is 2^-53, half a
-   * unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
-   * their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer
-   * over shorter size. Cost: 100 to 250 ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the
-   * thinnest ellipses; 50 ns if a shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and
-   * magnitudes above 2^40 or below 2^-40; at worst 25 us. Since: 0.1.
+   * Returns: 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   * Accuracy: the distance is right to 4 u scale at any aspect ratio; the largest error seen was 1 u scale, and 3.3 u
+   * beside the ends of the thinnest ellipses. Its relative error is at most 2 u above 1e-10 scale (aspect ratios up to
+   * 1e6) or 1e-14 scale (up to 1000). Closest points are right to 4 u scale, and a common point to 8 u scale, before
+   * they are rounded. Each number is computed in double, within these bounds, and then rounded to float once. In bounds
+   * on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy|
+   * between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the
+   * scale. An aspect ratio is longer over shorter size.
+   * Cost: 100 to 250 ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest ellipses; 50 ns
+   * if a shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or
+   * below 2^-40; at worst 25 us.
+   * Since: 0.1.
    */
   vesica_nearest_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
   /**
@@ -880,14 +913,16 @@ export interface C {
    * over the whole outline, never a local minimum. Which case holds is decided exactly. Exchanging the shapes exchanges
    * the points and changes no bit. Moving both shapes alike changes no bit of the distance if no coordinate is rounded.
    *
-   * Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: at aspect ratios up to
-   * 1e6 the distance is right to 4 u scale, and the points are that far apart to 16 u scale. At any ratio it is above 0
-   * unless outlines meet, and points are on them to 12 u scale before they are rounded. Each number is computed in
-   * double, within these bounds, and then rounded to float once. In bounds on errors u is 2^-53, half a unit in the
-   * last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
-   * lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter
-   * size. Cost: that of vesica_nearest_f32 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.4
-   * to 0.8 us if outlines meet, for thin shapes as vesica_crossings_f32; up to 5 us more for near-ties; at worst 30 us.
+   * Returns: 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   * Accuracy: at aspect ratios up to 1e6 the distance is right to 4 u scale, and the points are that far apart to 16 u
+   * scale. At any ratio it is above 0 unless outlines meet, and points are on them to 12 u scale before they are
+   * rounded. Each number is computed in double, within these bounds, and then rounded to float once. In bounds on
+   * errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy|
+   * between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the
+   * scale. An aspect ratio is longer over shorter size.
+   * Cost: that of vesica_nearest_f32 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.4 to
+   * 0.8 us if outlines meet, for thin shapes as vesica_crossings_f32; up to 5 us more for near-ties; at worst 30 us.
    * Since: 0.1.
    */
   vesica_boundary_distance_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number,
@@ -902,14 +937,17 @@ export interface C {
    * 0. Exchanging the shapes reverses the direction and changes no other bit, except for two equal shapes in one place.
    * Moving both shapes alike changes no bit if no coordinate is rounded.
    *
-   * Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: at aspect ratios up to
-   * 1e6 the depth is right to 4 u scale; for circles and points, to its last place. The length of (x, y) is 1 to 3 u.
-   * After the move at most 8 u scale of overlap is left. Whether the depth is 0 is exact. Each number is computed in
-   * double, within these bounds, and then rounded to float once. In bounds on errors u is 2^-53, half a unit in the
-   * last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
-   * lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter
-   * size. Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to 5 us if
-   * only exact arithmetic can tell the depth from 0; at worst 25 us. Since: 0.1.
+   * Returns: 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   * Accuracy: at aspect ratios up to 1e6 the depth is right to 4 u scale; for circles and points, to its last place.
+   * The length of (x, y) is 1 to 3 u. After the move at most 8 u scale of overlap is left. Whether the depth is 0 is
+   * exact. Each number is computed in double, within these bounds, and then rounded to float once. In bounds on errors
+   * u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between
+   * their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An
+   * aspect ratio is longer over shorter size.
+   * Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to 5 us if only
+   * exact arithmetic can tell the depth from 0; at worst 25 us.
+   * Since: 0.1.
    */
   vesica_depth_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
   /**
@@ -932,14 +970,16 @@ export interface C {
    * insides of shapes with area meet, unless that underflows. Exchanging the shapes changes no bit. Scaling both by a
    * power of two scales the area by its square.
    *
-   * Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: right to 64 u times the
-   * smaller shape's area times the larger aspect ratio, at aspect ratios up to 10^4, even if the outlines nearly touch
-   * or coincide and whatever the sizes are. Each number is computed in double, within these bounds, and then rounded to
-   * float once. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the
-   * largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at
-   * most 4 u times the scale. An aspect ratio is longer over shorter size. Cost: about 50 ns for two boxes, 150 ns for
-   * an ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines nearly touch or coincide, or if one shape is
-   * far larger; at worst 30 us. Since: 0.1.
+   * Returns: 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   * Accuracy: right to 64 u times the smaller shape's area times the larger aspect ratio, at aspect ratios up to 10^4,
+   * even if the outlines nearly touch or coincide and whatever the sizes are. Each number is computed in double, within
+   * these bounds, and then rounded to float once. In bounds on errors u is 2^-53, half a unit in the last place of 1.
+   * The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to
+   * 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
+   * Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines
+   * nearly touch or coincide, or if one shape is far larger; at worst 30 us.
+   * Since: 0.1.
    */
   vesica_area_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
   /**
@@ -959,10 +999,12 @@ export interface C {
   /**
    * Smallest box of representable numbers that contains a shape.
    *
-   * Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: each side is the true
-   * extreme of the shape, rounded outward once. So a representable box is exact. Cost: up to 80 ns; 1 to 3 us for
-   * magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis and representable sides; at worst 6
-   * us. Since: 0.1.
+   * Returns: 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   * Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is exact.
+   * Cost: up to 80 ns; 1 to 3 us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis
+   * and representable sides; at worst 6 us.
+   * Since: 0.1.
    */
   vesica_bounds_f32(kind: number, numbers: number, out: number): number;
   /**
@@ -1187,11 +1229,14 @@ export interface C {
   /**
    * Rectangle from centre, angle and full size: width along the angle, height across it.
    *
-   * Requires: the angle in radians, counter-clockwise from +x if y points up; width, height >= 0. Returns: 0; the shape
-   * is valid. Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE. Accuracy: the axis is (cos, sin),
-   * each right to 1 unit in the last place. No double is exactly pi/2, so a quarter turn has an exact axis only by
-   * vesica_rects_from_boxes_f32, which takes degrees too. Sizes are exact: if halving one would round (an odd multiple
-   * of the smallest subnormal number), the axis is halved instead. Cost: about 40 ns. Since: 0.1.
+   * Requires: the angle in radians, counter-clockwise from +x if y points up; width, height >= 0.
+   * Returns: 0; the shape is valid.
+   * Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.
+   * Accuracy: the axis is (cos, sin), each right to 1 unit in the last place. No double is exactly pi/2, so a quarter
+   * turn has an exact axis only by vesica_rects_from_boxes_f32, which takes degrees too. Sizes are exact: if halving
+   * one would round (an odd multiple of the smallest subnormal number), the axis is halved instead.
+   * Cost: about 40 ns.
+   * Since: 0.1.
    */
   vesica_rect_from_angle_f32(cx: number, cy: number, angle: number, width: number, height: number, out: number): number;
   /**
@@ -1202,11 +1247,13 @@ export interface C {
    * edge. Opposite edges are averaged; the longer pair gives the direction, and the shorter pair counts by its part
    * across it. Two or four equal corners are legal: they give a segment, or a point with axis (1, 0).
    *
-   * Returns: 0; the shape is valid. Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_RANGE (a half extent
-   * overflows). Accuracy: half extents, and the axis times the longer one, are right to 8 units in the last place of
-   * the longer one; the centre is right to 1 unit in its own. Both errors may grow by 2^-98 times the largest
-   * coordinate. A rectangle along the coordinate axes is found exactly if its centre and half extents are
-   * representable. Cost: about 110 ns. Since: 0.1.
+   * Returns: 0; the shape is valid.
+   * Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_RANGE (a half extent overflows).
+   * Accuracy: half extents, and the axis times the longer one, are right to 8 units in the last place of the longer
+   * one; the centre is right to 1 unit in its own. Both errors may grow by 2^-98 times the largest coordinate. A
+   * rectangle along the coordinate axes is found exactly if its centre and half extents are representable.
+   * Cost: about 110 ns.
+   * Since: 0.1.
    */
   vesica_rect_from_corners_f32(corners: number, out: number): number;
   /**
@@ -1486,11 +1533,14 @@ export interface C {
    * Which of many shapes overlap one? Their indices are written to out[0], out[1] ..., in ascending order.
    *
    * Requires: one, an array of count 1, which is looked at unless many is empty; capacity, how many indices out has
-   * room for. It may be 0, and out then NULL. Returns: how many there are, even if that exceeds the capacity. If room
-   * is left, the entry after the last is -1. Errors: VESICA_E_SHAPE if a shape is invalid: it is not selected, and the
-   * others are written as usual, up to the -1 or the capacity. Before anything is written: VESICA_E_NULL,
-   * VESICA_E_KIND, VESICA_E_ARGUMENT (one's count is not 1, a negative capacity, and as vesica_overlap_many_f32).
-   * Accuracy: every answer is that of vesica_overlap_f32. Cost: that of vesica_overlap_many_f32. Since: 0.1.
+   * room for. It may be 0, and out then NULL.
+   * Returns: how many there are, even if that exceeds the capacity. If room is left, the entry after the last is -1.
+   * Errors: VESICA_E_SHAPE if a shape is invalid: it is not selected, and the others are written as usual, up to the -1
+   * or the capacity. Before anything is written: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (one's count is not 1,
+   * a negative capacity, and as vesica_overlap_many_f32).
+   * Accuracy: every answer is that of vesica_overlap_f32.
+   * Cost: that of vesica_overlap_many_f32.
+   * Since: 0.1.
    */
   vesica_overlap_select_f32(one: number, many: number, out: number, capacity: bigint): bigint;
   /**
@@ -1499,13 +1549,16 @@ export interface C {
    *
    * Of equal scores the lower index comes first. Infinite scores are legal. At threshold 1 all shapes are kept.
    *
-   * Requires: shapes, of a kind from VESICA_CIRCLE to VESICA_ELLIPSE; scores, one for each; threshold from 0 to 1;
-   * scratch, of vesica_nms_scratch bytes or more, with any alignment and content; keep, with room for all indices.
+   * Requires: shapes, of a kind from VESICA_CIRCLE to VESICA_ELLIPSE; scores, one for each; threshold from 0 to
+   * 1; scratch, of vesica_nms_scratch bytes or more, with any alignment and content; keep, with room for all indices.
    * Returns: 0, with *kept set to how many are kept. keep has their indices in the order of their scores; the rest of
-   * keep is not written. Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN: it is left out, and the
-   * result of the others is written. Before anything is written: VESICA_E_NULL (with count 0 all but shapes and kept
-   * may be NULL), VESICA_E_KIND (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f32,
-   * threshold, too little scratch). Cost: 0.3 to 1.2 us a shape. Since: 0.1.
+   * keep is not written.
+   * Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN: it is left out, and the result of the others is
+   * written. Before anything is written: VESICA_E_NULL (with count 0 all but shapes and kept may be NULL),
+   * VESICA_E_KIND (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f32, threshold, too
+   * little scratch).
+   * Cost: 0.3 to 1.2 us a shape.
+   * Since: 0.1.
    */
   vesica_nms_f32(shapes: number, scores: number, threshold: number, scratch: number, scratch_size: bigint, keep: number,
     kept: number): number;
@@ -1513,23 +1566,30 @@ export interface C {
    * Rectangles from boxes.
    *
    * Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; angle, a unit of angles, or
-   * its sum with VESICA_ANGLE_REVERSED; out, room for `count`. Returns: 0. Errors: VESICA_E_SHAPE if an element is
-   * invalid, or VESICA_E_RANGE if a number of its result would overflow: all numbers of that result are NaN, and all
-   * other results are written as usual. Before anything is written: VESICA_E_NULL (if count is 0, arrays may be NULL),
-   * VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array that exceeds the address space, an unknown unit of
-   * angles). Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of
-   * 90, and whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f64. Cost: about 30 ns a
-   * box. Since: 0.1.
+   * its sum with VESICA_ANGLE_REVERSED; out, room for `count`.
+   * Returns: 0.
+   * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would overflow: all
+   * numbers of that result are NaN, and all other results are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array
+   * that exceeds the address space, an unknown unit of angles).
+   * Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and
+   * whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f64.
+   * Cost: about 30 ns a box.
+   * Since: 0.1.
    */
   vesica_rects_from_boxes_f64(boxes: number, count: bigint, stride: number, angle: number, out: number): bigint;
   /**
    * Ellipses from their bounding boxes: each touches the sides of its turned box in the middle.
    *
-   * Requires: as vesica_rects_from_boxes_f64. Returns: 0. Errors: VESICA_E_SHAPE if an element is invalid, or
-   * VESICA_E_RANGE if a number of its result would overflow: all numbers of that result are NaN, and all other results
-   * are written as usual. Before anything is written: VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND,
-   * VESICA_E_ARGUMENT (a negative count, an array that exceeds the address space, an unknown unit of angles). Accuracy:
-   * as vesica_rects_from_boxes_f64. Half lengths are halves of width and height. Cost: about 30 ns a box. Since: 0.1.
+   * Requires: as vesica_rects_from_boxes_f64.
+   * Returns: 0.
+   * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would overflow: all
+   * numbers of that result are NaN, and all other results are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array
+   * that exceeds the address space, an unknown unit of angles).
+   * Accuracy: as vesica_rects_from_boxes_f64. Half lengths are halves of width and height.
+   * Cost: about 30 ns a box.
+   * Since: 0.1.
    */
   vesica_ellipses_from_boxes_f64(boxes: number, count: bigint, stride: number, angle: number, out: number): bigint;
   /**
@@ -1538,13 +1598,16 @@ export interface C {
    * Angles are from -180 to 180 degrees, in the unit asked for.
    *
    * Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; angle as vesica_rects_from_boxes_f64; boxes, room for
-   * `count` rows of five numbers, without gaps. Returns: 0. Errors: VESICA_E_SHAPE if an element is invalid, or
-   * VESICA_E_RANGE if a number of its result would overflow: all numbers of that result are NaN, and all other results
-   * are written as usual. Before anything is written: VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND,
-   * VESICA_E_ARGUMENT (a negative count, an array that exceeds the address space, an unknown unit of angles). Accuracy:
-   * width and height are right to 4 units in the last place, and the angle to 2 units in the last place of a quarter
-   * turn. If an axis lies exactly along a coordinate axis, degrees and quarter turns are exact. Cost: about 70 ns a
-   * shape. Since: 0.1.
+   * `count` rows of five numbers, without gaps.
+   * Returns: 0.
+   * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would overflow: all
+   * numbers of that result are NaN, and all other results are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array
+   * that exceeds the address space, an unknown unit of angles).
+   * Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of a
+   * quarter turn. If an axis lies exactly along a coordinate axis, degrees and quarter turns are exact.
+   * Cost: about 70 ns a shape.
+   * Since: 0.1.
    */
   vesica_boxes_from_shapes_f64(shapes: number, angle: number, boxes: number): bigint;
   /**
@@ -1552,48 +1615,61 @@ export interface C {
    *
    * The first corner is C - hx u - hy perp(u), the next C + hx u - hy perp(u), and so on round the outline.
    *
-   * Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; corners, room for `count` rows of eight numbers. Returns:
-   * 0. Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would overflow: all
+   * Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; corners, room for `count` rows of eight numbers.
+   * Returns: 0.
+   * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would overflow: all
    * numbers of that result are NaN, and all other results are written as usual. Before anything is written:
    * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array
-   * that exceeds the address space, an unknown unit of angles). Accuracy: a coordinate is right to 1 unit in its last
-   * place plus 2^-98 times the largest of its three terms. Cost: about 50 ns a shape; 20 ns with AVX2 or AVX-512.
+   * that exceeds the address space, an unknown unit of angles).
+   * Accuracy: a coordinate is right to 1 unit in its last place plus 2^-98 times the largest of its three terms.
+   * Cost: about 50 ns a shape; 20 ns with AVX2 or AVX-512.
    * Since: 0.1.
    */
   vesica_corners_of_shapes_f64(shapes: number, corners: number): bigint;
   /**
    * Bounding boxes of an array of any kind: out[i] is the result of vesica_bounds_f64.
    *
-   * Requires: out, room for `count`. Returns: 0. Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if
-   * a number of its result would overflow: all numbers of that result are NaN, and all other results are written as
-   * usual. Before anything is written: VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND,
-   * VESICA_E_ARGUMENT (a negative count, an array that exceeds the address space, an unknown unit of angles). Accuracy:
-   * that of vesica_bounds_f64. Cost: that of vesica_bounds_f64; with AVX2 or AVX-512 about 10 ns for shapes of which
-   * that takes up to 80. Since: 0.1.
+   * Requires: out, room for `count`.
+   * Returns: 0.
+   * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would overflow: all
+   * numbers of that result are NaN, and all other results are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array
+   * that exceeds the address space, an unknown unit of angles).
+   * Accuracy: that of vesica_bounds_f64.
+   * Cost: that of vesica_bounds_f64; with AVX2 or AVX-512 about 10 ns for shapes of which that takes up to 80.
+   * Since: 0.1.
    */
   vesica_bounds_many_f64(shapes: number, out: number): bigint;
   /**
    * Rectangles from boxes.
    *
    * Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; angle, a unit of angles, or
-   * its sum with VESICA_ANGLE_REVERSED; out, room for `count`. Returns: 0. Errors: VESICA_E_SHAPE if an element is
-   * invalid, or VESICA_E_RANGE if a number of its result would overflow: all numbers of that result are NaN, and all
-   * other results are written as usual. Before anything is written: VESICA_E_NULL (if count is 0, arrays may be NULL),
-   * VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array that exceeds the address space, an unknown unit of
-   * angles). Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of
-   * 90, and whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f32. Each number is
-   * computed in double, within these bounds, and then rounded to float once. Cost: about 30 ns a box. Since: 0.1.
+   * its sum with VESICA_ANGLE_REVERSED; out, room for `count`.
+   * Returns: 0.
+   * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would overflow: all
+   * numbers of that result are NaN, and all other results are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array
+   * that exceeds the address space, an unknown unit of angles).
+   * Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and
+   * whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f32.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * Cost: about 30 ns a box.
+   * Since: 0.1.
    */
   vesica_rects_from_boxes_f32(boxes: number, count: bigint, stride: number, angle: number, out: number): bigint;
   /**
    * Ellipses from their bounding boxes: each touches the sides of its turned box in the middle.
    *
-   * Requires: as vesica_rects_from_boxes_f32. Returns: 0. Errors: VESICA_E_SHAPE if an element is invalid, or
-   * VESICA_E_RANGE if a number of its result would overflow: all numbers of that result are NaN, and all other results
-   * are written as usual. Before anything is written: VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND,
-   * VESICA_E_ARGUMENT (a negative count, an array that exceeds the address space, an unknown unit of angles). Accuracy:
-   * as vesica_rects_from_boxes_f32. Half lengths are halves of width and height. Each number is computed in double,
-   * within these bounds, and then rounded to float once. Cost: about 30 ns a box. Since: 0.1.
+   * Requires: as vesica_rects_from_boxes_f32.
+   * Returns: 0.
+   * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would overflow: all
+   * numbers of that result are NaN, and all other results are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array
+   * that exceeds the address space, an unknown unit of angles).
+   * Accuracy: as vesica_rects_from_boxes_f32. Half lengths are halves of width and height.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * Cost: about 30 ns a box.
+   * Since: 0.1.
    */
   vesica_ellipses_from_boxes_f32(boxes: number, count: bigint, stride: number, angle: number, out: number): bigint;
   /**
@@ -1602,13 +1678,17 @@ export interface C {
    * Angles are from -180 to 180 degrees, in the unit asked for.
    *
    * Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; angle as vesica_rects_from_boxes_f32; boxes, room for
-   * `count` rows of five numbers, without gaps. Returns: 0. Errors: VESICA_E_SHAPE if an element is invalid, or
-   * VESICA_E_RANGE if a number of its result would overflow: all numbers of that result are NaN, and all other results
-   * are written as usual. Before anything is written: VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND,
-   * VESICA_E_ARGUMENT (a negative count, an array that exceeds the address space, an unknown unit of angles). Accuracy:
-   * width and height are right to 4 units in the last place, and the angle to 2 units in the last place of a quarter
-   * turn. If an axis lies exactly along a coordinate axis, degrees and quarter turns are exact. Each number is computed
-   * in double, within these bounds, and then rounded to float once. Cost: about 70 ns a shape. Since: 0.1.
+   * `count` rows of five numbers, without gaps.
+   * Returns: 0.
+   * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would overflow: all
+   * numbers of that result are NaN, and all other results are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array
+   * that exceeds the address space, an unknown unit of angles).
+   * Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of a
+   * quarter turn. If an axis lies exactly along a coordinate axis, degrees and quarter turns are exact.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * Cost: about 70 ns a shape.
+   * Since: 0.1.
    */
   vesica_boxes_from_shapes_f32(shapes: number, angle: number, boxes: number): bigint;
   /**
@@ -1616,24 +1696,30 @@ export interface C {
    *
    * The first corner is C - hx u - hy perp(u), the next C + hx u - hy perp(u), and so on round the outline.
    *
-   * Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; corners, room for `count` rows of eight numbers. Returns:
-   * 0. Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would overflow: all
+   * Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; corners, room for `count` rows of eight numbers.
+   * Returns: 0.
+   * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would overflow: all
    * numbers of that result are NaN, and all other results are written as usual. Before anything is written:
    * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array
-   * that exceeds the address space, an unknown unit of angles). Accuracy: a coordinate is right to 1 unit in its last
-   * place plus 2^-98 times the largest of its three terms. Each number is computed in double, within these bounds, and
-   * then rounded to float once. Cost: about 50 ns a shape; 20 ns with AVX2 or AVX-512. Since: 0.1.
+   * that exceeds the address space, an unknown unit of angles).
+   * Accuracy: a coordinate is right to 1 unit in its last place plus 2^-98 times the largest of its three terms.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * Cost: about 50 ns a shape; 20 ns with AVX2 or AVX-512.
+   * Since: 0.1.
    */
   vesica_corners_of_shapes_f32(shapes: number, corners: number): bigint;
   /**
    * Bounding boxes of an array of any kind: out[i] is the result of vesica_bounds_f32.
    *
-   * Requires: out, room for `count`. Returns: 0. Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if
-   * a number of its result would overflow: all numbers of that result are NaN, and all other results are written as
-   * usual. Before anything is written: VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND,
-   * VESICA_E_ARGUMENT (a negative count, an array that exceeds the address space, an unknown unit of angles). Accuracy:
-   * that of vesica_bounds_f32. Cost: that of vesica_bounds_f32; with AVX2 or AVX-512 about 10 ns for shapes of which
-   * that takes up to 80. Since: 0.1.
+   * Requires: out, room for `count`.
+   * Returns: 0.
+   * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would overflow: all
+   * numbers of that result are NaN, and all other results are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array
+   * that exceeds the address space, an unknown unit of angles).
+   * Accuracy: that of vesica_bounds_f32.
+   * Cost: that of vesica_bounds_f32; with AVX2 or AVX-512 about 10 ns for shapes of which that takes up to 80.
+   * Since: 0.1.
    */
   vesica_bounds_many_f32(shapes: number, out: number): bigint;
   /**
@@ -1719,8 +1805,11 @@ export interface C {
    * moved, build it again.
    *
    * Requires: index_size >= vesica_index_size(items) and scratch_size >= vesica_index_scratch(items). The scratch may
-   * be reused after the call. Returns: how many bytes of the index are used. Errors: VESICA_E_NULL, VESICA_E_KIND,
-   * VESICA_E_ARGUMENT (a wrong count, size or alignment), VESICA_E_SHAPE. Cost: 30 to 50 ns a shape. Since: 0.1.
+   * be reused after the call.
+   * Returns: how many bytes of the index are used.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a wrong count, size or alignment), VESICA_E_SHAPE.
+   * Cost: 30 to 50 ns a shape.
+   * Since: 0.1.
    */
   vesica_index_build_f64(sets: number, set_count: number, index: number, index_size: bigint, scratch: number,
     scratch_size: bigint): bigint;
@@ -1730,11 +1819,13 @@ export interface C {
    * Steps 0 and 4 have one part. Steps 1, 2 and 3 have as many parts as the caller likes, and these may run at the same
    * time. All parts of a step must end before the next step begins. All other arguments are the same in all calls.
    *
-   * Requires: 0 <= step <= 4 and 0 <= part < parts; parts is 1 in steps 0 and 4. The rest is as for the build. Returns:
-   * 0; at step 4 what vesica_index_build_f64 returns. Errors: those of vesica_index_build_f64. VESICA_E_ARGUMENT also,
-   * with nothing done, if step, part or parts is out of range, if the scratch is not that of step 0 of a build that has
-   * not ended, if a part of the step before is missing, or if some of this part was done before. Cost: in all that of
-   * the build: three fifths in step 1; a tenth in step 0, which cannot be divided. Since: 0.1.
+   * Requires: 0 <= step <= 4 and 0 <= part < parts; parts is 1 in steps 0 and 4. The rest is as for the build.
+   * Returns: 0; at step 4 what vesica_index_build_f64 returns.
+   * Errors: those of vesica_index_build_f64. VESICA_E_ARGUMENT also, with nothing done, if step, part or parts is out
+   * of range, if the scratch is not that of step 0 of a build that has not ended, if a part of the step before is
+   * missing, or if some of this part was done before.
+   * Cost: in all that of the build: three fifths in step 1; a tenth in step 0, which cannot be divided.
+   * Since: 0.1.
    */
   vesica_index_step_f64(step: number, part: bigint, parts: bigint, sets: number, set_count: number, index: number,
     index_size: bigint, scratch: number, scratch_size: bigint): bigint;
@@ -1744,11 +1835,14 @@ export interface C {
    * To ask for many shapes, index them too and call vesica_join_f64.
    *
    * Requires: sets are those of the index; or NULL, with set_count 0, to find the items whose bounds meet the shape's.
-   * one, an array of count 1. out has room for `capacity` items. With capacity 0, out and state may be NULL. Returns:
-   * the number of items written; with capacity 0, how many there are. Errors: VESICA_E_NULL, VESICA_E_INDEX,
-   * VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a number or a size is out of range, a pointer
-   * is not aligned, sets are not the index's, the state is from another call). Accuracy: exact, if there are sets.
-   * Cost: about 0.5 us for a few shapes that are found, 2 us for 1,000 boxes. Since: 0.1.
+   * one, an array of count 1. out has room for `capacity` items. With capacity 0, out and state may be NULL.
+   * Returns: the number of items written; with capacity 0, how many there are.
+   * Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a
+   * number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from another
+   * call).
+   * Accuracy: exact, if there are sets.
+   * Cost: about 0.5 us for a few shapes that are found, 2 us for 1,000 boxes.
+   * Since: 0.1.
    */
   vesica_index_select_f64(index: number, sets: number, set_count: number, one: number, out: number, capacity: bigint,
     state: number): bigint;
@@ -1763,11 +1857,13 @@ export interface C {
    * Requires: query is VESICA_JOIN_OVERLAP ... VESICA_JOIN_INSIDE. sets_a and sets_b are those of the indexes; with
    * VESICA_JOIN_BOUNDS they are ignored. 0 <= part < parts. scratch_size >= vesica_join_scratch(); nothing is kept in
    * the scratch between calls. out_a and out_b have room for `capacity` items. With capacity 0, they and state may be
-   * NULL. Returns: the number of pairs written; with capacity 0, how many the whole part has. Errors: VESICA_E_NULL,
-   * VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT (an unknown query, a number or a size out of range, a pointer that
-   * is not aligned, sets that are not the index's, a state from another call). Accuracy: exact for all queries but
-   * VESICA_JOIN_BOUNDS. Cost: 10 to 15 ns a shape to find candidates, and 15 to 25 ns a candidate to decide. Since:
-   * 0.1.
+   * NULL.
+   * Returns: the number of pairs written; with capacity 0, how many the whole part has.
+   * Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT (an unknown query, a number or a size out
+   * of range, a pointer that is not aligned, sets that are not the index's, a state from another call).
+   * Accuracy: exact for all queries but VESICA_JOIN_BOUNDS.
+   * Cost: 10 to 15 ns a shape to find candidates, and 15 to 25 ns a candidate to decide.
+   * Since: 0.1.
    */
   vesica_join_f64(query: number, index_a: number, sets_a: number, set_count_a: number, index_b: number, sets_b: number,
     set_count_b: number, part: bigint, parts: bigint, scratch: number, scratch_size: bigint, out_a: number,
@@ -1780,10 +1876,13 @@ export interface C {
    * Each part takes about the same number of items of index_a; all else is as for vesica_join_f64.
    *
    * Requires: distance >= 0, or infinity for all pairs of valid shapes; sets, part, outputs, capacity and state as
-   * vesica_join_f64. Returns: the number of pairs written; with capacity 0, how many the whole part has. Errors: those
-   * of vesica_join_f64; VESICA_E_ARGUMENT also for a distance that is negative or NaN. Accuracy: that of
-   * vesica_within_f64; pairs that are VESICA_WITHIN_NEARLY are included. Cost: about 1 us a shape of index_a, and that
-   * of vesica_within_f64 a candidate: seven times that of vesica_join_f64. Since: 0.1.
+   * vesica_join_f64.
+   * Returns: the number of pairs written; with capacity 0, how many the whole part has.
+   * Errors: those of vesica_join_f64; VESICA_E_ARGUMENT also for a distance that is negative or NaN.
+   * Accuracy: that of vesica_within_f64; pairs that are VESICA_WITHIN_NEARLY are included.
+   * Cost: about 1 us a shape of index_a, and that of vesica_within_f64 a candidate: seven times that of
+   * vesica_join_f64.
+   * Since: 0.1.
    */
   vesica_join_within_f64(index_a: number, sets_a: number, set_count_a: number, index_b: number, sets_b: number,
     set_count_b: number, distance: number, part: bigint, parts: bigint, out_a: number, out_b: number, capacity: bigint,
@@ -1794,12 +1893,14 @@ export interface C {
    * An item that overlaps the shape has distance 0. An item whose distance overflows is not found.
    *
    * Requires: sets are those of the index. one, an array of count 1. k >= 0, and out and distance have room for k each.
-   * With k = 0 they may be NULL. within, the largest distance to look for, >= 0 or infinity. Returns: how many items
-   * were found and written; with k = 0, how many there are within the distance. Errors: VESICA_E_NULL, VESICA_E_INDEX,
-   * VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a number or a size is out of range, a pointer
-   * is not aligned, sets are not the index's, the state is from another call). Accuracy: distances are those of
-   * vesica_nearest_f64, bit for bit. Cost: 3 to 5 us for 10 of a million AABBs near a point; mostly that of
-   * vesica_nearest_f64 for some 10 more than k. Since: 0.1.
+   * With k = 0 they may be NULL. within, the largest distance to look for, >= 0 or infinity.
+   * Returns: how many items were found and written; with k = 0, how many there are within the distance.
+   * Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a
+   * number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from another
+   * call).
+   * Accuracy: distances are those of vesica_nearest_f64, bit for bit.
+   * Cost: 3 to 5 us for 10 of a million AABBs near a point; mostly that of vesica_nearest_f64 for some 10 more than k.
+   * Since: 0.1.
    */
   vesica_index_nearest_f64(index: number, sets: number, set_count: number, one: number, k: bigint, within: number,
     out: number, distance: number): bigint;
@@ -1812,11 +1913,14 @@ export interface C {
    * takes about the same number of items, and writes only their rows.
    *
    * Requires: sets_b are those of index_b. k >= 1, and out and distance have room for k items a row. 0 <= part < parts.
-   * within, the largest distance to look for, >= 0 or infinity. Returns: how many items were found in all rows of the
-   * part. Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a
+   * within, the largest distance to look for, >= 0 or infinity.
+   * Returns: how many items were found in all rows of the part.
+   * Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a
    * number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from another
-   * call). Accuracy: distances are those of vesica_nearest_f64, bit for bit. Cost: that of vesica_index_nearest_f64 for
-   * each item. Since: 0.1.
+   * call).
+   * Accuracy: distances are those of vesica_nearest_f64, bit for bit.
+   * Cost: that of vesica_index_nearest_f64 for each item.
+   * Since: 0.1.
    */
   vesica_join_nearest_f64(sets_a: number, set_count_a: number, index_b: number, sets_b: number, set_count_b: number,
     k: bigint, within: number, part: bigint, parts: bigint, out: number, distance: number): bigint;
@@ -1827,8 +1931,11 @@ export interface C {
    * moved, build it again.
    *
    * Requires: index_size >= vesica_index_size(items) and scratch_size >= vesica_index_scratch(items). The scratch may
-   * be reused after the call. Returns: how many bytes of the index are used. Errors: VESICA_E_NULL, VESICA_E_KIND,
-   * VESICA_E_ARGUMENT (a wrong count, size or alignment), VESICA_E_SHAPE. Cost: 30 to 50 ns a shape. Since: 0.1.
+   * be reused after the call.
+   * Returns: how many bytes of the index are used.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a wrong count, size or alignment), VESICA_E_SHAPE.
+   * Cost: 30 to 50 ns a shape.
+   * Since: 0.1.
    */
   vesica_index_build_f32(sets: number, set_count: number, index: number, index_size: bigint, scratch: number,
     scratch_size: bigint): bigint;
@@ -1838,11 +1945,13 @@ export interface C {
    * Steps 0 and 4 have one part. Steps 1, 2 and 3 have as many parts as the caller likes, and these may run at the same
    * time. All parts of a step must end before the next step begins. All other arguments are the same in all calls.
    *
-   * Requires: 0 <= step <= 4 and 0 <= part < parts; parts is 1 in steps 0 and 4. The rest is as for the build. Returns:
-   * 0; at step 4 what vesica_index_build_f32 returns. Errors: those of vesica_index_build_f32. VESICA_E_ARGUMENT also,
-   * with nothing done, if step, part or parts is out of range, if the scratch is not that of step 0 of a build that has
-   * not ended, if a part of the step before is missing, or if some of this part was done before. Cost: in all that of
-   * the build: three fifths in step 1; a tenth in step 0, which cannot be divided. Since: 0.1.
+   * Requires: 0 <= step <= 4 and 0 <= part < parts; parts is 1 in steps 0 and 4. The rest is as for the build.
+   * Returns: 0; at step 4 what vesica_index_build_f32 returns.
+   * Errors: those of vesica_index_build_f32. VESICA_E_ARGUMENT also, with nothing done, if step, part or parts is out
+   * of range, if the scratch is not that of step 0 of a build that has not ended, if a part of the step before is
+   * missing, or if some of this part was done before.
+   * Cost: in all that of the build: three fifths in step 1; a tenth in step 0, which cannot be divided.
+   * Since: 0.1.
    */
   vesica_index_step_f32(step: number, part: bigint, parts: bigint, sets: number, set_count: number, index: number,
     index_size: bigint, scratch: number, scratch_size: bigint): bigint;
@@ -1852,11 +1961,14 @@ export interface C {
    * To ask for many shapes, index them too and call vesica_join_f32.
    *
    * Requires: sets are those of the index; or NULL, with set_count 0, to find the items whose bounds meet the shape's.
-   * one, an array of count 1. out has room for `capacity` items. With capacity 0, out and state may be NULL. Returns:
-   * the number of items written; with capacity 0, how many there are. Errors: VESICA_E_NULL, VESICA_E_INDEX,
-   * VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a number or a size is out of range, a pointer
-   * is not aligned, sets are not the index's, the state is from another call). Accuracy: exact, if there are sets.
-   * Cost: about 0.5 us for a few shapes that are found, 2 us for 1,000 boxes. Since: 0.1.
+   * one, an array of count 1. out has room for `capacity` items. With capacity 0, out and state may be NULL.
+   * Returns: the number of items written; with capacity 0, how many there are.
+   * Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a
+   * number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from another
+   * call).
+   * Accuracy: exact, if there are sets.
+   * Cost: about 0.5 us for a few shapes that are found, 2 us for 1,000 boxes.
+   * Since: 0.1.
    */
   vesica_index_select_f32(index: number, sets: number, set_count: number, one: number, out: number, capacity: bigint,
     state: number): bigint;
@@ -1871,11 +1983,13 @@ export interface C {
    * Requires: query is VESICA_JOIN_OVERLAP ... VESICA_JOIN_INSIDE. sets_a and sets_b are those of the indexes; with
    * VESICA_JOIN_BOUNDS they are ignored. 0 <= part < parts. scratch_size >= vesica_join_scratch(); nothing is kept in
    * the scratch between calls. out_a and out_b have room for `capacity` items. With capacity 0, they and state may be
-   * NULL. Returns: the number of pairs written; with capacity 0, how many the whole part has. Errors: VESICA_E_NULL,
-   * VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT (an unknown query, a number or a size out of range, a pointer that
-   * is not aligned, sets that are not the index's, a state from another call). Accuracy: exact for all queries but
-   * VESICA_JOIN_BOUNDS. Cost: 10 to 15 ns a shape to find candidates, and 15 to 25 ns a candidate to decide. Since:
-   * 0.1.
+   * NULL.
+   * Returns: the number of pairs written; with capacity 0, how many the whole part has.
+   * Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT (an unknown query, a number or a size out
+   * of range, a pointer that is not aligned, sets that are not the index's, a state from another call).
+   * Accuracy: exact for all queries but VESICA_JOIN_BOUNDS.
+   * Cost: 10 to 15 ns a shape to find candidates, and 15 to 25 ns a candidate to decide.
+   * Since: 0.1.
    */
   vesica_join_f32(query: number, index_a: number, sets_a: number, set_count_a: number, index_b: number, sets_b: number,
     set_count_b: number, part: bigint, parts: bigint, scratch: number, scratch_size: bigint, out_a: number,
@@ -1888,10 +2002,13 @@ export interface C {
    * Each part takes about the same number of items of index_a; all else is as for vesica_join_f32.
    *
    * Requires: distance >= 0, or infinity for all pairs of valid shapes; sets, part, outputs, capacity and state as
-   * vesica_join_f32. Returns: the number of pairs written; with capacity 0, how many the whole part has. Errors: those
-   * of vesica_join_f32; VESICA_E_ARGUMENT also for a distance that is negative or NaN. Accuracy: that of
-   * vesica_within_f32; pairs that are VESICA_WITHIN_NEARLY are included. Cost: about 1 us a shape of index_a, and that
-   * of vesica_within_f32 a candidate: seven times that of vesica_join_f32. Since: 0.1.
+   * vesica_join_f32.
+   * Returns: the number of pairs written; with capacity 0, how many the whole part has.
+   * Errors: those of vesica_join_f32; VESICA_E_ARGUMENT also for a distance that is negative or NaN.
+   * Accuracy: that of vesica_within_f32; pairs that are VESICA_WITHIN_NEARLY are included.
+   * Cost: about 1 us a shape of index_a, and that of vesica_within_f32 a candidate: seven times that of
+   * vesica_join_f32.
+   * Since: 0.1.
    */
   vesica_join_within_f32(index_a: number, sets_a: number, set_count_a: number, index_b: number, sets_b: number,
     set_count_b: number, distance: number, part: bigint, parts: bigint, out_a: number, out_b: number, capacity: bigint,
@@ -1902,12 +2019,14 @@ export interface C {
    * An item that overlaps the shape has distance 0. An item whose distance overflows is not found.
    *
    * Requires: sets are those of the index. one, an array of count 1. k >= 0, and out and distance have room for k each.
-   * With k = 0 they may be NULL. within, the largest distance to look for, >= 0 or infinity. Returns: how many items
-   * were found and written; with k = 0, how many there are within the distance. Errors: VESICA_E_NULL, VESICA_E_INDEX,
-   * VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a number or a size is out of range, a pointer
-   * is not aligned, sets are not the index's, the state is from another call). Accuracy: distances are those of
-   * vesica_nearest_f32, bit for bit. Cost: 3 to 5 us for 10 of a million AABBs near a point; mostly that of
-   * vesica_nearest_f32 for some 10 more than k. Since: 0.1.
+   * With k = 0 they may be NULL. within, the largest distance to look for, >= 0 or infinity.
+   * Returns: how many items were found and written; with k = 0, how many there are within the distance.
+   * Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a
+   * number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from another
+   * call).
+   * Accuracy: distances are those of vesica_nearest_f32, bit for bit.
+   * Cost: 3 to 5 us for 10 of a million AABBs near a point; mostly that of vesica_nearest_f32 for some 10 more than k.
+   * Since: 0.1.
    */
   vesica_index_nearest_f32(index: number, sets: number, set_count: number, one: number, k: bigint, within: number,
     out: number, distance: number): bigint;
@@ -1920,11 +2039,14 @@ export interface C {
    * takes about the same number of items, and writes only their rows.
    *
    * Requires: sets_b are those of index_b. k >= 1, and out and distance have room for k items a row. 0 <= part < parts.
-   * within, the largest distance to look for, >= 0 or infinity. Returns: how many items were found in all rows of the
-   * part. Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a
+   * within, the largest distance to look for, >= 0 or infinity.
+   * Returns: how many items were found in all rows of the part.
+   * Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a
    * number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from another
-   * call). Accuracy: distances are those of vesica_nearest_f32, bit for bit. Cost: that of vesica_index_nearest_f32 for
-   * each item. Since: 0.1.
+   * call).
+   * Accuracy: distances are those of vesica_nearest_f32, bit for bit.
+   * Cost: that of vesica_index_nearest_f32 for each item.
+   * Since: 0.1.
    */
   vesica_join_nearest_f32(sets_a: number, set_count_a: number, index_b: number, sets_b: number, set_count_b: number,
     k: bigint, within: number, part: bigint, parts: bigint, out: number, distance: number): bigint;
@@ -1936,14 +2058,16 @@ export interface C {
    * that of the vector (half length across its axis, half length along it); v is 0 if a shape has no size. Exchanging
    * the shapes exchanges OVER_FIRST and OVER_SECOND, and changes no bit of the others.
    *
-   * Requires: ratio, one of VESICA_RATIO_OVER_UNION to VESICA_RATIO_COMPLETE. Returns: 0. Errors: VESICA_E_NULL,
-   * VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (ratio is no such constant; the area to divide by is 0; or, for
-   * GIoU, DIoU and CIoU, neither shape has an area). Accuracy: computed from the result of vesica_area_f64 or
-   * vesica_iou_f64 with at most 8 u of further error, for half lengths from 2^-200 to 2^200. In bounds on errors u is
-   * 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their
-   * centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect
-   * ratio is longer over shorter size. Cost: that of vesica_area_f64 or vesica_iou_f64, and 100 to 150 ns more; in
-   * arrays 40 to 100 ns more. Since: 0.1.
+   * Requires: ratio, one of VESICA_RATIO_OVER_UNION to VESICA_RATIO_COMPLETE.
+   * Returns: 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (ratio is no such constant; the area to
+   * divide by is 0; or, for GIoU, DIoU and CIoU, neither shape has an area).
+   * Accuracy: computed from the result of vesica_area_f64 or vesica_iou_f64 with at most 8 u of further error, for half
+   * lengths from 2^-200 to 2^200. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two
+   * shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means
+   * an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
+   * Cost: that of vesica_area_f64 or vesica_iou_f64, and 100 to 150 ns more; in arrays 40 to 100 ns more.
+   * Since: 0.1.
    */
   vesica_ratio_f64(ratio: number, kind_a: number, numbers_a: number, kind_b: number, numbers_b: number,
     out: number): number;
@@ -2040,15 +2164,18 @@ export interface C {
    * With distance 0 the answer is that of vesica_overlap_f64, exact for all kinds. Test for > 0 to miss no
    * pair, and for VESICA_WITHIN_YES to accept only what is certain. Exchanging the shapes changes nothing.
    *
-   * Requires: distance >= 0. It may be infinity: then the answer is yes for any two valid shapes. Returns:
-   * VESICA_WITHIN_NO, VESICA_WITHIN_YES or VESICA_WITHIN_NEARLY. Errors: VESICA_E_NULL, VESICA_E_KIND,
-   * VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE. Accuracy: yes and no are always right. All kinds
-   * but ellipses, and ellipses with a half length of 0, get no other answer. A disjoint pair with another ellipse gets
-   * VESICA_WITHIN_NEARLY if the distance of vesica_nearest_f64 differs by less than 5 u scale from the one asked for.
-   * In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx|
-   * and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times
-   * the scale. An aspect ratio is longer over shorter size. Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses;
-   * 1 to 10 us where only exact arithmetic can decide, as when the distance is met exactly. At worst 25 us. Since: 0.1.
+   * Requires: distance >= 0. It may be infinity: then the answer is yes for any two valid shapes.
+   * Returns: VESICA_WITHIN_NO, VESICA_WITHIN_YES or VESICA_WITHIN_NEARLY.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
+   * Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0, get no other
+   * answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of vesica_nearest_f64
+   * differs by less than 5 u scale from the one asked for. In bounds on errors u is 2^-53, half a unit in the last
+   * place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
+   * lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter
+   * size.
+   * Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can decide, as
+   * when the distance is met exactly. At worst 25 us.
+   * Since: 0.1.
    */
   vesica_within_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, distance: number): number;
   /**
@@ -2056,14 +2183,16 @@ export interface C {
    *
    * Arrays and errors are those of vesica_overlap_many_f64.
    *
-   * Requires: distance >= 0. It may be infinity: then the answer is yes for any two valid shapes. Returns: how many
-   * answers are > 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN),
-   * VESICA_E_SHAPE. Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of
-   * 0, get no other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of
-   * vesica_nearest_f64 differs by less than 5 u scale from the one asked for. In bounds on errors u is 2^-53, half a
-   * unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
-   * their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer
-   * over shorter size. Since: 0.1.
+   * Requires: distance >= 0. It may be infinity: then the answer is yes for any two valid shapes.
+   * Returns: how many answers are > 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
+   * Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0, get no other
+   * answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of vesica_nearest_f64
+   * differs by less than 5 u scale from the one asked for. In bounds on errors u is 2^-53, half a unit in the last
+   * place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
+   * lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter
+   * size.
+   * Since: 0.1.
    */
   vesica_within_many_f64(a: number, b: number, distance: number, out: number): bigint;
   /**
@@ -2071,14 +2200,16 @@ export interface C {
    *
    * Arrays, row_stride and errors are those of vesica_overlap_matrix_f64.
    *
-   * Requires: distance >= 0. It may be infinity: then the answer is yes for any two valid shapes. Returns: how many
-   * answers are > 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN),
-   * VESICA_E_SHAPE. Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of
-   * 0, get no other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of
-   * vesica_nearest_f64 differs by less than 5 u scale from the one asked for. In bounds on errors u is 2^-53, half a
-   * unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
-   * their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer
-   * over shorter size. Since: 0.1.
+   * Requires: distance >= 0. It may be infinity: then the answer is yes for any two valid shapes.
+   * Returns: how many answers are > 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
+   * Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0, get no other
+   * answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of vesica_nearest_f64
+   * differs by less than 5 u scale from the one asked for. In bounds on errors u is 2^-53, half a unit in the last
+   * place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
+   * lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter
+   * size.
+   * Since: 0.1.
    */
   vesica_within_matrix_f64(a: number, b: number, distance: number, out: number, row_stride: number): bigint;
   /**
@@ -2089,10 +2220,11 @@ export interface C {
    *
    * Requires: shapes, scores, threshold and scratch as vesica_nms_f64; labels, one for each shape, or NULL if all are
    * the same; ratio, any but VESICA_RATIO_OVER_FIRST and _OVER_SECOND; least_score, which may be -infinity; most, the
-   * largest number to keep; keep, with room for that number or for all shapes, whichever is less. Returns: 0, and keep
-   * and *kept as vesica_nms_f64. Errors: as vesica_nms_f64; VESICA_E_ARGUMENT also for ratio, a least_score that is
-   * NaN, and a negative most. Cost: that of vesica_nms_f64; ratios other than IoU take 0.1 us more a comparison. Since:
-   * 0.1.
+   * largest number to keep; keep, with room for that number or for all shapes, whichever is less.
+   * Returns: 0, and keep and *kept as vesica_nms_f64.
+   * Errors: as vesica_nms_f64; VESICA_E_ARGUMENT also for ratio, a least_score that is NaN, and a negative most.
+   * Cost: that of vesica_nms_f64; ratios other than IoU take 0.1 us more a comparison.
+   * Since: 0.1.
    */
   vesica_suppress_f64(shapes: number, scores: number, labels: number, ratio: number, threshold: number,
     least_score: number, most: bigint, scratch: number, scratch_size: bigint, keep: number, kept: number): number;
@@ -2114,12 +2246,14 @@ export interface C {
    * Requires: shapes, scores and labels as vesica_suppress_f64; ratio, any but VESICA_RATIO_OVER_FIRST and
    * _OVER_SECOND; decay, VESICA_DECAY_LINEAR or _GAUSSIAN, with its parameter; least_score >= 0; scratch of at least
    * vesica_suppress_soft_scratch(count) bytes, aligned to 8; keep and decayed with room for as many as are kept.
-   * Returns: 0, with *kept set to how many are kept. Errors: as vesica_suppress_f64. VESICA_E_SHAPE: an invalid shape,
-   * or one whose score is NaN, is left out, and the result of the others is written. Accuracy: in every step a score is
-   * multiplied once, in double, by 1 - r, rounded once, or by the exponential, right to 1 unit in the last place. So
-   * the same shapes are kept, with the same bits, on every machine. The float function computes in double and rounds
-   * only the final scores. Cost: for each kept shape, that of vesica_ratio_matrix_f64 with the shapes of its label that
-   * are left. Since: 0.1.
+   * Returns: 0, with *kept set to how many are kept.
+   * Errors: as vesica_suppress_f64. VESICA_E_SHAPE: an invalid shape, or one whose score is NaN, is left out, and the
+   * result of the others is written.
+   * Accuracy: in every step a score is multiplied once, in double, by 1 - r, rounded once, or by the exponential, right
+   * to 1 unit in the last place. So the same shapes are kept, with the same bits, on every machine. The float function
+   * computes in double and rounds only the final scores.
+   * Cost: for each kept shape, that of vesica_ratio_matrix_f64 with the shapes of its label that are left.
+   * Since: 0.1.
    */
   vesica_suppress_soft_f64(shapes: number, scores: number, labels: number, ratio: number, decay: number,
     parameter: number, least_score: number, most: bigint, scratch: number, scratch_size: bigint, keep: number,
@@ -2132,15 +2266,17 @@ export interface C {
    * that of the vector (half length across its axis, half length along it); v is 0 if a shape has no size. Exchanging
    * the shapes exchanges OVER_FIRST and OVER_SECOND, and changes no bit of the others.
    *
-   * Requires: ratio, one of VESICA_RATIO_OVER_UNION to VESICA_RATIO_COMPLETE. Returns: 0. Errors: VESICA_E_NULL,
-   * VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (ratio is no such constant; the area to divide by is 0; or, for
-   * GIoU, DIoU and CIoU, neither shape has an area). Accuracy: computed from the result of vesica_area_f32 or
-   * vesica_iou_f32 with at most 8 u of further error, for half lengths from 2^-200 to 2^200. Each number is computed in
-   * double, within these bounds, and then rounded to float once. In bounds on errors u is 2^-53, half a unit in the
-   * last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
-   * lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter
-   * size. Cost: that of vesica_area_f32 or vesica_iou_f32, and 100 to 150 ns more; in arrays 40 to 100 ns more. Since:
-   * 0.1.
+   * Requires: ratio, one of VESICA_RATIO_OVER_UNION to VESICA_RATIO_COMPLETE.
+   * Returns: 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (ratio is no such constant; the area to
+   * divide by is 0; or, for GIoU, DIoU and CIoU, neither shape has an area).
+   * Accuracy: computed from the result of vesica_area_f32 or vesica_iou_f32 with at most 8 u of further error, for half
+   * lengths from 2^-200 to 2^200. Each number is computed in double, within these bounds, and then rounded to float
+   * once. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of
+   * |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u
+   * times the scale. An aspect ratio is longer over shorter size.
+   * Cost: that of vesica_area_f32 or vesica_iou_f32, and 100 to 150 ns more; in arrays 40 to 100 ns more.
+   * Since: 0.1.
    */
   vesica_ratio_f32(ratio: number, kind_a: number, numbers_a: number, kind_b: number, numbers_b: number,
     out: number): number;
@@ -2213,10 +2349,11 @@ export interface C {
    *
    * Requires: shapes, scores, threshold and scratch as vesica_nms_f32; labels, one for each shape, or NULL if all are
    * the same; ratio, any but VESICA_RATIO_OVER_FIRST and _OVER_SECOND; least_score, which may be -infinity; most, the
-   * largest number to keep; keep, with room for that number or for all shapes, whichever is less. Returns: 0, and keep
-   * and *kept as vesica_nms_f32. Errors: as vesica_nms_f32; VESICA_E_ARGUMENT also for ratio, a least_score that is
-   * NaN, and a negative most. Cost: that of vesica_nms_f32; ratios other than IoU take 0.1 us more a comparison. Since:
-   * 0.1.
+   * largest number to keep; keep, with room for that number or for all shapes, whichever is less.
+   * Returns: 0, and keep and *kept as vesica_nms_f32.
+   * Errors: as vesica_nms_f32; VESICA_E_ARGUMENT also for ratio, a least_score that is NaN, and a negative most.
+   * Cost: that of vesica_nms_f32; ratios other than IoU take 0.1 us more a comparison.
+   * Since: 0.1.
    */
   vesica_suppress_f32(shapes: number, scores: number, labels: number, ratio: number, threshold: number,
     least_score: number, most: bigint, scratch: number, scratch_size: bigint, keep: number, kept: number): number;
@@ -2260,15 +2397,18 @@ export interface C {
    * With distance 0 the answer is that of vesica_overlap_f32, exact for all kinds. Test for > 0 to miss no
    * pair, and for VESICA_WITHIN_YES to accept only what is certain. Exchanging the shapes changes nothing.
    *
-   * Requires: distance >= 0. It may be infinity: then the answer is yes for any two valid shapes. Returns:
-   * VESICA_WITHIN_NO, VESICA_WITHIN_YES or VESICA_WITHIN_NEARLY. Errors: VESICA_E_NULL, VESICA_E_KIND,
-   * VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE. Accuracy: yes and no are always right. All kinds
-   * but ellipses, and ellipses with a half length of 0, get no other answer. A disjoint pair with another ellipse gets
-   * VESICA_WITHIN_NEARLY if the distance of vesica_nearest_f32 differs by less than 5 u scale from the one asked for.
-   * In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx|
-   * and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times
-   * the scale. An aspect ratio is longer over shorter size. Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses;
-   * 1 to 10 us where only exact arithmetic can decide, as when the distance is met exactly. At worst 25 us. Since: 0.1.
+   * Requires: distance >= 0. It may be infinity: then the answer is yes for any two valid shapes.
+   * Returns: VESICA_WITHIN_NO, VESICA_WITHIN_YES or VESICA_WITHIN_NEARLY.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
+   * Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0, get no other
+   * answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of vesica_nearest_f32
+   * differs by less than 5 u scale from the one asked for. In bounds on errors u is 2^-53, half a unit in the last
+   * place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
+   * lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter
+   * size.
+   * Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can decide, as
+   * when the distance is met exactly. At worst 25 us.
+   * Since: 0.1.
    */
   vesica_within_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, distance: number): number;
   /**
@@ -2276,14 +2416,16 @@ export interface C {
    *
    * Arrays and errors are those of vesica_overlap_many_f32.
    *
-   * Requires: distance >= 0. It may be infinity: then the answer is yes for any two valid shapes. Returns: how many
-   * answers are > 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN),
-   * VESICA_E_SHAPE. Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of
-   * 0, get no other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of
-   * vesica_nearest_f32 differs by less than 5 u scale from the one asked for. In bounds on errors u is 2^-53, half a
-   * unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
-   * their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer
-   * over shorter size. Since: 0.1.
+   * Requires: distance >= 0. It may be infinity: then the answer is yes for any two valid shapes.
+   * Returns: how many answers are > 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
+   * Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0, get no other
+   * answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of vesica_nearest_f32
+   * differs by less than 5 u scale from the one asked for. In bounds on errors u is 2^-53, half a unit in the last
+   * place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
+   * lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter
+   * size.
+   * Since: 0.1.
    */
   vesica_within_many_f32(a: number, b: number, distance: number, out: number): bigint;
   /**
@@ -2291,14 +2433,16 @@ export interface C {
    *
    * Arrays, row_stride and errors are those of vesica_overlap_matrix_f32.
    *
-   * Requires: distance >= 0. It may be infinity: then the answer is yes for any two valid shapes. Returns: how many
-   * answers are > 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN),
-   * VESICA_E_SHAPE. Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of
-   * 0, get no other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of
-   * vesica_nearest_f32 differs by less than 5 u scale from the one asked for. In bounds on errors u is 2^-53, half a
-   * unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
-   * their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer
-   * over shorter size. Since: 0.1.
+   * Requires: distance >= 0. It may be infinity: then the answer is yes for any two valid shapes.
+   * Returns: how many answers are > 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
+   * Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0, get no other
+   * answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of vesica_nearest_f32
+   * differs by less than 5 u scale from the one asked for. In bounds on errors u is 2^-53, half a unit in the last
+   * place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
+   * lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter
+   * size.
+   * Since: 0.1.
    */
   vesica_within_matrix_f32(a: number, b: number, distance: number, out: number, row_stride: number): bigint;
   /**
@@ -2311,12 +2455,14 @@ export interface C {
    * Requires: shapes, scores and labels as vesica_suppress_f32; ratio, any but VESICA_RATIO_OVER_FIRST and
    * _OVER_SECOND; decay, VESICA_DECAY_LINEAR or _GAUSSIAN, with its parameter; least_score >= 0; scratch of at least
    * vesica_suppress_soft_scratch(count) bytes, aligned to 8; keep and decayed with room for as many as are kept.
-   * Returns: 0, with *kept set to how many are kept. Errors: as vesica_suppress_f32. VESICA_E_SHAPE: an invalid shape,
-   * or one whose score is NaN, is left out, and the result of the others is written. Accuracy: in every step a score is
-   * multiplied once, in double, by 1 - r, rounded once, or by the exponential, right to 1 unit in the last place. So
-   * the same shapes are kept, with the same bits, on every machine. The float function computes in double and rounds
-   * only the final scores. Cost: for each kept shape, that of vesica_ratio_matrix_f32 with the shapes of its label that
-   * are left. Since: 0.1.
+   * Returns: 0, with *kept set to how many are kept.
+   * Errors: as vesica_suppress_f32. VESICA_E_SHAPE: an invalid shape, or one whose score is NaN, is left out, and the
+   * result of the others is written.
+   * Accuracy: in every step a score is multiplied once, in double, by 1 - r, rounded once, or by the exponential, right
+   * to 1 unit in the last place. So the same shapes are kept, with the same bits, on every machine. The float function
+   * computes in double and rounds only the final scores.
+   * Cost: for each kept shape, that of vesica_ratio_matrix_f32 with the shapes of its label that are left.
+   * Since: 0.1.
    */
   vesica_suppress_soft_f32(shapes: number, scores: number, labels: number, ratio: number, decay: number,
     parameter: number, least_score: number, most: bigint, scratch: number, scratch_size: bigint, keep: number,
@@ -2332,19 +2478,21 @@ export interface C {
    * apart or slide. Exchanging the shapes and reversing the velocity changes neither the answer nor the time; it
    * reverses the normal, up to rounding.
    *
-   * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or
-   * VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity that is not finite, a t_end
-   * that is negative or NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a coordinate of the point, would overflow;
-   * or an exact position would take more than 2000 bits, as with magnitudes of both 2^1000 and 2^-1000). Accuracy: the
-   * answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline before it is rounded;
-   * along the outline it may be off by (8 u scale + 4 u R) / |n.v|, n and v of unit length, R the greatest radius of
-   * curvature of a: of an ellipse its long half length squared over the short one, far more than its size if it is
-   * thin. The normal has length 1 to 4 u. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale
-   * of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
-   * means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size. Cost: 30 to 50 ns for a
-   * miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two ellipses, see the typed functions;
-   * 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly unlike exponents most take 10 to 30 us;
-   * at worst 0.3 ms. Since: 0.1.
+   * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+   * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity that is not finite, a t_end that is negative or
+   * NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a coordinate of the point, would overflow; or an exact position
+   * would take more than 2000 bits, as with magnitudes of both 2^1000 and 2^-1000).
+   * Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline before it
+   * is rounded; along the outline it may be off by (8 u scale + 4 u R) / |n.v|, n and v of unit length, R the greatest
+   * radius of curvature of a: of an ellipse its long half length squared over the short one, far more than its size if
+   * it is thin. The normal has length 1 to 4 u. In bounds on errors u is 2^-53, half a unit in the last place of 1. The
+   * scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u
+   * scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
+   * Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two ellipses, see
+   * the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly unlike exponents
+   * most take 10 to 30 us; at worst 0.3 ms.
+   * Since: 0.1.
    */
   vesica_cast_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, vx: number, vy: number,
     t_end: number, out: number): number;
@@ -2355,12 +2503,15 @@ export interface C {
    * Velocity i is `i * stride` bytes after vx and vy; stride 0 repeats one velocity.
    *
    * Requires: velocities and t_end as vesica_cast_f64; equal counts, or one count of 1, whose shape is used for all.
-   * Each output has room for as many numbers as the larger count. Some, but not all, may be NULL. Returns: how many
-   * touch, including those that overlap at the start. Errors: those of vesica_cast_f64. An element with an invalid
-   * shape, a velocity that is not finite or a result out of range gets NaN for all its numbers, and all others are
-   * written as usual. The call then returns VESICA_E_SHAPE if a shape is invalid, else the error of such an element.
-   * Accuracy: every result has the same bits as vesica_cast_f64. Cost: that of vesica_cast_f64 for each pair; with AVX2
-   * or AVX-512 a half to an eighth of it, except for pairs that overlap at the start. Since: 0.1.
+   * Each output has room for as many numbers as the larger count. Some, but not all, may be NULL.
+   * Returns: how many touch, including those that overlap at the start.
+   * Errors: those of vesica_cast_f64. An element with an invalid shape, a velocity that is not finite or a result out
+   * of range gets NaN for all its numbers, and all others are written as usual. The call then returns VESICA_E_SHAPE if
+   * a shape is invalid, else the error of such an element.
+   * Accuracy: every result has the same bits as vesica_cast_f64.
+   * Cost: that of vesica_cast_f64 for each pair; with AVX2 or AVX-512 a half to an eighth of it, except for pairs that
+   * overlap at the start.
+   * Since: 0.1.
    */
   vesica_cast_many_f64(a: number, b: number, vx: number, vy: number, stride: number, t_end: number, t: number,
     x: number, y: number, nx: number, ny: number): bigint;
@@ -2423,89 +2574,116 @@ export interface C {
    * at most *gap apart.
    *
    * Requires: numbers of turn_a and turn_b finite, angles at most 2^20 in magnitude; tolerance, a length > 0. No
-   * pointer may be NULL. Returns: VESICA_CAST_MISS: it is proved that there is no contact from 0 to 1; t is infinity,
-   * and all other numbers and the gap are NaN. VESICA_CAST_HIT: it is proved that there is contact after t.
-   * VESICA_CAST_NEAR: there may be contact after t; contact of a point with a segment or a point, where there is no
-   * depth, is never proved. VESICA_CAST_START: the shapes overlap at t = 0, which is exact; *out is that of
-   * vesica_cast_f64, and the gap is 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
-   * VESICA_E_RANGE (a coordinate of the point, or the gap, would overflow). Accuracy: what is said to be proved is
-   * certain. The gap is at most the tolerance, except in two cases: the tolerance is below (300 + 10 |angles|) u times
-   * the sum of all lengths, the motion's included, u = 2^-53; or the search stopped after 256 directions or 4096 poses.
+   * pointer may be NULL.
+   * Returns: VESICA_CAST_MISS: it is proved that there is no contact from 0 to 1; t is infinity, and all other numbers
+   * and the gap are NaN. VESICA_CAST_HIT: it is proved that there is contact after t. VESICA_CAST_NEAR: there may be
+   * contact after t; contact of a point with a segment or a point, where there is no depth, is never proved.
+   * VESICA_CAST_START: the shapes overlap at t = 0, which is exact; *out is that of vesica_cast_f64, and the gap is 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE (a coordinate of the point,
+   * or the gap, would overflow).
+   * Accuracy: what is said to be proved is certain. The gap is at most the tolerance, except in two cases: the
+   * tolerance is below (300 + 10 |angles|) u times the sum of all lengths, the motion's included, u = 2^-53; or the
+   * search stopped after 256 directions or 4096 poses.
    * Cost: 0.2 to 0.9 us for boxes, 0.4 to 3 us if one shape is round; 0.14 ms was seen at spins of 10^6 radians; at
-   * worst 1.4 ms. Since: 0.1.
+   * worst 1.4 ms.
+   * Since: 0.1.
    */
   vesica_impact_time_f64(kind_a: number, numbers_a: number, turn_a: number, kind_b: number, numbers_b: number,
     turn_b: number, tolerance: number, out: number, gap: number): number;
   /**
    * A ray at a point.
    *
-   * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or
-   * VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
-   * Accuracy: that of vesica_cast_f64. Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to
-   * 50 ns and 0.3 us. Near-ties cost what vesica_cast_f64 does for other kinds. Since: 0.1.
+   * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+   * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+   * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
+   * Accuracy: that of vesica_cast_f64.
+   * Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+   * what vesica_cast_f64 does for other kinds.
+   * Since: 0.1.
    */
   vesica_cast_point_point_f64(a: number, b: number, vx: number, vy: number, t_end: number, out: number): number;
   /**
    * A ray at a segment.
    *
-   * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or
-   * VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
-   * Accuracy: that of vesica_cast_f64. Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to
-   * 50 ns and 0.3 us. Near-ties cost what vesica_cast_f64 does for other kinds. Since: 0.1.
+   * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+   * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+   * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
+   * Accuracy: that of vesica_cast_f64.
+   * Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+   * what vesica_cast_f64 does for other kinds.
+   * Since: 0.1.
    */
   vesica_cast_segment_point_f64(a: number, b: number, vx: number, vy: number, t_end: number, out: number): number;
   /**
    * A ray at a disc.
    *
-   * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or
-   * VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
-   * Accuracy: that of vesica_cast_f64. Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to
-   * 50 ns and 0.3 us. Near-ties cost what vesica_cast_f64 does for other kinds. Since: 0.1.
+   * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+   * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+   * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
+   * Accuracy: that of vesica_cast_f64.
+   * Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+   * what vesica_cast_f64 does for other kinds.
+   * Since: 0.1.
    */
   vesica_cast_circle_point_f64(a: number, b: number, vx: number, vy: number, t_end: number, out: number): number;
   /**
    * A ray at an axis-aligned box.
    *
-   * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or
-   * VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
-   * Accuracy: that of vesica_cast_f64. Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to
-   * 50 ns and 0.3 us. Near-ties cost what vesica_cast_f64 does for other kinds. Since: 0.1.
+   * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+   * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+   * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
+   * Accuracy: that of vesica_cast_f64.
+   * Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+   * what vesica_cast_f64 does for other kinds.
+   * Since: 0.1.
    */
   vesica_cast_aabb_point_f64(a: number, b: number, vx: number, vy: number, t_end: number, out: number): number;
   /**
    * A ray at a rectangle.
    *
-   * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or
-   * VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
-   * Accuracy: that of vesica_cast_f64. Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to
-   * 50 ns and 0.3 us. Near-ties cost what vesica_cast_f64 does for other kinds. Since: 0.1.
+   * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+   * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+   * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
+   * Accuracy: that of vesica_cast_f64.
+   * Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+   * what vesica_cast_f64 does for other kinds.
+   * Since: 0.1.
    */
   vesica_cast_rect_point_f64(a: number, b: number, vx: number, vy: number, t_end: number, out: number): number;
   /**
    * A ray at an ellipse.
    *
-   * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or
-   * VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
-   * Accuracy: that of vesica_cast_f64. Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to
-   * 50 ns and 0.3 us. Near-ties cost what vesica_cast_f64 does for other kinds. Since: 0.1.
+   * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+   * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+   * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
+   * Accuracy: that of vesica_cast_f64.
+   * Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+   * what vesica_cast_f64 does for other kinds.
+   * Since: 0.1.
    */
   vesica_cast_ellipse_point_f64(a: number, b: number, vx: number, vy: number, t_end: number, out: number): number;
   /**
    * Two discs.
    *
-   * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or
-   * VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
-   * Accuracy: that of vesica_cast_f64. Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to
-   * 50 ns and 0.3 us. Near-ties cost what vesica_cast_f64 does for other kinds. Since: 0.1.
+   * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+   * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+   * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
+   * Accuracy: that of vesica_cast_f64.
+   * Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+   * what vesica_cast_f64 does for other kinds.
+   * Since: 0.1.
    */
   vesica_cast_circle_circle_f64(a: number, b: number, vx: number, vy: number, t_end: number, out: number): number;
   /**
    * Two rectangles.
    *
-   * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or
-   * VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
-   * Accuracy: that of vesica_cast_f64. Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to
-   * 50 ns and 0.3 us. Near-ties cost what vesica_cast_f64 does for other kinds. Since: 0.1.
+   * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+   * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+   * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
+   * Accuracy: that of vesica_cast_f64.
+   * Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+   * what vesica_cast_f64 does for other kinds.
+   * Since: 0.1.
    */
   vesica_cast_rect_rect_f64(a: number, b: number, vx: number, vy: number, t_end: number, out: number): number;
   /**
@@ -2519,19 +2697,21 @@ export interface C {
    * apart or slide. Exchanging the shapes and reversing the velocity changes neither the answer nor the time; it
    * reverses the normal, up to rounding.
    *
-   * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or
-   * VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity that is not finite, a t_end
-   * that is negative or NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a coordinate of the point, would overflow;
-   * or an exact position would take more than 2000 bits, as with magnitudes of both 2^1000 and 2^-1000). Accuracy: the
-   * answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline before it is rounded;
-   * along the outline it may be off by (8 u scale + 4 u R) / |n.v|, n and v of unit length, R the greatest radius of
-   * curvature of a: of an ellipse its long half length squared over the short one, far more than its size if it is
-   * thin. The normal has length 1 to 4 u. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale
-   * of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
-   * means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size. Cost: 30 to 50 ns for a
-   * miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two ellipses, see the typed functions;
-   * 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly unlike exponents most take 10 to 30 us;
-   * at worst 0.3 ms. Since: 0.1.
+   * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+   * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity that is not finite, a t_end that is negative or
+   * NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a coordinate of the point, would overflow; or an exact position
+   * would take more than 2000 bits, as with magnitudes of both 2^1000 and 2^-1000).
+   * Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline before it
+   * is rounded; along the outline it may be off by (8 u scale + 4 u R) / |n.v|, n and v of unit length, R the greatest
+   * radius of curvature of a: of an ellipse its long half length squared over the short one, far more than its size if
+   * it is thin. The normal has length 1 to 4 u. In bounds on errors u is 2^-53, half a unit in the last place of 1. The
+   * scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u
+   * scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
+   * Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two ellipses, see
+   * the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly unlike exponents
+   * most take 10 to 30 us; at worst 0.3 ms.
+   * Since: 0.1.
    */
   vesica_cast_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, vx: number, vy: number,
     t_end: number, out: number): number;
@@ -2542,12 +2722,15 @@ export interface C {
    * Velocity i is `i * stride` bytes after vx and vy; stride 0 repeats one velocity.
    *
    * Requires: velocities and t_end as vesica_cast_f32; equal counts, or one count of 1, whose shape is used for all.
-   * Each output has room for as many numbers as the larger count. Some, but not all, may be NULL. Returns: how many
-   * touch, including those that overlap at the start. Errors: those of vesica_cast_f32. An element with an invalid
-   * shape, a velocity that is not finite or a result out of range gets NaN for all its numbers, and all others are
-   * written as usual. The call then returns VESICA_E_SHAPE if a shape is invalid, else the error of such an element.
-   * Accuracy: every result has the same bits as vesica_cast_f32. Cost: that of vesica_cast_f32 for each pair; with AVX2
-   * or AVX-512 a half to an eighth of it, except for pairs that overlap at the start. Since: 0.1.
+   * Each output has room for as many numbers as the larger count. Some, but not all, may be NULL.
+   * Returns: how many touch, including those that overlap at the start.
+   * Errors: those of vesica_cast_f32. An element with an invalid shape, a velocity that is not finite or a result out
+   * of range gets NaN for all its numbers, and all others are written as usual. The call then returns VESICA_E_SHAPE if
+   * a shape is invalid, else the error of such an element.
+   * Accuracy: every result has the same bits as vesica_cast_f32.
+   * Cost: that of vesica_cast_f32 for each pair; with AVX2 or AVX-512 a half to an eighth of it, except for pairs that
+   * overlap at the start.
+   * Since: 0.1.
    */
   vesica_cast_many_f32(a: number, b: number, vx: number, vy: number, stride: number, t_end: number, t: number,
     x: number, y: number, nx: number, ny: number): bigint;
@@ -2613,73 +2796,97 @@ export interface C {
   /**
    * A ray at a point.
    *
-   * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or
-   * VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
-   * Accuracy: that of vesica_cast_f32. Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to
-   * 50 ns and 0.3 us. Near-ties cost what vesica_cast_f32 does for other kinds. Since: 0.1.
+   * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+   * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+   * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
+   * Accuracy: that of vesica_cast_f32.
+   * Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+   * what vesica_cast_f32 does for other kinds.
+   * Since: 0.1.
    */
   vesica_cast_point_point_f32(a: number, b: number, vx: number, vy: number, t_end: number, out: number): number;
   /**
    * A ray at a segment.
    *
-   * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or
-   * VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
-   * Accuracy: that of vesica_cast_f32. Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to
-   * 50 ns and 0.3 us. Near-ties cost what vesica_cast_f32 does for other kinds. Since: 0.1.
+   * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+   * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+   * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
+   * Accuracy: that of vesica_cast_f32.
+   * Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+   * what vesica_cast_f32 does for other kinds.
+   * Since: 0.1.
    */
   vesica_cast_segment_point_f32(a: number, b: number, vx: number, vy: number, t_end: number, out: number): number;
   /**
    * A ray at a disc.
    *
-   * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or
-   * VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
-   * Accuracy: that of vesica_cast_f32. Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to
-   * 50 ns and 0.3 us. Near-ties cost what vesica_cast_f32 does for other kinds. Since: 0.1.
+   * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+   * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+   * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
+   * Accuracy: that of vesica_cast_f32.
+   * Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+   * what vesica_cast_f32 does for other kinds.
+   * Since: 0.1.
    */
   vesica_cast_circle_point_f32(a: number, b: number, vx: number, vy: number, t_end: number, out: number): number;
   /**
    * A ray at an axis-aligned box.
    *
-   * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or
-   * VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
-   * Accuracy: that of vesica_cast_f32. Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to
-   * 50 ns and 0.3 us. Near-ties cost what vesica_cast_f32 does for other kinds. Since: 0.1.
+   * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+   * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+   * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
+   * Accuracy: that of vesica_cast_f32.
+   * Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+   * what vesica_cast_f32 does for other kinds.
+   * Since: 0.1.
    */
   vesica_cast_aabb_point_f32(a: number, b: number, vx: number, vy: number, t_end: number, out: number): number;
   /**
    * A ray at a rectangle.
    *
-   * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or
-   * VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
-   * Accuracy: that of vesica_cast_f32. Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to
-   * 50 ns and 0.3 us. Near-ties cost what vesica_cast_f32 does for other kinds. Since: 0.1.
+   * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+   * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+   * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
+   * Accuracy: that of vesica_cast_f32.
+   * Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+   * what vesica_cast_f32 does for other kinds.
+   * Since: 0.1.
    */
   vesica_cast_rect_point_f32(a: number, b: number, vx: number, vy: number, t_end: number, out: number): number;
   /**
    * A ray at an ellipse.
    *
-   * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or
-   * VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
-   * Accuracy: that of vesica_cast_f32. Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to
-   * 50 ns and 0.3 us. Near-ties cost what vesica_cast_f32 does for other kinds. Since: 0.1.
+   * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+   * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+   * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
+   * Accuracy: that of vesica_cast_f32.
+   * Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+   * what vesica_cast_f32 does for other kinds.
+   * Since: 0.1.
    */
   vesica_cast_ellipse_point_f32(a: number, b: number, vx: number, vy: number, t_end: number, out: number): number;
   /**
    * Two discs.
    *
-   * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or
-   * VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
-   * Accuracy: that of vesica_cast_f32. Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to
-   * 50 ns and 0.3 us. Near-ties cost what vesica_cast_f32 does for other kinds. Since: 0.1.
+   * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+   * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+   * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
+   * Accuracy: that of vesica_cast_f32.
+   * Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+   * what vesica_cast_f32 does for other kinds.
+   * Since: 0.1.
    */
   vesica_cast_circle_circle_f32(a: number, b: number, vx: number, vy: number, t_end: number, out: number): number;
   /**
    * Two rectangles.
    *
-   * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or
-   * VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
-   * Accuracy: that of vesica_cast_f32. Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to
-   * 50 ns and 0.3 us. Near-ties cost what vesica_cast_f32 does for other kinds. Since: 0.1.
+   * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+   * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+   * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
+   * Accuracy: that of vesica_cast_f32.
+   * Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+   * what vesica_cast_f32 does for other kinds.
+   * Since: 0.1.
    */
   vesica_cast_rect_rect_f32(a: number, b: number, vx: number, vy: number, t_end: number, out: number): number;
   /**
@@ -2721,15 +2928,18 @@ export interface C {
    * the least y, of equal ones that with the least x, by the numbers written. One vertex is a point, two are the ends
    * of a segment. Exchanging the shapes changes no bit; a zero is +0. Unused vertices become 0.
    *
-   * Returns: the number of vertices, 1 to 8, or 0 if the shapes share nothing. Errors: VESICA_E_NULL, VESICA_E_KIND
-   * (also for other pairs of kinds than these), VESICA_E_SHAPE, VESICA_E_RANGE (a vertex, or the length of a side that
-   * makes one, overflows). Accuracy: the number of vertices is exact: it is that of the true region. A corner of a
-   * shape that lies in the other keeps the stored numbers, or those of vesica_corners_of_shapes_f64 for a rectangle.
-   * Other vertices are right to 4 u times the largest coordinate or size of either shape. In bounds on errors u is
-   * 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their
-   * centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect
-   * ratio is longer over shorter size. Cost: that of vesica_overlap_f64 for disjoint shapes; 0.2 to 1 us with a
-   * segment, 2 to 6 us for areas; at worst 30 us. Since: 0.1.
+   * Returns: the number of vertices, 1 to 8, or 0 if the shapes share nothing.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND (also for other pairs of kinds than these), VESICA_E_SHAPE, VESICA_E_RANGE (a
+   * vertex, or the length of a side that makes one, overflows).
+   * Accuracy: the number of vertices is exact: it is that of the true region. A corner of a shape that lies in the
+   * other keeps the stored numbers, or those of vesica_corners_of_shapes_f64 for a rectangle. Other vertices are right
+   * to 4 u times the largest coordinate or size of either shape. In bounds on errors u is 2^-53, half a unit in the
+   * last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
+   * lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter
+   * size.
+   * Cost: that of vesica_overlap_f64 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6 us for areas; at worst
+   * 30 us.
+   * Since: 0.1.
    */
   vesica_intersection_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number,
     vertices: number): number;
@@ -2760,16 +2970,18 @@ export interface C {
    * the least y, of equal ones that with the least x, by the numbers written. One vertex is a point, two are the ends
    * of a segment. Exchanging the shapes changes no bit; a zero is +0. Unused vertices become 0.
    *
-   * Returns: the number of vertices, 1 to 8, or 0 if the shapes share nothing. Errors: VESICA_E_NULL, VESICA_E_KIND
-   * (also for other pairs of kinds than these), VESICA_E_SHAPE, VESICA_E_RANGE (a vertex, or the length of a side that
-   * makes one, overflows). Accuracy: the number of vertices is exact: it is that of the true region. A corner of a
-   * shape that lies in the other keeps the stored numbers, or those of vesica_corners_of_shapes_f32 for a rectangle.
-   * Other vertices are right to 4 u times the largest coordinate or size of either shape. Each number is computed in
-   * double, within these bounds, and then rounded to float once. In bounds on errors u is 2^-53, half a unit in the
-   * last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
-   * lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter
-   * size. Cost: that of vesica_overlap_f32 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6 us for areas; at
-   * worst 30 us. Since: 0.1.
+   * Returns: the number of vertices, 1 to 8, or 0 if the shapes share nothing.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND (also for other pairs of kinds than these), VESICA_E_SHAPE, VESICA_E_RANGE (a
+   * vertex, or the length of a side that makes one, overflows).
+   * Accuracy: the number of vertices is exact: it is that of the true region. A corner of a shape that lies in the
+   * other keeps the stored numbers, or those of vesica_corners_of_shapes_f32 for a rectangle. Other vertices are right
+   * to 4 u times the largest coordinate or size of either shape. Each number is computed in double, within these
+   * bounds, and then rounded to float once. In bounds on errors u is 2^-53, half a unit in the last place of 1. The
+   * scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u
+   * scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
+   * Cost: that of vesica_overlap_f32 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6 us for areas; at worst
+   * 30 us.
+   * Since: 0.1.
    */
   vesica_intersection_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number,
     vertices: number): number;

@@ -141,14 +141,15 @@ def camel(name, first=True):
 
 
 def filled(text, width):
-    """A text whose paragraphs have no line longer than that: those that had one are laid out anew."""
-    paragraphs = []
-    for paragraph in text.split("\n\n"):
-        if any(len(line) > width for line in paragraph.split("\n")):
-            words = " ".join(paragraph.split("\n"))
-            paragraph = "\n".join(textwrap.wrap(words, width, break_long_words=False, break_on_hyphens=False))
-        paragraphs.append(paragraph)
-    return "\n\n".join(paragraphs)
+    """A text without a line longer than that: the paragraphs, and parts such as Returns:, that had one are laid out
+    anew."""
+    pieces = []
+    for piece in re.split(r"(\n\n|\n(?=[A-Z][a-z]+: ))", text):
+        if any(len(line) > width for line in piece.split("\n")):
+            words = " ".join(piece.split("\n"))
+            piece = "\n".join(textwrap.wrap(words, width, break_long_words=False, break_on_hyphens=False))
+        pieces.append(piece)
+    return "".join(pieces)
 
 
 def broken(line, step="    "):

@@ -468,8 +468,11 @@ overlap in part cross; a point on the rim of a disc is VESICA_INSIDE_TOUCH. Exch
 gives the converse relation.
 
 Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe
-them. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE. Accuracy: exact. Cost: up to twice that of
-vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 30 us. Since: 0.1.""",
+them.
+Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 30 us.
+Since: 0.1.""",
     ),
     "vesica_contains_f64": (
         c_int32,
@@ -499,13 +502,15 @@ order along a's outline, counter-clockwise in the frame of its axis. The start i
 hy perp(u), an ellipse's point C + a u (one without area begins as a box), a circle's point C + (r, 0), or a
 segment's first end.
 
-Returns: the number of places, 0 to 8. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+Returns: the number of places, 0 to 8.
+Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
 Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape,
 even where the outlines nearly coincide. Places closer to one another than that may come in either order or
 be equal. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the
 largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an
-error of at most 4 u times the scale. An aspect ratio is longer over shorter size. Cost: 1 to 10 us; at
-worst 30 us. Since: 0.1.""",
+error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
+Cost: 1 to 10 us; at worst 30 us.
+Since: 0.1.""",
     ),
     "vesica_nearest_f64": (
         c_int32,
@@ -518,16 +523,18 @@ If the shapes overlap (as vesica_overlap_f64 tells), the distance is 0 and both 
 If not, the distance is > 0. Exchanging the shapes exchanges the points and changes no bit. Moving both
 shapes alike changes no bit of the distance if no coordinate is rounded.
 
-Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: the distance is
-right to 4 u scale at any aspect ratio; the largest error seen was 1 u scale, and 3.3 u beside the ends of
-the thinnest ellipses. Its relative error is at most 2 u above 1e-10 scale (aspect ratios up to 1e6) or
-1e-14 scale (up to 1000). Closest points are right to 4 u scale, and a common point to 8 u scale, before
-they are rounded. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two
-shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
-means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size. Cost: 100 to 250
-ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest ellipses; 50 ns if a
-shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or
-below 2^-40; at worst 25 us. Since: 0.1.""",
+Returns: 0.
+Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+Accuracy: the distance is right to 4 u scale at any aspect ratio; the largest error seen was 1 u scale, and
+3.3 u beside the ends of the thinnest ellipses. Its relative error is at most 2 u above 1e-10 scale (aspect
+ratios up to 1e6) or 1e-14 scale (up to 1000). Closest points are right to 4 u scale, and a common point to
+8 u scale, before they are rounded. In bounds on errors u is 2^-53, half a unit in the last place of 1. The
+scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right
+to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
+Cost: 100 to 250 ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest
+ellipses; 50 ns if a shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and
+magnitudes above 2^40 or below 2^-40; at worst 25 us.
+Since: 0.1.""",
     ),
     "vesica_boundary_distance_f64": (
         c_int32,
@@ -543,14 +550,17 @@ distance is the least over the whole outline, never a local minimum. Which case 
 Exchanging the shapes exchanges the points and changes no bit. Moving both shapes alike changes no bit of
 the distance if no coordinate is rounded.
 
-Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: at aspect ratios
-up to 1e6 the distance is right to 4 u scale, and the points are that far apart to 16 u scale. At any ratio
-it is above 0 unless outlines meet, and points are on them to 12 u scale before they are rounded. In bounds
-on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and
-|dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u
-times the scale. An aspect ratio is longer over shorter size. Cost: that of vesica_nearest_f64 for disjoint
-shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.4 to 0.8 us if outlines meet, for thin shapes
-as vesica_crossings_f64; up to 5 us more for near-ties; at worst 30 us. Since: 0.1.""",
+Returns: 0.
+Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+Accuracy: at aspect ratios up to 1e6 the distance is right to 4 u scale, and the points are that far apart
+to 16 u scale. At any ratio it is above 0 unless outlines meet, and points are on them to 12 u scale before
+they are rounded. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two
+shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
+means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
+Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more;
+0.4 to 0.8 us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for near-ties; at
+worst 30 us.
+Since: 0.1.""",
     ),
     "vesica_depth_f64": (
         c_int32,
@@ -567,14 +577,16 @@ line. Otherwise the depth is > 0. Exchanging the shapes reverses the direction a
 except for two equal shapes in one place. Moving both shapes alike changes no bit if no coordinate is
 rounded.
 
-Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: at aspect ratios
-up to 1e6 the depth is right to 4 u scale; for circles and points, to its last place. The length of (x, y)
-is 1 to 3 u. After the move at most 8 u scale of overlap is left. Whether the depth is 0 is exact. In bounds
-on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and
-|dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u
-times the scale. An aspect ratio is longer over shorter size. Cost: about 150 ns for points, segments and
-boxes; 0.5 us with an ellipse, for a few 1 us more; up to 5 us if only exact arithmetic can tell the depth
-from 0; at worst 25 us. Since: 0.1.""",
+Returns: 0.
+Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+Accuracy: at aspect ratios up to 1e6 the depth is right to 4 u scale; for circles and points, to its last
+place. The length of (x, y) is 1 to 3 u. After the move at most 8 u scale of overlap is left. Whether the
+depth is 0 is exact. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two
+shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
+means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
+Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to 5 us
+if only exact arithmetic can tell the depth from 0; at worst 25 us.
+Since: 0.1.""",
     ),
     "vesica_shape_area_f64": (
         c_int32,
@@ -583,10 +595,12 @@ from 0; at worst 25 us. Since: 0.1.""",
 
 Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
 
-Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: the double
-nearest to the true area; a tiny area becomes subnormal or 0. So a shape inside another never has the
-greater area, and equal shapes have equal areas, whatever kinds and numbers describe them. Cost: about 20
-ns. Since: 0.1.""",
+Returns: 0.
+Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+Accuracy: the double nearest to the true area; a tiny area becomes subnormal or 0. So a shape inside another
+never has the greater area, and equal shapes have equal areas, whatever kinds and numbers describe them.
+Cost: about 20 ns.
+Since: 0.1.""",
     ),
     "vesica_area_f64": (
         c_int32,
@@ -600,13 +614,15 @@ other, it is the vesica_shape_area_f64 of the inner one. It is never more than t
 than 0 if the insides of shapes with area meet, unless that underflows. Exchanging the shapes changes no
 bit. Scaling both by a power of two scales the area by its square.
 
-Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: right to 64 u
-times the smaller shape's area times the larger aspect ratio, at aspect ratios up to 10^4, even if the
-outlines nearly touch or coincide and whatever the sizes are. In bounds on errors u is 2^-53, half a unit in
-the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
-their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is
-longer over shorter size. Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two
-ellipses; up to 10 us if outlines nearly touch or coincide, or if one shape is far larger; at worst 30 us.
+Returns: 0.
+Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+Accuracy: right to 64 u times the smaller shape's area times the larger aspect ratio, at aspect ratios up to
+10^4, even if the outlines nearly touch or coincide and whatever the sizes are. In bounds on errors u is
+2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between
+their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale.
+An aspect ratio is longer over shorter size.
+Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if
+outlines nearly touch or coincide, or if one shape is far larger; at worst 30 us.
 Since: 0.1.""",
     ),
     "vesica_iou_f64": (
@@ -633,10 +649,12 @@ Since: 0.1.""",
 
 Smallest box of representable numbers that contains a shape.
 
-Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: each side is the
-true extreme of the shape, rounded outward once. So a representable box is exact. Cost: up to 80 ns; 1 to 3
-us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis and representable
-sides; at worst 6 us. Since: 0.1.""",
+Returns: 0.
+Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is exact.
+Cost: up to 80 ns; 1 to 3 us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique
+axis and representable sides; at worst 6 us.
+Since: 0.1.""",
     ),
     "vesica_overlap_point_point_f64": (
         c_int32,
@@ -645,9 +663,12 @@ sides; at worst 6 us. Since: 0.1.""",
 
 Are the two points the same?
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_overlap_point_segment_f64": (
         c_int32,
@@ -656,9 +677,12 @@ decide; at worst 25 us. Since: 0.1.""",
 
 Does the point lie on the segment? End points count.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_overlap_point_circle_f64": (
         c_int32,
@@ -667,9 +691,12 @@ decide; at worst 25 us. Since: 0.1.""",
 
 Does the point lie in the disc or on its rim?
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_overlap_point_aabb_f64": (
         c_int32,
@@ -678,9 +705,12 @@ decide; at worst 25 us. Since: 0.1.""",
 
 Does the point lie in the box or on its outline?
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_overlap_point_rect_f64": (
         c_int32,
@@ -689,9 +719,12 @@ decide; at worst 25 us. Since: 0.1.""",
 
 Does the point lie in the rectangle or on its outline?
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_overlap_point_ellipse_f64": (
         c_int32,
@@ -700,9 +733,12 @@ decide; at worst 25 us. Since: 0.1.""",
 
 Does the point lie in the ellipse or on its outline?
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_overlap_segment_segment_f64": (
         c_int32,
@@ -711,9 +747,12 @@ decide; at worst 25 us. Since: 0.1.""",
 
 Do the segments share a point? End points count, and so do stretches along one line.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_overlap_segment_circle_f64": (
         c_int32,
@@ -722,9 +761,12 @@ decide; at worst 25 us. Since: 0.1.""",
 
 Does the segment meet the disc? A tangent segment does.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_overlap_segment_aabb_f64": (
         c_int32,
@@ -733,9 +775,12 @@ decide; at worst 25 us. Since: 0.1.""",
 
 Does the segment meet the box? A segment inside it does.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_overlap_segment_rect_f64": (
         c_int32,
@@ -744,9 +789,12 @@ decide; at worst 25 us. Since: 0.1.""",
 
 Does the segment meet the rectangle? A segment inside it does.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_overlap_segment_ellipse_f64": (
         c_int32,
@@ -755,9 +803,12 @@ decide; at worst 25 us. Since: 0.1.""",
 
 Does the segment meet the ellipse? A tangent segment does.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_overlap_circle_circle_f64": (
         c_int32,
@@ -766,9 +817,12 @@ decide; at worst 25 us. Since: 0.1.""",
 
 Do the discs share a point? Discs that touch from outside do.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_overlap_circle_aabb_f64": (
         c_int32,
@@ -777,9 +831,12 @@ decide; at worst 25 us. Since: 0.1.""",
 
 Do the disc and the box share a point?
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_overlap_circle_rect_f64": (
         c_int32,
@@ -788,9 +845,12 @@ decide; at worst 25 us. Since: 0.1.""",
 
 Do the disc and the rectangle share a point?
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_overlap_circle_ellipse_f64": (
         c_int32,
@@ -799,9 +859,12 @@ decide; at worst 25 us. Since: 0.1.""",
 
 Do the disc and the ellipse share a point?
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_overlap_aabb_aabb_f64": (
         c_int32,
@@ -810,9 +873,12 @@ decide; at worst 25 us. Since: 0.1.""",
 
 Do the boxes share a point? Boxes that share an edge or a corner do.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_overlap_aabb_rect_f64": (
         c_int32,
@@ -821,9 +887,12 @@ decide; at worst 25 us. Since: 0.1.""",
 
 Do the box and the rectangle share a point?
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_overlap_aabb_ellipse_f64": (
         c_int32,
@@ -832,9 +901,12 @@ decide; at worst 25 us. Since: 0.1.""",
 
 Do the box and the ellipse share a point?
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_overlap_rect_rect_f64": (
         c_int32,
@@ -843,9 +915,12 @@ decide; at worst 25 us. Since: 0.1.""",
 
 Do the rectangles share a point? Rectangles that share an edge or a corner do.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_overlap_rect_ellipse_f64": (
         c_int32,
@@ -854,9 +929,12 @@ decide; at worst 25 us. Since: 0.1.""",
 
 Do the rectangle and the ellipse share a point? They do if one is inside the other.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_overlap_ellipse_ellipse_f64": (
         c_int32,
@@ -865,9 +943,12 @@ decide; at worst 25 us. Since: 0.1.""",
 
 Do the ellipses share a point? They do if one is inside the other.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_aabb_from_corners_f64": (
         c_int32,
@@ -888,12 +969,15 @@ Since: 0.1.""",
 
 Rectangle from centre, angle and full size: width along the angle, height across it.
 
-Requires: the angle in radians, counter-clockwise from +x if y points up; width, height >= 0. Returns: 0;
-the shape is valid. Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE. Accuracy: the axis
-is (cos, sin), each right to 1 unit in the last place. No double is exactly pi/2, so a quarter turn has an
-exact axis only by vesica_rects_from_boxes_f64, which takes degrees too. Sizes are exact: if halving one
-would round (an odd multiple of the smallest subnormal number), the axis is halved instead. Cost: about 40
-ns. Since: 0.1.""",
+Requires: the angle in radians, counter-clockwise from +x if y points up; width, height >= 0.
+Returns: 0; the shape is valid.
+Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.
+Accuracy: the axis is (cos, sin), each right to 1 unit in the last place. No double is exactly pi/2, so a
+quarter turn has an exact axis only by vesica_rects_from_boxes_f64, which takes degrees too. Sizes are
+exact: if halving one would round (an odd multiple of the smallest subnormal number), the axis is halved
+instead.
+Cost: about 40 ns.
+Since: 0.1.""",
     ),
     "vesica_rect_from_corners_f64": (
         c_int32,
@@ -908,11 +992,14 @@ hx belongs to that edge. Opposite edges are averaged; the longer pair gives the 
 pair counts by its part across it. Two or four equal corners are legal: they give a segment, or a point with
 axis (1, 0).
 
-Returns: 0; the shape is valid. Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_RANGE (a half extent
-overflows). Accuracy: half extents, and the axis times the longer one, are right to 8 units in the last
-place of the longer one; the centre is right to 1 unit in its own. Both errors may grow by 2^-98 times the
-largest coordinate. A rectangle along the coordinate axes is found exactly if its centre and half extents
-are representable. Cost: about 110 ns. Since: 0.1.""",
+Returns: 0; the shape is valid.
+Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_RANGE (a half extent overflows).
+Accuracy: half extents, and the axis times the longer one, are right to 8 units in the last place of the
+longer one; the centre is right to 1 unit in its own. Both errors may grow by 2^-98 times the largest
+coordinate. A rectangle along the coordinate axes is found exactly if its centre and half extents are
+representable.
+Cost: about 110 ns.
+Since: 0.1.""",
     ),
     "vesica_ellipse_from_angle_f64": (
         c_int32,
@@ -955,10 +1042,14 @@ A singular covariance, or k = 0, gives a segment or a point. The result has a >=
 vector with x >= 0, or (1, 0) for equal variances without correlation.
 
 Requires: the covariance cxx, cxy, cyy (units squared) positive semidefinite: cxy^2 <= cxx cyy as stored; k
->= 0. Returns: 0; the shape is valid. Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE (k
-< 0), VESICA_E_ARGUMENT (not a covariance), VESICA_E_RANGE (a half length overflows). Accuracy: half lengths
-and both components of the axis are right to 8 units in their own last place, even if the matrix is nearly
-singular or nearly a circle's. Cost: about 90 ns. Since: 0.1.""",
+>= 0.
+Returns: 0; the shape is valid.
+Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE (k < 0), VESICA_E_ARGUMENT (not a
+covariance), VESICA_E_RANGE (a half length overflows).
+Accuracy: half lengths and both components of the axis are right to 8 units in their own last place, even if
+the matrix is nearly singular or nearly a circle's.
+Cost: about 90 ns.
+Since: 0.1.""",
     ),
     "vesica_ellipse_from_matrix_f64": (
         c_int32,
@@ -984,8 +1075,10 @@ Since: 0.1.""",
 Describes an array of `count` records, each of which starts with a shape's struct.
 
 Requires: base, the first record's shape, which may be NULL if count is 0; stride, the bytes from one record
-to the next; count >= 0. Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (negative
-count). Since: 0.1.""",
+to the next; count >= 0.
+Returns: 0.
+Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (negative count).
+Since: 0.1.""",
     ),
     "vesica_overlap_many_f64": (
         c_int64,
@@ -996,12 +1089,16 @@ Do a[i] and b[i] share a point? out[i] is the answer of vesica_overlap_f64.
 
 Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
-be NULL. Returns: how many are 1. Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes)
-or NaN (numbers), and all others are written as usual. Before anything is written: VESICA_E_NULL (but if a
-count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or
-do not agree, reserved is not 0, or an array that exceeds the address space). Accuracy: every result has the
-same bits as the function for two shapes, on every instruction set, in every layout. Cost: in cache, from
-columns, with AVX-512: 0.6 to 1.1 ns a pair in double, 0.3 to 0.5 ns in float. Since: 0.1.""",
+be NULL.
+Returns: how many are 1.
+Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
+are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may
+be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
+an array that exceeds the address space).
+Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
+layout.
+Cost: in cache, from columns, with AVX-512: 0.6 to 1.1 ns a pair in double, 0.3 to 0.5 ns in float.
+Since: 0.1.""",
     ),
     "vesica_relation_many_f64": (
         c_int64,
@@ -1012,13 +1109,17 @@ How does a[i] relate to b[i]? out[i] is the answer of vesica_relation_f64.
 
 Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
-be NULL. Returns: how many are not VESICA_DISJOINT. Errors: VESICA_E_SHAPE if an element is invalid: its
-results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is written:
-VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
-(counts that are negative or do not agree, reserved is not 0, or an array that exceeds the address space).
+be NULL.
+Returns: how many are not VESICA_DISJOINT.
+Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
+are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may
+be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
+an array that exceeds the address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
-layout. Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30
-ns more where numbers are copied first (docs/benchmarks.md). Since: 0.1.""",
+layout.
+Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+where numbers are copied first (docs/benchmarks.md).
+Since: 0.1.""",
     ),
     "vesica_contains_many_f64": (
         c_int64,
@@ -1029,13 +1130,17 @@ Does a[i] contain all of b[i]? out[i] is the answer of vesica_contains_f64.
 
 Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
-be NULL. Returns: how many are 1. Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes)
-or NaN (numbers), and all others are written as usual. Before anything is written: VESICA_E_NULL (but if a
-count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or
-do not agree, reserved is not 0, or an array that exceeds the address space). Accuracy: every result has the
-same bits as the function for two shapes, on every instruction set, in every layout. Cost: a pair takes a
-fifth of the time of the function for two shapes to about as much, and up to 30 ns more where numbers are
-copied first (docs/benchmarks.md). Since: 0.1.""",
+be NULL.
+Returns: how many are 1.
+Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
+are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may
+be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
+an array that exceeds the address space).
+Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
+layout.
+Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+where numbers are copied first (docs/benchmarks.md).
+Since: 0.1.""",
     ),
     "vesica_nearest_many_f64": (
         c_int64,
@@ -1046,13 +1151,17 @@ How far apart are a[i] and b[i], and where? The columns are the fields of vesica
 
 Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
-be NULL. Returns: how many pairs overlap (distance 0). Errors: VESICA_E_SHAPE if an element is invalid: its
-results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is written:
-VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
-(counts that are negative or do not agree, reserved is not 0, or an array that exceeds the address space).
+be NULL.
+Returns: how many pairs overlap (distance 0).
+Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
+are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may
+be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
+an array that exceeds the address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
-layout. Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30
-ns more where numbers are copied first (docs/benchmarks.md). Since: 0.1.""",
+layout.
+Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+where numbers are copied first (docs/benchmarks.md).
+Since: 0.1.""",
     ),
     "vesica_boundary_distance_many_f64": (
         c_int64,
@@ -1064,13 +1173,17 @@ vesica_boundary_distance_f64's result.
 
 Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
-be NULL. Returns: how many pairs of outlines meet (distance 0). Errors: VESICA_E_SHAPE if an element is
-invalid: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
-written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND,
-VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that exceeds the
-address space). Accuracy: every result has the same bits as the function for two shapes, on every
-instruction set, in every layout. Cost: a pair takes a fifth of the time of the function for two shapes to
-about as much, and up to 30 ns more where numbers are copied first (docs/benchmarks.md). Since: 0.1.""",
+be NULL.
+Returns: how many pairs of outlines meet (distance 0).
+Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
+are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may
+be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
+an array that exceeds the address space).
+Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
+layout.
+Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+where numbers are copied first (docs/benchmarks.md).
+Since: 0.1.""",
     ),
     "vesica_depth_many_f64": (
         c_int64,
@@ -1081,13 +1194,17 @@ How deep do a[i] and b[i] overlap? The columns are the fields of vesica_depth_f6
 
 Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
-be NULL. Returns: how many depths are > 0. Errors: VESICA_E_SHAPE if an element is invalid: its results are
-0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is written: VESICA_E_NULL
-(but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are
-negative or do not agree, reserved is not 0, or an array that exceeds the address space). Accuracy: every
-result has the same bits as the function for two shapes, on every instruction set, in every layout. Cost: a
-pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more where
-numbers are copied first (docs/benchmarks.md). Since: 0.1.""",
+be NULL.
+Returns: how many depths are > 0.
+Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
+are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may
+be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
+an array that exceeds the address space).
+Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
+layout.
+Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+where numbers are copied first (docs/benchmarks.md).
+Since: 0.1.""",
     ),
     "vesica_area_many_f64": (
         c_int64,
@@ -1098,13 +1215,17 @@ What area do a[i] and b[i] share? out[i] is the result of vesica_area_f64.
 
 Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
-be NULL. Returns: how many areas are > 0. Errors: VESICA_E_SHAPE if an element is invalid: its results are 0
-(bytes) or NaN (numbers), and all others are written as usual. Before anything is written: VESICA_E_NULL
-(but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are
-negative or do not agree, reserved is not 0, or an array that exceeds the address space). Accuracy: every
-result has the same bits as the function for two shapes, on every instruction set, in every layout. Cost: a
-pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more where
-numbers are copied first (docs/benchmarks.md). Since: 0.1.""",
+be NULL.
+Returns: how many areas are > 0.
+Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
+are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may
+be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
+an array that exceeds the address space).
+Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
+layout.
+Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+where numbers are copied first (docs/benchmarks.md).
+Since: 0.1.""",
     ),
     "vesica_iou_many_f64": (
         c_int64,
@@ -1118,13 +1239,17 @@ invalid.
 
 Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
-be NULL. Returns: how many are > 0. Errors: VESICA_E_SHAPE if an element is invalid: its results are 0
-(bytes) or NaN (numbers), and all others are written as usual. Before anything is written: VESICA_E_NULL
-(but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are
-negative or do not agree, reserved is not 0, or an array that exceeds the address space). Accuracy: every
-result has the same bits as the function for two shapes, on every instruction set, in every layout. Cost: a
-pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more where
-numbers are copied first (docs/benchmarks.md). Since: 0.1.""",
+be NULL.
+Returns: how many are > 0.
+Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
+are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may
+be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
+an array that exceeds the address space).
+Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
+layout.
+Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+where numbers are copied first (docs/benchmarks.md).
+Since: 0.1.""",
     ),
     "vesica_overlap_matrix_f64": (
         c_int64,
@@ -1136,13 +1261,16 @@ order.
 
 Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts
 elements of out. With two or more rows its magnitude is at least b's count; if it is negative, rows run
-backwards in memory. Returns: how many are 1. Errors: VESICA_E_SHAPE if an element is invalid: its results
-are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is written:
-VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
-negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
+backwards in memory.
+Returns: how many are 1.
+Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
+are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be
+NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array
+or rows that exceed the address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
-layout. Cost: for each pair at most as in a batch of one shape against many, whatever the size of the
-arrays. Since: 0.1.""",
+layout.
+Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
+Since: 0.1.""",
     ),
     "vesica_relation_matrix_f64": (
         c_int64,
@@ -1153,13 +1281,16 @@ How does a[i] relate to b[j]? The elements of out are answers of vesica_relation
 
 Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts
 elements of out. With two or more rows its magnitude is at least b's count; if it is negative, rows run
-backwards in memory. Returns: how many are not VESICA_DISJOINT. Errors: VESICA_E_SHAPE if an element is
-invalid: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
-written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
-(a negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
+backwards in memory.
+Returns: how many are not VESICA_DISJOINT.
+Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
+are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be
+NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array
+or rows that exceed the address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
-layout. Cost: for each pair at most as in a batch of one shape against many, whatever the size of the
-arrays. Since: 0.1.""",
+layout.
+Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
+Since: 0.1.""",
     ),
     "vesica_contains_matrix_f64": (
         c_int64,
@@ -1170,13 +1301,16 @@ Does a[i] contain all of b[j]? The elements of out are answers of vesica_contain
 
 Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts
 elements of out. With two or more rows its magnitude is at least b's count; if it is negative, rows run
-backwards in memory. Returns: how many are 1. Errors: VESICA_E_SHAPE if an element is invalid: its results
-are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is written:
-VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
-negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
+backwards in memory.
+Returns: how many are 1.
+Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
+are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be
+NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array
+or rows that exceed the address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
-layout. Cost: for each pair at most as in a batch of one shape against many, whatever the size of the
-arrays. Since: 0.1.""",
+layout.
+Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
+Since: 0.1.""",
     ),
     "vesica_area_matrix_f64": (
         c_int64,
@@ -1187,13 +1321,16 @@ What area do a[i] and b[j] share? The elements of out are results of vesica_area
 
 Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts
 elements of out. With two or more rows its magnitude is at least b's count; if it is negative, rows run
-backwards in memory. Returns: how many are > 0. Errors: VESICA_E_SHAPE if an element is invalid: its results
-are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is written:
-VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
-negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
+backwards in memory.
+Returns: how many are > 0.
+Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
+are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be
+NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array
+or rows that exceed the address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
-layout. Cost: for each pair at most as in a batch of one shape against many, whatever the size of the
-arrays. Since: 0.1.""",
+layout.
+Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
+Since: 0.1.""",
     ),
     "vesica_iou_matrix_f64": (
         c_int64,
@@ -1207,13 +1344,16 @@ invalid.
 
 Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts
 elements of out. With two or more rows its magnitude is at least b's count; if it is negative, rows run
-backwards in memory. Returns: how many are > 0. Errors: VESICA_E_SHAPE if an element is invalid: its results
-are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is written:
-VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
-negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
+backwards in memory.
+Returns: how many are > 0.
+Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
+are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be
+NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array
+or rows that exceed the address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
-layout. Cost: for each pair at most as in a batch of one shape against many, whatever the size of the
-arrays. Since: 0.1.""",
+layout.
+Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
+Since: 0.1.""",
     ),
     "vesica_overlap_select_f64": (
         c_int64,
@@ -1223,12 +1363,15 @@ arrays. Since: 0.1.""",
 Which of many shapes overlap one? Their indices are written to out[0], out[1] ..., in ascending order.
 
 Requires: one, an array of count 1, which is looked at unless many is empty; capacity, how many indices out
-has room for. It may be 0, and out then NULL. Returns: how many there are, even if that exceeds the
-capacity. If room is left, the entry after the last is -1. Errors: VESICA_E_SHAPE if a shape is invalid: it
-is not selected, and the others are written as usual, up to the -1 or the capacity. Before anything is
-written: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (one's count is not 1, a negative capacity, and as
-vesica_overlap_many_f64). Accuracy: every answer is that of vesica_overlap_f64. Cost: that of
-vesica_overlap_many_f64. Since: 0.1.""",
+has room for. It may be 0, and out then NULL.
+Returns: how many there are, even if that exceeds the capacity. If room is left, the entry after the last is
+-1.
+Errors: VESICA_E_SHAPE if a shape is invalid: it is not selected, and the others are written as usual, up to
+the -1 or the capacity. Before anything is written: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (one's
+count is not 1, a negative capacity, and as vesica_overlap_many_f64).
+Accuracy: every answer is that of vesica_overlap_f64.
+Cost: that of vesica_overlap_many_f64.
+Since: 0.1.""",
     ),
     "vesica_nms_scratch": (
         c_int64,
@@ -1254,12 +1397,15 @@ Of equal scores the lower index comes first. Infinite scores are legal. At thres
 
 Requires: shapes, of a kind from VESICA_CIRCLE to VESICA_ELLIPSE; scores, one for each; threshold from 0 to
 1; scratch, of vesica_nms_scratch bytes or more, with any alignment and content; keep, with room for all
-indices. Returns: 0, with *kept set to how many are kept. keep has their indices in the order of their
-scores; the rest of keep is not written. Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN:
-it is left out, and the result of the others is written. Before anything is written: VESICA_E_NULL (with
-count 0 all but shapes and kept may be NULL), VESICA_E_KIND (points and segments too), VESICA_E_ARGUMENT
-(the array as vesica_overlap_many_f64, threshold, too little scratch). Cost: 0.3 to 1.2 us a shape. Since:
-0.1.""",
+indices.
+Returns: 0, with *kept set to how many are kept. keep has their indices in the order of their scores; the
+rest of keep is not written.
+Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN: it is left out, and the result of the
+others is written. Before anything is written: VESICA_E_NULL (with count 0 all but shapes and kept may be
+NULL), VESICA_E_KIND (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f64,
+threshold, too little scratch).
+Cost: 0.3 to 1.2 us a shape.
+Since: 0.1.""",
     ),
     "vesica_check_f32": (
         c_int32,
@@ -1302,8 +1448,11 @@ overlap in part cross; a point on the rim of a disc is VESICA_INSIDE_TOUCH. Exch
 gives the converse relation.
 
 Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe
-them. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE. Accuracy: exact. Cost: up to twice that of
-vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 30 us. Since: 0.1.""",
+them.
+Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 30 us.
+Since: 0.1.""",
     ),
     "vesica_contains_f32": (
         c_int32,
@@ -1333,13 +1482,16 @@ order along a's outline, counter-clockwise in the frame of its axis. The start i
 hy perp(u), an ellipse's point C + a u (one without area begins as a box), a circle's point C + (r, 0), or a
 segment's first end.
 
-Returns: the number of places, 0 to 8. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+Returns: the number of places, 0 to 8.
+Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
 Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape,
 even where the outlines nearly coincide. Places closer to one another than that may come in either order or
 be equal. Each number is computed in double, within these bounds, and then rounded to float once. In bounds
 on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and
 |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u
-times the scale. An aspect ratio is longer over shorter size. Cost: 1 to 10 us; at worst 30 us. Since: 0.1.""",
+times the scale. An aspect ratio is longer over shorter size.
+Cost: 1 to 10 us; at worst 30 us.
+Since: 0.1.""",
     ),
     "vesica_nearest_f32": (
         c_int32,
@@ -1352,17 +1504,19 @@ If the shapes overlap (as vesica_overlap_f32 tells), the distance is 0 and both 
 If not, the distance is > 0. Exchanging the shapes exchanges the points and changes no bit. Moving both
 shapes alike changes no bit of the distance if no coordinate is rounded.
 
-Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: the distance is
-right to 4 u scale at any aspect ratio; the largest error seen was 1 u scale, and 3.3 u beside the ends of
-the thinnest ellipses. Its relative error is at most 2 u above 1e-10 scale (aspect ratios up to 1e6) or
-1e-14 scale (up to 1000). Closest points are right to 4 u scale, and a common point to 8 u scale, before
-they are rounded. Each number is computed in double, within these bounds, and then rounded to float once. In
-bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of
-|dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at
-most 4 u times the scale. An aspect ratio is longer over shorter size. Cost: 100 to 250 ns for disjoint
-shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest ellipses; 50 ns if a shape holds the
-other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below 2^-40; at
-worst 25 us. Since: 0.1.""",
+Returns: 0.
+Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+Accuracy: the distance is right to 4 u scale at any aspect ratio; the largest error seen was 1 u scale, and
+3.3 u beside the ends of the thinnest ellipses. Its relative error is at most 2 u above 1e-10 scale (aspect
+ratios up to 1e6) or 1e-14 scale (up to 1000). Closest points are right to 4 u scale, and a common point to
+8 u scale, before they are rounded. Each number is computed in double, within these bounds, and then rounded
+to float once. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes
+is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means
+an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
+Cost: 100 to 250 ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest
+ellipses; 50 ns if a shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and
+magnitudes above 2^40 or below 2^-40; at worst 25 us.
+Since: 0.1.""",
     ),
     "vesica_boundary_distance_f32": (
         c_int32,
@@ -1378,15 +1532,18 @@ distance is the least over the whole outline, never a local minimum. Which case 
 Exchanging the shapes exchanges the points and changes no bit. Moving both shapes alike changes no bit of
 the distance if no coordinate is rounded.
 
-Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: at aspect ratios
-up to 1e6 the distance is right to 4 u scale, and the points are that far apart to 16 u scale. At any ratio
-it is above 0 unless outlines meet, and points are on them to 12 u scale before they are rounded. Each
-number is computed in double, within these bounds, and then rounded to float once. In bounds on errors u is
-2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between
-their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale.
-An aspect ratio is longer over shorter size. Cost: that of vesica_nearest_f32 for disjoint shapes; 0.1 to
-0.5 us for nested ones, for a few 1 us more; 0.4 to 0.8 us if outlines meet, for thin shapes as
-vesica_crossings_f32; up to 5 us more for near-ties; at worst 30 us. Since: 0.1.""",
+Returns: 0.
+Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+Accuracy: at aspect ratios up to 1e6 the distance is right to 4 u scale, and the points are that far apart
+to 16 u scale. At any ratio it is above 0 unless outlines meet, and points are on them to 12 u scale before
+they are rounded. Each number is computed in double, within these bounds, and then rounded to float once. In
+bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of
+|dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at
+most 4 u times the scale. An aspect ratio is longer over shorter size.
+Cost: that of vesica_nearest_f32 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more;
+0.4 to 0.8 us if outlines meet, for thin shapes as vesica_crossings_f32; up to 5 us more for near-ties; at
+worst 30 us.
+Since: 0.1.""",
     ),
     "vesica_depth_f32": (
         c_int32,
@@ -1403,15 +1560,17 @@ line. Otherwise the depth is > 0. Exchanging the shapes reverses the direction a
 except for two equal shapes in one place. Moving both shapes alike changes no bit if no coordinate is
 rounded.
 
-Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: at aspect ratios
-up to 1e6 the depth is right to 4 u scale; for circles and points, to its last place. The length of (x, y)
-is 1 to 3 u. After the move at most 8 u scale of overlap is left. Whether the depth is 0 is exact. Each
-number is computed in double, within these bounds, and then rounded to float once. In bounds on errors u is
-2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between
-their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale.
-An aspect ratio is longer over shorter size. Cost: about 150 ns for points, segments and boxes; 0.5 us with
-an ellipse, for a few 1 us more; up to 5 us if only exact arithmetic can tell the depth from 0; at worst 25
-us. Since: 0.1.""",
+Returns: 0.
+Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+Accuracy: at aspect ratios up to 1e6 the depth is right to 4 u scale; for circles and points, to its last
+place. The length of (x, y) is 1 to 3 u. After the move at most 8 u scale of overlap is left. Whether the
+depth is 0 is exact. Each number is computed in double, within these bounds, and then rounded to float once.
+In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest
+of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at
+most 4 u times the scale. An aspect ratio is longer over shorter size.
+Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to 5 us
+if only exact arithmetic can tell the depth from 0; at worst 25 us.
+Since: 0.1.""",
     ),
     "vesica_shape_area_f32": (
         c_int32,
@@ -1420,10 +1579,13 @@ us. Since: 0.1.""",
 
 Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
 
-Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: the double
-nearest to the true area; a tiny area becomes subnormal or 0. So a shape inside another never has the
-greater area, and equal shapes have equal areas, whatever kinds and numbers describe them. Each number is
-computed in double, within these bounds, and then rounded to float once. Cost: about 20 ns. Since: 0.1.""",
+Returns: 0.
+Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+Accuracy: the double nearest to the true area; a tiny area becomes subnormal or 0. So a shape inside another
+never has the greater area, and equal shapes have equal areas, whatever kinds and numbers describe them.
+Each number is computed in double, within these bounds, and then rounded to float once.
+Cost: about 20 ns.
+Since: 0.1.""",
     ),
     "vesica_area_f32": (
         c_int32,
@@ -1437,14 +1599,17 @@ other, it is the vesica_shape_area_f32 of the inner one. It is never more than t
 than 0 if the insides of shapes with area meet, unless that underflows. Exchanging the shapes changes no
 bit. Scaling both by a power of two scales the area by its square.
 
-Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: right to 64 u
-times the smaller shape's area times the larger aspect ratio, at aspect ratios up to 10^4, even if the
-outlines nearly touch or coincide and whatever the sizes are. Each number is computed in double, within
-these bounds, and then rounded to float once. In bounds on errors u is 2^-53, half a unit in the last place
-of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
-lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over
-shorter size. Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up
-to 10 us if outlines nearly touch or coincide, or if one shape is far larger; at worst 30 us. Since: 0.1.""",
+Returns: 0.
+Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+Accuracy: right to 64 u times the smaller shape's area times the larger aspect ratio, at aspect ratios up to
+10^4, even if the outlines nearly touch or coincide and whatever the sizes are. Each number is computed in
+double, within these bounds, and then rounded to float once. In bounds on errors u is 2^-53, half a unit in
+the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
+their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is
+longer over shorter size.
+Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if
+outlines nearly touch or coincide, or if one shape is far larger; at worst 30 us.
+Since: 0.1.""",
     ),
     "vesica_iou_f32": (
         c_int32,
@@ -1471,10 +1636,12 @@ Since: 0.1.""",
 
 Smallest box of representable numbers that contains a shape.
 
-Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: each side is the
-true extreme of the shape, rounded outward once. So a representable box is exact. Cost: up to 80 ns; 1 to 3
-us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis and representable
-sides; at worst 6 us. Since: 0.1.""",
+Returns: 0.
+Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is exact.
+Cost: up to 80 ns; 1 to 3 us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique
+axis and representable sides; at worst 6 us.
+Since: 0.1.""",
     ),
     "vesica_overlap_point_point_f32": (
         c_int32,
@@ -1483,9 +1650,12 @@ sides; at worst 6 us. Since: 0.1.""",
 
 Are the two points the same?
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_overlap_point_segment_f32": (
         c_int32,
@@ -1494,9 +1664,12 @@ decide; at worst 25 us. Since: 0.1.""",
 
 Does the point lie on the segment? End points count.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_overlap_point_circle_f32": (
         c_int32,
@@ -1505,9 +1678,12 @@ decide; at worst 25 us. Since: 0.1.""",
 
 Does the point lie in the disc or on its rim?
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_overlap_point_aabb_f32": (
         c_int32,
@@ -1516,9 +1692,12 @@ decide; at worst 25 us. Since: 0.1.""",
 
 Does the point lie in the box or on its outline?
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_overlap_point_rect_f32": (
         c_int32,
@@ -1527,9 +1706,12 @@ decide; at worst 25 us. Since: 0.1.""",
 
 Does the point lie in the rectangle or on its outline?
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_overlap_point_ellipse_f32": (
         c_int32,
@@ -1538,9 +1720,12 @@ decide; at worst 25 us. Since: 0.1.""",
 
 Does the point lie in the ellipse or on its outline?
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_overlap_segment_segment_f32": (
         c_int32,
@@ -1549,9 +1734,12 @@ decide; at worst 25 us. Since: 0.1.""",
 
 Do the segments share a point? End points count, and so do stretches along one line.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_overlap_segment_circle_f32": (
         c_int32,
@@ -1560,9 +1748,12 @@ decide; at worst 25 us. Since: 0.1.""",
 
 Does the segment meet the disc? A tangent segment does.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_overlap_segment_aabb_f32": (
         c_int32,
@@ -1571,9 +1762,12 @@ decide; at worst 25 us. Since: 0.1.""",
 
 Does the segment meet the box? A segment inside it does.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_overlap_segment_rect_f32": (
         c_int32,
@@ -1582,9 +1776,12 @@ decide; at worst 25 us. Since: 0.1.""",
 
 Does the segment meet the rectangle? A segment inside it does.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_overlap_segment_ellipse_f32": (
         c_int32,
@@ -1593,9 +1790,12 @@ decide; at worst 25 us. Since: 0.1.""",
 
 Does the segment meet the ellipse? A tangent segment does.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_overlap_circle_circle_f32": (
         c_int32,
@@ -1604,9 +1804,12 @@ decide; at worst 25 us. Since: 0.1.""",
 
 Do the discs share a point? Discs that touch from outside do.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_overlap_circle_aabb_f32": (
         c_int32,
@@ -1615,9 +1818,12 @@ decide; at worst 25 us. Since: 0.1.""",
 
 Do the disc and the box share a point?
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_overlap_circle_rect_f32": (
         c_int32,
@@ -1626,9 +1832,12 @@ decide; at worst 25 us. Since: 0.1.""",
 
 Do the disc and the rectangle share a point?
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_overlap_circle_ellipse_f32": (
         c_int32,
@@ -1637,9 +1846,12 @@ decide; at worst 25 us. Since: 0.1.""",
 
 Do the disc and the ellipse share a point?
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_overlap_aabb_aabb_f32": (
         c_int32,
@@ -1648,9 +1860,12 @@ decide; at worst 25 us. Since: 0.1.""",
 
 Do the boxes share a point? Boxes that share an edge or a corner do.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_overlap_aabb_rect_f32": (
         c_int32,
@@ -1659,9 +1874,12 @@ decide; at worst 25 us. Since: 0.1.""",
 
 Do the box and the rectangle share a point?
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_overlap_aabb_ellipse_f32": (
         c_int32,
@@ -1670,9 +1888,12 @@ decide; at worst 25 us. Since: 0.1.""",
 
 Do the box and the ellipse share a point?
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_overlap_rect_rect_f32": (
         c_int32,
@@ -1681,9 +1902,12 @@ decide; at worst 25 us. Since: 0.1.""",
 
 Do the rectangles share a point? Rectangles that share an edge or a corner do.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_overlap_rect_ellipse_f32": (
         c_int32,
@@ -1692,9 +1916,12 @@ decide; at worst 25 us. Since: 0.1.""",
 
 Do the rectangle and the ellipse share a point? They do if one is inside the other.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_overlap_ellipse_ellipse_f32": (
         c_int32,
@@ -1703,9 +1930,12 @@ decide; at worst 25 us. Since: 0.1.""",
 
 Do the ellipses share a point? They do if one is inside the other.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact. Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can
-decide; at worst 25 us. Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not.
+Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25
+us.
+Since: 0.1.""",
     ),
     "vesica_aabb_from_corners_f32": (
         c_int32,
@@ -1726,12 +1956,15 @@ Since: 0.1.""",
 
 Rectangle from centre, angle and full size: width along the angle, height across it.
 
-Requires: the angle in radians, counter-clockwise from +x if y points up; width, height >= 0. Returns: 0;
-the shape is valid. Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE. Accuracy: the axis
-is (cos, sin), each right to 1 unit in the last place. No double is exactly pi/2, so a quarter turn has an
-exact axis only by vesica_rects_from_boxes_f32, which takes degrees too. Sizes are exact: if halving one
-would round (an odd multiple of the smallest subnormal number), the axis is halved instead. Cost: about 40
-ns. Since: 0.1.""",
+Requires: the angle in radians, counter-clockwise from +x if y points up; width, height >= 0.
+Returns: 0; the shape is valid.
+Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.
+Accuracy: the axis is (cos, sin), each right to 1 unit in the last place. No double is exactly pi/2, so a
+quarter turn has an exact axis only by vesica_rects_from_boxes_f32, which takes degrees too. Sizes are
+exact: if halving one would round (an odd multiple of the smallest subnormal number), the axis is halved
+instead.
+Cost: about 40 ns.
+Since: 0.1.""",
     ),
     "vesica_rect_from_corners_f32": (
         c_int32,
@@ -1746,11 +1979,14 @@ hx belongs to that edge. Opposite edges are averaged; the longer pair gives the 
 pair counts by its part across it. Two or four equal corners are legal: they give a segment, or a point with
 axis (1, 0).
 
-Returns: 0; the shape is valid. Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_RANGE (a half extent
-overflows). Accuracy: half extents, and the axis times the longer one, are right to 8 units in the last
-place of the longer one; the centre is right to 1 unit in its own. Both errors may grow by 2^-98 times the
-largest coordinate. A rectangle along the coordinate axes is found exactly if its centre and half extents
-are representable. Cost: about 110 ns. Since: 0.1.""",
+Returns: 0; the shape is valid.
+Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_RANGE (a half extent overflows).
+Accuracy: half extents, and the axis times the longer one, are right to 8 units in the last place of the
+longer one; the centre is right to 1 unit in its own. Both errors may grow by 2^-98 times the largest
+coordinate. A rectangle along the coordinate axes is found exactly if its centre and half extents are
+representable.
+Cost: about 110 ns.
+Since: 0.1.""",
     ),
     "vesica_ellipse_from_angle_f32": (
         c_int32,
@@ -1793,10 +2029,14 @@ A singular covariance, or k = 0, gives a segment or a point. The result has a >=
 vector with x >= 0, or (1, 0) for equal variances without correlation.
 
 Requires: the covariance cxx, cxy, cyy (units squared) positive semidefinite: cxy^2 <= cxx cyy as stored; k
->= 0. Returns: 0; the shape is valid. Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE (k
-< 0), VESICA_E_ARGUMENT (not a covariance), VESICA_E_RANGE (a half length overflows). Accuracy: half lengths
-and both components of the axis are right to 8 units in their own last place, even if the matrix is nearly
-singular or nearly a circle's. Cost: about 90 ns. Since: 0.1.""",
+>= 0.
+Returns: 0; the shape is valid.
+Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE (k < 0), VESICA_E_ARGUMENT (not a
+covariance), VESICA_E_RANGE (a half length overflows).
+Accuracy: half lengths and both components of the axis are right to 8 units in their own last place, even if
+the matrix is nearly singular or nearly a circle's.
+Cost: about 90 ns.
+Since: 0.1.""",
     ),
     "vesica_ellipse_from_matrix_f32": (
         c_int32,
@@ -1822,8 +2062,10 @@ Since: 0.1.""",
 Describes an array of `count` records, each of which starts with a shape's struct.
 
 Requires: base, the first record's shape, which may be NULL if count is 0; stride, the bytes from one record
-to the next; count >= 0. Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (negative
-count). Since: 0.1.""",
+to the next; count >= 0.
+Returns: 0.
+Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (negative count).
+Since: 0.1.""",
     ),
     "vesica_overlap_many_f32": (
         c_int64,
@@ -1834,12 +2076,16 @@ Do a[i] and b[i] share a point? out[i] is the answer of vesica_overlap_f32.
 
 Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
-be NULL. Returns: how many are 1. Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes)
-or NaN (numbers), and all others are written as usual. Before anything is written: VESICA_E_NULL (but if a
-count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or
-do not agree, reserved is not 0, or an array that exceeds the address space). Accuracy: every result has the
-same bits as the function for two shapes, on every instruction set, in every layout. Cost: in cache, from
-columns, with AVX-512: 0.6 to 1.1 ns a pair in double, 0.3 to 0.5 ns in float. Since: 0.1.""",
+be NULL.
+Returns: how many are 1.
+Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
+are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may
+be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
+an array that exceeds the address space).
+Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
+layout.
+Cost: in cache, from columns, with AVX-512: 0.6 to 1.1 ns a pair in double, 0.3 to 0.5 ns in float.
+Since: 0.1.""",
     ),
     "vesica_relation_many_f32": (
         c_int64,
@@ -1850,13 +2096,17 @@ How does a[i] relate to b[i]? out[i] is the answer of vesica_relation_f32.
 
 Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
-be NULL. Returns: how many are not VESICA_DISJOINT. Errors: VESICA_E_SHAPE if an element is invalid: its
-results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is written:
-VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
-(counts that are negative or do not agree, reserved is not 0, or an array that exceeds the address space).
+be NULL.
+Returns: how many are not VESICA_DISJOINT.
+Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
+are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may
+be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
+an array that exceeds the address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
-layout. Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30
-ns more where numbers are copied first (docs/benchmarks.md). Since: 0.1.""",
+layout.
+Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+where numbers are copied first (docs/benchmarks.md).
+Since: 0.1.""",
     ),
     "vesica_contains_many_f32": (
         c_int64,
@@ -1867,13 +2117,17 @@ Does a[i] contain all of b[i]? out[i] is the answer of vesica_contains_f32.
 
 Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
-be NULL. Returns: how many are 1. Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes)
-or NaN (numbers), and all others are written as usual. Before anything is written: VESICA_E_NULL (but if a
-count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or
-do not agree, reserved is not 0, or an array that exceeds the address space). Accuracy: every result has the
-same bits as the function for two shapes, on every instruction set, in every layout. Cost: a pair takes a
-fifth of the time of the function for two shapes to about as much, and up to 30 ns more where numbers are
-copied first (docs/benchmarks.md). Since: 0.1.""",
+be NULL.
+Returns: how many are 1.
+Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
+are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may
+be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
+an array that exceeds the address space).
+Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
+layout.
+Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+where numbers are copied first (docs/benchmarks.md).
+Since: 0.1.""",
     ),
     "vesica_nearest_many_f32": (
         c_int64,
@@ -1884,13 +2138,17 @@ How far apart are a[i] and b[i], and where? The columns are the fields of vesica
 
 Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
-be NULL. Returns: how many pairs overlap (distance 0). Errors: VESICA_E_SHAPE if an element is invalid: its
-results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is written:
-VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
-(counts that are negative or do not agree, reserved is not 0, or an array that exceeds the address space).
+be NULL.
+Returns: how many pairs overlap (distance 0).
+Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
+are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may
+be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
+an array that exceeds the address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
-layout. Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30
-ns more where numbers are copied first (docs/benchmarks.md). Since: 0.1.""",
+layout.
+Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+where numbers are copied first (docs/benchmarks.md).
+Since: 0.1.""",
     ),
     "vesica_boundary_distance_many_f32": (
         c_int64,
@@ -1902,13 +2160,17 @@ vesica_boundary_distance_f32's result.
 
 Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
-be NULL. Returns: how many pairs of outlines meet (distance 0). Errors: VESICA_E_SHAPE if an element is
-invalid: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
-written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND,
-VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that exceeds the
-address space). Accuracy: every result has the same bits as the function for two shapes, on every
-instruction set, in every layout. Cost: a pair takes a fifth of the time of the function for two shapes to
-about as much, and up to 30 ns more where numbers are copied first (docs/benchmarks.md). Since: 0.1.""",
+be NULL.
+Returns: how many pairs of outlines meet (distance 0).
+Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
+are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may
+be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
+an array that exceeds the address space).
+Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
+layout.
+Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+where numbers are copied first (docs/benchmarks.md).
+Since: 0.1.""",
     ),
     "vesica_depth_many_f32": (
         c_int64,
@@ -1919,13 +2181,17 @@ How deep do a[i] and b[i] overlap? The columns are the fields of vesica_depth_f3
 
 Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
-be NULL. Returns: how many depths are > 0. Errors: VESICA_E_SHAPE if an element is invalid: its results are
-0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is written: VESICA_E_NULL
-(but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are
-negative or do not agree, reserved is not 0, or an array that exceeds the address space). Accuracy: every
-result has the same bits as the function for two shapes, on every instruction set, in every layout. Cost: a
-pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more where
-numbers are copied first (docs/benchmarks.md). Since: 0.1.""",
+be NULL.
+Returns: how many depths are > 0.
+Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
+are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may
+be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
+an array that exceeds the address space).
+Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
+layout.
+Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+where numbers are copied first (docs/benchmarks.md).
+Since: 0.1.""",
     ),
     "vesica_area_many_f32": (
         c_int64,
@@ -1936,13 +2202,17 @@ What area do a[i] and b[i] share? out[i] is the result of vesica_area_f32.
 
 Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
-be NULL. Returns: how many areas are > 0. Errors: VESICA_E_SHAPE if an element is invalid: its results are 0
-(bytes) or NaN (numbers), and all others are written as usual. Before anything is written: VESICA_E_NULL
-(but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are
-negative or do not agree, reserved is not 0, or an array that exceeds the address space). Accuracy: every
-result has the same bits as the function for two shapes, on every instruction set, in every layout. Cost: a
-pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more where
-numbers are copied first (docs/benchmarks.md). Since: 0.1.""",
+be NULL.
+Returns: how many areas are > 0.
+Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
+are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may
+be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
+an array that exceeds the address space).
+Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
+layout.
+Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+where numbers are copied first (docs/benchmarks.md).
+Since: 0.1.""",
     ),
     "vesica_iou_many_f32": (
         c_int64,
@@ -1956,13 +2226,17 @@ invalid.
 
 Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
-be NULL. Returns: how many are > 0. Errors: VESICA_E_SHAPE if an element is invalid: its results are 0
-(bytes) or NaN (numbers), and all others are written as usual. Before anything is written: VESICA_E_NULL
-(but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are
-negative or do not agree, reserved is not 0, or an array that exceeds the address space). Accuracy: every
-result has the same bits as the function for two shapes, on every instruction set, in every layout. Cost: a
-pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more where
-numbers are copied first (docs/benchmarks.md). Since: 0.1.""",
+be NULL.
+Returns: how many are > 0.
+Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
+are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may
+be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
+an array that exceeds the address space).
+Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
+layout.
+Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
+where numbers are copied first (docs/benchmarks.md).
+Since: 0.1.""",
     ),
     "vesica_overlap_matrix_f32": (
         c_int64,
@@ -1974,13 +2248,16 @@ order.
 
 Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts
 elements of out. With two or more rows its magnitude is at least b's count; if it is negative, rows run
-backwards in memory. Returns: how many are 1. Errors: VESICA_E_SHAPE if an element is invalid: its results
-are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is written:
-VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
-negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
+backwards in memory.
+Returns: how many are 1.
+Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
+are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be
+NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array
+or rows that exceed the address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
-layout. Cost: for each pair at most as in a batch of one shape against many, whatever the size of the
-arrays. Since: 0.1.""",
+layout.
+Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
+Since: 0.1.""",
     ),
     "vesica_relation_matrix_f32": (
         c_int64,
@@ -1991,13 +2268,16 @@ How does a[i] relate to b[j]? The elements of out are answers of vesica_relation
 
 Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts
 elements of out. With two or more rows its magnitude is at least b's count; if it is negative, rows run
-backwards in memory. Returns: how many are not VESICA_DISJOINT. Errors: VESICA_E_SHAPE if an element is
-invalid: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
-written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
-(a negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
+backwards in memory.
+Returns: how many are not VESICA_DISJOINT.
+Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
+are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be
+NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array
+or rows that exceed the address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
-layout. Cost: for each pair at most as in a batch of one shape against many, whatever the size of the
-arrays. Since: 0.1.""",
+layout.
+Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
+Since: 0.1.""",
     ),
     "vesica_contains_matrix_f32": (
         c_int64,
@@ -2008,13 +2288,16 @@ Does a[i] contain all of b[j]? The elements of out are answers of vesica_contain
 
 Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts
 elements of out. With two or more rows its magnitude is at least b's count; if it is negative, rows run
-backwards in memory. Returns: how many are 1. Errors: VESICA_E_SHAPE if an element is invalid: its results
-are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is written:
-VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
-negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
+backwards in memory.
+Returns: how many are 1.
+Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
+are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be
+NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array
+or rows that exceed the address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
-layout. Cost: for each pair at most as in a batch of one shape against many, whatever the size of the
-arrays. Since: 0.1.""",
+layout.
+Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
+Since: 0.1.""",
     ),
     "vesica_area_matrix_f32": (
         c_int64,
@@ -2025,13 +2308,16 @@ What area do a[i] and b[j] share? The elements of out are results of vesica_area
 
 Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts
 elements of out. With two or more rows its magnitude is at least b's count; if it is negative, rows run
-backwards in memory. Returns: how many are > 0. Errors: VESICA_E_SHAPE if an element is invalid: its results
-are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is written:
-VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
-negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
+backwards in memory.
+Returns: how many are > 0.
+Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
+are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be
+NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array
+or rows that exceed the address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
-layout. Cost: for each pair at most as in a batch of one shape against many, whatever the size of the
-arrays. Since: 0.1.""",
+layout.
+Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
+Since: 0.1.""",
     ),
     "vesica_iou_matrix_f32": (
         c_int64,
@@ -2045,13 +2331,16 @@ invalid.
 
 Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts
 elements of out. With two or more rows its magnitude is at least b's count; if it is negative, rows run
-backwards in memory. Returns: how many are > 0. Errors: VESICA_E_SHAPE if an element is invalid: its results
-are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is written:
-VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
-negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
+backwards in memory.
+Returns: how many are > 0.
+Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
+are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be
+NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array
+or rows that exceed the address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
-layout. Cost: for each pair at most as in a batch of one shape against many, whatever the size of the
-arrays. Since: 0.1.""",
+layout.
+Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
+Since: 0.1.""",
     ),
     "vesica_overlap_select_f32": (
         c_int64,
@@ -2061,12 +2350,15 @@ arrays. Since: 0.1.""",
 Which of many shapes overlap one? Their indices are written to out[0], out[1] ..., in ascending order.
 
 Requires: one, an array of count 1, which is looked at unless many is empty; capacity, how many indices out
-has room for. It may be 0, and out then NULL. Returns: how many there are, even if that exceeds the
-capacity. If room is left, the entry after the last is -1. Errors: VESICA_E_SHAPE if a shape is invalid: it
-is not selected, and the others are written as usual, up to the -1 or the capacity. Before anything is
-written: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (one's count is not 1, a negative capacity, and as
-vesica_overlap_many_f32). Accuracy: every answer is that of vesica_overlap_f32. Cost: that of
-vesica_overlap_many_f32. Since: 0.1.""",
+has room for. It may be 0, and out then NULL.
+Returns: how many there are, even if that exceeds the capacity. If room is left, the entry after the last is
+-1.
+Errors: VESICA_E_SHAPE if a shape is invalid: it is not selected, and the others are written as usual, up to
+the -1 or the capacity. Before anything is written: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (one's
+count is not 1, a negative capacity, and as vesica_overlap_many_f32).
+Accuracy: every answer is that of vesica_overlap_f32.
+Cost: that of vesica_overlap_many_f32.
+Since: 0.1.""",
     ),
     "vesica_nms_f32": (
         c_int32,
@@ -2080,12 +2372,15 @@ Of equal scores the lower index comes first. Infinite scores are legal. At thres
 
 Requires: shapes, of a kind from VESICA_CIRCLE to VESICA_ELLIPSE; scores, one for each; threshold from 0 to
 1; scratch, of vesica_nms_scratch bytes or more, with any alignment and content; keep, with room for all
-indices. Returns: 0, with *kept set to how many are kept. keep has their indices in the order of their
-scores; the rest of keep is not written. Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN:
-it is left out, and the result of the others is written. Before anything is written: VESICA_E_NULL (with
-count 0 all but shapes and kept may be NULL), VESICA_E_KIND (points and segments too), VESICA_E_ARGUMENT
-(the array as vesica_overlap_many_f32, threshold, too little scratch). Cost: 0.3 to 1.2 us a shape. Since:
-0.1.""",
+indices.
+Returns: 0, with *kept set to how many are kept. keep has their indices in the order of their scores; the
+rest of keep is not written.
+Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN: it is left out, and the result of the
+others is written. Before anything is written: VESICA_E_NULL (with count 0 all but shapes and kept may be
+NULL), VESICA_E_KIND (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f32,
+threshold, too little scratch).
+Cost: 0.3 to 1.2 us a shape.
+Since: 0.1.""",
     ),
     "vesica_rects_from_boxes_f64": (
         c_int64,
@@ -2095,13 +2390,16 @@ count 0 all but shapes and kept may be NULL), VESICA_E_KIND (points and segments
 Rectangles from boxes.
 
 Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; angle, a unit of
-angles, or its sum with VESICA_ANGLE_REVERSED; out, room for `count`. Returns: 0. Errors: VESICA_E_SHAPE if
-an element is invalid, or VESICA_E_RANGE if a number of its result would overflow: all numbers of that
-result are NaN, and all other results are written as usual. Before anything is written: VESICA_E_NULL (if
-count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array that exceeds
-the address space, an unknown unit of angles). Accuracy: the axis is (cos, sin), each right to 1.1 units in
-the last place. Degrees that are multiples of 90, and whole quarter turns, give exact axes. Sizes are those
-of vesica_rect_from_angle_f64. Cost: about 30 ns a box. Since: 0.1.""",
+angles, or its sum with VESICA_ANGLE_REVERSED; out, room for `count`.
+Returns: 0.
+Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would overflow:
+all numbers of that result are NaN, and all other results are written as usual. Before anything is written:
+VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an
+array that exceeds the address space, an unknown unit of angles).
+Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of
+90, and whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f64.
+Cost: about 30 ns a box.
+Since: 0.1.""",
     ),
     "vesica_ellipses_from_boxes_f64": (
         c_int64,
@@ -2110,12 +2408,15 @@ of vesica_rect_from_angle_f64. Cost: about 30 ns a box. Since: 0.1.""",
 
 Ellipses from their bounding boxes: each touches the sides of its turned box in the middle.
 
-Requires: as vesica_rects_from_boxes_f64. Returns: 0. Errors: VESICA_E_SHAPE if an element is invalid, or
-VESICA_E_RANGE if a number of its result would overflow: all numbers of that result are NaN, and all other
-results are written as usual. Before anything is written: VESICA_E_NULL (if count is 0, arrays may be NULL),
-VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array that exceeds the address space, an unknown unit
-of angles). Accuracy: as vesica_rects_from_boxes_f64. Half lengths are halves of width and height. Cost:
-about 30 ns a box. Since: 0.1.""",
+Requires: as vesica_rects_from_boxes_f64.
+Returns: 0.
+Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would overflow:
+all numbers of that result are NaN, and all other results are written as usual. Before anything is written:
+VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an
+array that exceeds the address space, an unknown unit of angles).
+Accuracy: as vesica_rects_from_boxes_f64. Half lengths are halves of width and height.
+Cost: about 30 ns a box.
+Since: 0.1.""",
     ),
     "vesica_boxes_from_shapes_f64": (
         c_int64,
@@ -2127,13 +2428,17 @@ Boxes from rectangles or from ellipses: the inverse of the two functions above.
 Angles are from -180 to 180 degrees, in the unit asked for.
 
 Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; angle as vesica_rects_from_boxes_f64; boxes, room
-for `count` rows of five numbers, without gaps. Returns: 0. Errors: VESICA_E_SHAPE if an element is invalid,
-or VESICA_E_RANGE if a number of its result would overflow: all numbers of that result are NaN, and all
-other results are written as usual. Before anything is written: VESICA_E_NULL (if count is 0, arrays may be
-NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array that exceeds the address space, an
-unknown unit of angles). Accuracy: width and height are right to 4 units in the last place, and the angle to
-2 units in the last place of a quarter turn. If an axis lies exactly along a coordinate axis, degrees and
-quarter turns are exact. Cost: about 70 ns a shape. Since: 0.1.""",
+for `count` rows of five numbers, without gaps.
+Returns: 0.
+Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would overflow:
+all numbers of that result are NaN, and all other results are written as usual. Before anything is written:
+VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an
+array that exceeds the address space, an unknown unit of angles).
+Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last
+place of a quarter turn. If an axis lies exactly along a coordinate axis, degrees and quarter turns are
+exact.
+Cost: about 70 ns a shape.
+Since: 0.1.""",
     ),
     "vesica_corners_of_shapes_f64": (
         c_int64,
@@ -2145,12 +2450,14 @@ The four corners of rectangles, or of the turned boxes that bound ellipses: x0 y
 The first corner is C - hx u - hy perp(u), the next C + hx u - hy perp(u), and so on round the outline.
 
 Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; corners, room for `count` rows of eight numbers.
-Returns: 0. Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result
-would overflow: all numbers of that result are NaN, and all other results are written as usual. Before
-anything is written: VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
-negative count, an array that exceeds the address space, an unknown unit of angles). Accuracy: a coordinate
-is right to 1 unit in its last place plus 2^-98 times the largest of its three terms. Cost: about 50 ns a
-shape; 20 ns with AVX2 or AVX-512. Since: 0.1.""",
+Returns: 0.
+Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would overflow:
+all numbers of that result are NaN, and all other results are written as usual. Before anything is written:
+VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an
+array that exceeds the address space, an unknown unit of angles).
+Accuracy: a coordinate is right to 1 unit in its last place plus 2^-98 times the largest of its three terms.
+Cost: about 50 ns a shape; 20 ns with AVX2 or AVX-512.
+Since: 0.1.""",
     ),
     "vesica_bounds_many_f64": (
         c_int64,
@@ -2159,12 +2466,15 @@ shape; 20 ns with AVX2 or AVX-512. Since: 0.1.""",
 
 Bounding boxes of an array of any kind: out[i] is the result of vesica_bounds_f64.
 
-Requires: out, room for `count`. Returns: 0. Errors: VESICA_E_SHAPE if an element is invalid, or
-VESICA_E_RANGE if a number of its result would overflow: all numbers of that result are NaN, and all other
-results are written as usual. Before anything is written: VESICA_E_NULL (if count is 0, arrays may be NULL),
-VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array that exceeds the address space, an unknown unit
-of angles). Accuracy: that of vesica_bounds_f64. Cost: that of vesica_bounds_f64; with AVX2 or AVX-512 about
-10 ns for shapes of which that takes up to 80. Since: 0.1.""",
+Requires: out, room for `count`.
+Returns: 0.
+Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would overflow:
+all numbers of that result are NaN, and all other results are written as usual. Before anything is written:
+VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an
+array that exceeds the address space, an unknown unit of angles).
+Accuracy: that of vesica_bounds_f64.
+Cost: that of vesica_bounds_f64; with AVX2 or AVX-512 about 10 ns for shapes of which that takes up to 80.
+Since: 0.1.""",
     ),
     "vesica_rects_from_boxes_f32": (
         c_int64,
@@ -2174,14 +2484,17 @@ of angles). Accuracy: that of vesica_bounds_f64. Cost: that of vesica_bounds_f64
 Rectangles from boxes.
 
 Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; angle, a unit of
-angles, or its sum with VESICA_ANGLE_REVERSED; out, room for `count`. Returns: 0. Errors: VESICA_E_SHAPE if
-an element is invalid, or VESICA_E_RANGE if a number of its result would overflow: all numbers of that
-result are NaN, and all other results are written as usual. Before anything is written: VESICA_E_NULL (if
-count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array that exceeds
-the address space, an unknown unit of angles). Accuracy: the axis is (cos, sin), each right to 1.1 units in
-the last place. Degrees that are multiples of 90, and whole quarter turns, give exact axes. Sizes are those
-of vesica_rect_from_angle_f32. Each number is computed in double, within these bounds, and then rounded to
-float once. Cost: about 30 ns a box. Since: 0.1.""",
+angles, or its sum with VESICA_ANGLE_REVERSED; out, room for `count`.
+Returns: 0.
+Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would overflow:
+all numbers of that result are NaN, and all other results are written as usual. Before anything is written:
+VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an
+array that exceeds the address space, an unknown unit of angles).
+Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of
+90, and whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f32. Each number is
+computed in double, within these bounds, and then rounded to float once.
+Cost: about 30 ns a box.
+Since: 0.1.""",
     ),
     "vesica_ellipses_from_boxes_f32": (
         c_int64,
@@ -2190,12 +2503,15 @@ float once. Cost: about 30 ns a box. Since: 0.1.""",
 
 Ellipses from their bounding boxes: each touches the sides of its turned box in the middle.
 
-Requires: as vesica_rects_from_boxes_f32. Returns: 0. Errors: VESICA_E_SHAPE if an element is invalid, or
-VESICA_E_RANGE if a number of its result would overflow: all numbers of that result are NaN, and all other
-results are written as usual. Before anything is written: VESICA_E_NULL (if count is 0, arrays may be NULL),
-VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array that exceeds the address space, an unknown unit
-of angles). Accuracy: as vesica_rects_from_boxes_f32. Half lengths are halves of width and height. Each
-number is computed in double, within these bounds, and then rounded to float once. Cost: about 30 ns a box.
+Requires: as vesica_rects_from_boxes_f32.
+Returns: 0.
+Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would overflow:
+all numbers of that result are NaN, and all other results are written as usual. Before anything is written:
+VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an
+array that exceeds the address space, an unknown unit of angles).
+Accuracy: as vesica_rects_from_boxes_f32. Half lengths are halves of width and height.
+Each number is computed in double, within these bounds, and then rounded to float once.
+Cost: about 30 ns a box.
 Since: 0.1.""",
     ),
     "vesica_boxes_from_shapes_f32": (
@@ -2208,14 +2524,17 @@ Boxes from rectangles or from ellipses: the inverse of the two functions above.
 Angles are from -180 to 180 degrees, in the unit asked for.
 
 Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; angle as vesica_rects_from_boxes_f32; boxes, room
-for `count` rows of five numbers, without gaps. Returns: 0. Errors: VESICA_E_SHAPE if an element is invalid,
-or VESICA_E_RANGE if a number of its result would overflow: all numbers of that result are NaN, and all
-other results are written as usual. Before anything is written: VESICA_E_NULL (if count is 0, arrays may be
-NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array that exceeds the address space, an
-unknown unit of angles). Accuracy: width and height are right to 4 units in the last place, and the angle to
-2 units in the last place of a quarter turn. If an axis lies exactly along a coordinate axis, degrees and
-quarter turns are exact. Each number is computed in double, within these bounds, and then rounded to float
-once. Cost: about 70 ns a shape. Since: 0.1.""",
+for `count` rows of five numbers, without gaps.
+Returns: 0.
+Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would overflow:
+all numbers of that result are NaN, and all other results are written as usual. Before anything is written:
+VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an
+array that exceeds the address space, an unknown unit of angles).
+Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last
+place of a quarter turn. If an axis lies exactly along a coordinate axis, degrees and quarter turns are
+exact. Each number is computed in double, within these bounds, and then rounded to float once.
+Cost: about 70 ns a shape.
+Since: 0.1.""",
     ),
     "vesica_corners_of_shapes_f32": (
         c_int64,
@@ -2227,13 +2546,15 @@ The four corners of rectangles, or of the turned boxes that bound ellipses: x0 y
 The first corner is C - hx u - hy perp(u), the next C + hx u - hy perp(u), and so on round the outline.
 
 Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; corners, room for `count` rows of eight numbers.
-Returns: 0. Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result
-would overflow: all numbers of that result are NaN, and all other results are written as usual. Before
-anything is written: VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
-negative count, an array that exceeds the address space, an unknown unit of angles). Accuracy: a coordinate
-is right to 1 unit in its last place plus 2^-98 times the largest of its three terms. Each number is
-computed in double, within these bounds, and then rounded to float once. Cost: about 50 ns a shape; 20 ns
-with AVX2 or AVX-512. Since: 0.1.""",
+Returns: 0.
+Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would overflow:
+all numbers of that result are NaN, and all other results are written as usual. Before anything is written:
+VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an
+array that exceeds the address space, an unknown unit of angles).
+Accuracy: a coordinate is right to 1 unit in its last place plus 2^-98 times the largest of its three terms.
+Each number is computed in double, within these bounds, and then rounded to float once.
+Cost: about 50 ns a shape; 20 ns with AVX2 or AVX-512.
+Since: 0.1.""",
     ),
     "vesica_bounds_many_f32": (
         c_int64,
@@ -2242,12 +2563,15 @@ with AVX2 or AVX-512. Since: 0.1.""",
 
 Bounding boxes of an array of any kind: out[i] is the result of vesica_bounds_f32.
 
-Requires: out, room for `count`. Returns: 0. Errors: VESICA_E_SHAPE if an element is invalid, or
-VESICA_E_RANGE if a number of its result would overflow: all numbers of that result are NaN, and all other
-results are written as usual. Before anything is written: VESICA_E_NULL (if count is 0, arrays may be NULL),
-VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array that exceeds the address space, an unknown unit
-of angles). Accuracy: that of vesica_bounds_f32. Cost: that of vesica_bounds_f32; with AVX2 or AVX-512 about
-10 ns for shapes of which that takes up to 80. Since: 0.1.""",
+Requires: out, room for `count`.
+Returns: 0.
+Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would overflow:
+all numbers of that result are NaN, and all other results are written as usual. Before anything is written:
+VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an
+array that exceeds the address space, an unknown unit of angles).
+Accuracy: that of vesica_bounds_f32.
+Cost: that of vesica_bounds_f32; with AVX2 or AVX-512 about 10 ns for shapes of which that takes up to 80.
+Since: 0.1.""",
     ),
     "vesica_index_size": (
         c_int64,
@@ -2329,9 +2653,11 @@ A box around all valid shapes of an index.
 
 Two indexes whose boxes are disjoint have no overlapping pairs.
 
-Returns: 0. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned), VESICA_E_INDEX (not an
-index's header). Accuracy: the box is a little larger than the smallest one; a side that overflows is
-infinite. Without valid shapes min is infinity and max is -infinity. Since: 0.1.""",
+Returns: 0.
+Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned), VESICA_E_INDEX (not an index's header).
+Accuracy: the box is a little larger than the smallest one; a side that overflows is infinite. Without valid
+shapes min is infinity and max is -infinity.
+Since: 0.1.""",
     ),
     "vesica_index_order": (
         c_int64,
@@ -2359,9 +2685,11 @@ If shapes are invalid, the call returns VESICA_E_SHAPE, and the index is complet
 have moved, build it again.
 
 Requires: index_size >= vesica_index_size(items) and scratch_size >= vesica_index_scratch(items). The
-scratch may be reused after the call. Returns: how many bytes of the index are used. Errors: VESICA_E_NULL,
-VESICA_E_KIND, VESICA_E_ARGUMENT (a wrong count, size or alignment), VESICA_E_SHAPE. Cost: 30 to 50 ns a
-shape. Since: 0.1.""",
+scratch may be reused after the call.
+Returns: how many bytes of the index are used.
+Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a wrong count, size or alignment), VESICA_E_SHAPE.
+Cost: 30 to 50 ns a shape.
+Since: 0.1.""",
     ),
     "vesica_index_step_f64": (
         c_int64,
@@ -2375,11 +2703,12 @@ the same time. All parts of a step must end before the next step begins. All oth
 all calls.
 
 Requires: 0 <= step <= 4 and 0 <= part < parts; parts is 1 in steps 0 and 4. The rest is as for the build.
-Returns: 0; at step 4 what vesica_index_build_f64 returns. Errors: those of vesica_index_build_f64.
-VESICA_E_ARGUMENT also, with nothing done, if step, part or parts is out of range, if the scratch is not
-that of step 0 of a build that has not ended, if a part of the step before is missing, or if some of this
-part was done before. Cost: in all that of the build: three fifths in step 1; a tenth in step 0, which
-cannot be divided. Since: 0.1.""",
+Returns: 0; at step 4 what vesica_index_build_f64 returns.
+Errors: those of vesica_index_build_f64. VESICA_E_ARGUMENT also, with nothing done, if step, part or parts
+is out of range, if the scratch is not that of step 0 of a build that has not ended, if a part of the step
+before is missing, or if some of this part was done before.
+Cost: in all that of the build: three fifths in step 1; a tenth in step 0, which cannot be divided.
+Since: 0.1.""",
     ),
     "vesica_index_select_f64": (
         c_int64,
@@ -2392,11 +2721,14 @@ To ask for many shapes, index them too and call vesica_join_f64.
 
 Requires: sets are those of the index; or NULL, with set_count 0, to find the items whose bounds meet the
 shape's. one, an array of count 1. out has room for `capacity` items. With capacity 0, out and state may be
-NULL. Returns: the number of items written; with capacity 0, how many there are. Errors: VESICA_E_NULL,
-VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a number or a size is
-out of range, a pointer is not aligned, sets are not the index's, the state is from another call). Accuracy:
-exact, if there are sets. Cost: about 0.5 us for a few shapes that are found, 2 us for 1,000 boxes. Since:
-0.1.""",
+NULL.
+Returns: the number of items written; with capacity 0, how many there are.
+Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT
+(a number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from
+another call).
+Accuracy: exact, if there are sets.
+Cost: about 0.5 us for a few shapes that are found, 2 us for 1,000 boxes.
+Since: 0.1.""",
     ),
     "vesica_join_f64": (
         c_int64,
@@ -2415,11 +2747,13 @@ pairs of all parts, one part after the other, are those of a call with part 0 an
 Requires: query is VESICA_JOIN_OVERLAP ... VESICA_JOIN_INSIDE. sets_a and sets_b are those of the indexes;
 with VESICA_JOIN_BOUNDS they are ignored. 0 <= part < parts. scratch_size >= vesica_join_scratch(); nothing
 is kept in the scratch between calls. out_a and out_b have room for `capacity` items. With capacity 0, they
-and state may be NULL. Returns: the number of pairs written; with capacity 0, how many the whole part has.
+and state may be NULL.
+Returns: the number of pairs written; with capacity 0, how many the whole part has.
 Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT (an unknown query, a number or a
 size out of range, a pointer that is not aligned, sets that are not the index's, a state from another call).
-Accuracy: exact for all queries but VESICA_JOIN_BOUNDS. Cost: 10 to 15 ns a shape to find candidates, and 15
-to 25 ns a candidate to decide. Since: 0.1.""",
+Accuracy: exact for all queries but VESICA_JOIN_BOUNDS.
+Cost: 10 to 15 ns a shape to find candidates, and 15 to 25 ns a candidate to decide.
+Since: 0.1.""",
     ),
     "vesica_join_within_f64": (
         c_int64,
@@ -2435,10 +2769,13 @@ If both indexes are the same pointer, pairs are those of two different items a <
 order. Each part takes about the same number of items of index_a; all else is as for vesica_join_f64.
 
 Requires: distance >= 0, or infinity for all pairs of valid shapes; sets, part, outputs, capacity and state
-as vesica_join_f64. Returns: the number of pairs written; with capacity 0, how many the whole part has.
-Errors: those of vesica_join_f64; VESICA_E_ARGUMENT also for a distance that is negative or NaN. Accuracy:
-that of vesica_within_f64; pairs that are VESICA_WITHIN_NEARLY are included. Cost: about 1 us a shape of
-index_a, and that of vesica_within_f64 a candidate: seven times that of vesica_join_f64. Since: 0.1.""",
+as vesica_join_f64.
+Returns: the number of pairs written; with capacity 0, how many the whole part has.
+Errors: those of vesica_join_f64; VESICA_E_ARGUMENT also for a distance that is negative or NaN.
+Accuracy: that of vesica_within_f64; pairs that are VESICA_WITHIN_NEARLY are included.
+Cost: about 1 us a shape of index_a, and that of vesica_within_f64 a candidate: seven times that of
+vesica_join_f64.
+Since: 0.1.""",
     ),
     "vesica_index_nearest_f64": (
         c_int64,
@@ -2451,12 +2788,15 @@ item.
 An item that overlaps the shape has distance 0. An item whose distance overflows is not found.
 
 Requires: sets are those of the index. one, an array of count 1. k >= 0, and out and distance have room for
-k each. With k = 0 they may be NULL. within, the largest distance to look for, >= 0 or infinity. Returns:
-how many items were found and written; with k = 0, how many there are within the distance. Errors:
-VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a number
-or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from another
-call). Accuracy: distances are those of vesica_nearest_f64, bit for bit. Cost: 3 to 5 us for 10 of a million
-AABBs near a point; mostly that of vesica_nearest_f64 for some 10 more than k. Since: 0.1.""",
+k each. With k = 0 they may be NULL. within, the largest distance to look for, >= 0 or infinity.
+Returns: how many items were found and written; with k = 0, how many there are within the distance.
+Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT
+(a number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from
+another call).
+Accuracy: distances are those of vesica_nearest_f64, bit for bit.
+Cost: 3 to 5 us for 10 of a million AABBs near a point; mostly that of vesica_nearest_f64 for some 10 more
+than k.
+Since: 0.1.""",
     ),
     "vesica_join_nearest_f64": (
         c_int64,
@@ -2472,11 +2812,14 @@ If an item of sets_a is invalid, its row holds -1, all other rows are right, and
 VESICA_E_SHAPE. Each part takes about the same number of items, and writes only their rows.
 
 Requires: sets_b are those of index_b. k >= 1, and out and distance have room for k items a row. 0 <= part <
-parts. within, the largest distance to look for, >= 0 or infinity. Returns: how many items were found in all
-rows of the part. Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid),
-VESICA_E_ARGUMENT (a number or a size is out of range, a pointer is not aligned, sets are not the index's,
-the state is from another call). Accuracy: distances are those of vesica_nearest_f64, bit for bit. Cost:
-that of vesica_index_nearest_f64 for each item. Since: 0.1.""",
+parts. within, the largest distance to look for, >= 0 or infinity.
+Returns: how many items were found in all rows of the part.
+Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT
+(a number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from
+another call).
+Accuracy: distances are those of vesica_nearest_f64, bit for bit.
+Cost: that of vesica_index_nearest_f64 for each item.
+Since: 0.1.""",
     ),
     "vesica_index_build_f32": (
         c_int64,
@@ -2489,9 +2832,11 @@ If shapes are invalid, the call returns VESICA_E_SHAPE, and the index is complet
 have moved, build it again.
 
 Requires: index_size >= vesica_index_size(items) and scratch_size >= vesica_index_scratch(items). The
-scratch may be reused after the call. Returns: how many bytes of the index are used. Errors: VESICA_E_NULL,
-VESICA_E_KIND, VESICA_E_ARGUMENT (a wrong count, size or alignment), VESICA_E_SHAPE. Cost: 30 to 50 ns a
-shape. Since: 0.1.""",
+scratch may be reused after the call.
+Returns: how many bytes of the index are used.
+Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a wrong count, size or alignment), VESICA_E_SHAPE.
+Cost: 30 to 50 ns a shape.
+Since: 0.1.""",
     ),
     "vesica_index_step_f32": (
         c_int64,
@@ -2505,11 +2850,12 @@ the same time. All parts of a step must end before the next step begins. All oth
 all calls.
 
 Requires: 0 <= step <= 4 and 0 <= part < parts; parts is 1 in steps 0 and 4. The rest is as for the build.
-Returns: 0; at step 4 what vesica_index_build_f32 returns. Errors: those of vesica_index_build_f32.
-VESICA_E_ARGUMENT also, with nothing done, if step, part or parts is out of range, if the scratch is not
-that of step 0 of a build that has not ended, if a part of the step before is missing, or if some of this
-part was done before. Cost: in all that of the build: three fifths in step 1; a tenth in step 0, which
-cannot be divided. Since: 0.1.""",
+Returns: 0; at step 4 what vesica_index_build_f32 returns.
+Errors: those of vesica_index_build_f32. VESICA_E_ARGUMENT also, with nothing done, if step, part or parts
+is out of range, if the scratch is not that of step 0 of a build that has not ended, if a part of the step
+before is missing, or if some of this part was done before.
+Cost: in all that of the build: three fifths in step 1; a tenth in step 0, which cannot be divided.
+Since: 0.1.""",
     ),
     "vesica_index_select_f32": (
         c_int64,
@@ -2522,11 +2868,14 @@ To ask for many shapes, index them too and call vesica_join_f32.
 
 Requires: sets are those of the index; or NULL, with set_count 0, to find the items whose bounds meet the
 shape's. one, an array of count 1. out has room for `capacity` items. With capacity 0, out and state may be
-NULL. Returns: the number of items written; with capacity 0, how many there are. Errors: VESICA_E_NULL,
-VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a number or a size is
-out of range, a pointer is not aligned, sets are not the index's, the state is from another call). Accuracy:
-exact, if there are sets. Cost: about 0.5 us for a few shapes that are found, 2 us for 1,000 boxes. Since:
-0.1.""",
+NULL.
+Returns: the number of items written; with capacity 0, how many there are.
+Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT
+(a number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from
+another call).
+Accuracy: exact, if there are sets.
+Cost: about 0.5 us for a few shapes that are found, 2 us for 1,000 boxes.
+Since: 0.1.""",
     ),
     "vesica_join_f32": (
         c_int64,
@@ -2545,11 +2894,13 @@ pairs of all parts, one part after the other, are those of a call with part 0 an
 Requires: query is VESICA_JOIN_OVERLAP ... VESICA_JOIN_INSIDE. sets_a and sets_b are those of the indexes;
 with VESICA_JOIN_BOUNDS they are ignored. 0 <= part < parts. scratch_size >= vesica_join_scratch(); nothing
 is kept in the scratch between calls. out_a and out_b have room for `capacity` items. With capacity 0, they
-and state may be NULL. Returns: the number of pairs written; with capacity 0, how many the whole part has.
+and state may be NULL.
+Returns: the number of pairs written; with capacity 0, how many the whole part has.
 Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT (an unknown query, a number or a
 size out of range, a pointer that is not aligned, sets that are not the index's, a state from another call).
-Accuracy: exact for all queries but VESICA_JOIN_BOUNDS. Cost: 10 to 15 ns a shape to find candidates, and 15
-to 25 ns a candidate to decide. Since: 0.1.""",
+Accuracy: exact for all queries but VESICA_JOIN_BOUNDS.
+Cost: 10 to 15 ns a shape to find candidates, and 15 to 25 ns a candidate to decide.
+Since: 0.1.""",
     ),
     "vesica_join_within_f32": (
         c_int64,
@@ -2565,10 +2916,13 @@ If both indexes are the same pointer, pairs are those of two different items a <
 order. Each part takes about the same number of items of index_a; all else is as for vesica_join_f32.
 
 Requires: distance >= 0, or infinity for all pairs of valid shapes; sets, part, outputs, capacity and state
-as vesica_join_f32. Returns: the number of pairs written; with capacity 0, how many the whole part has.
-Errors: those of vesica_join_f32; VESICA_E_ARGUMENT also for a distance that is negative or NaN. Accuracy:
-that of vesica_within_f32; pairs that are VESICA_WITHIN_NEARLY are included. Cost: about 1 us a shape of
-index_a, and that of vesica_within_f32 a candidate: seven times that of vesica_join_f32. Since: 0.1.""",
+as vesica_join_f32.
+Returns: the number of pairs written; with capacity 0, how many the whole part has.
+Errors: those of vesica_join_f32; VESICA_E_ARGUMENT also for a distance that is negative or NaN.
+Accuracy: that of vesica_within_f32; pairs that are VESICA_WITHIN_NEARLY are included.
+Cost: about 1 us a shape of index_a, and that of vesica_within_f32 a candidate: seven times that of
+vesica_join_f32.
+Since: 0.1.""",
     ),
     "vesica_index_nearest_f32": (
         c_int64,
@@ -2581,12 +2935,15 @@ item.
 An item that overlaps the shape has distance 0. An item whose distance overflows is not found.
 
 Requires: sets are those of the index. one, an array of count 1. k >= 0, and out and distance have room for
-k each. With k = 0 they may be NULL. within, the largest distance to look for, >= 0 or infinity. Returns:
-how many items were found and written; with k = 0, how many there are within the distance. Errors:
-VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a number
-or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from another
-call). Accuracy: distances are those of vesica_nearest_f32, bit for bit. Cost: 3 to 5 us for 10 of a million
-AABBs near a point; mostly that of vesica_nearest_f32 for some 10 more than k. Since: 0.1.""",
+k each. With k = 0 they may be NULL. within, the largest distance to look for, >= 0 or infinity.
+Returns: how many items were found and written; with k = 0, how many there are within the distance.
+Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT
+(a number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from
+another call).
+Accuracy: distances are those of vesica_nearest_f32, bit for bit.
+Cost: 3 to 5 us for 10 of a million AABBs near a point; mostly that of vesica_nearest_f32 for some 10 more
+than k.
+Since: 0.1.""",
     ),
     "vesica_join_nearest_f32": (
         c_int64,
@@ -2602,11 +2959,14 @@ If an item of sets_a is invalid, its row holds -1, all other rows are right, and
 VESICA_E_SHAPE. Each part takes about the same number of items, and writes only their rows.
 
 Requires: sets_b are those of index_b. k >= 1, and out and distance have room for k items a row. 0 <= part <
-parts. within, the largest distance to look for, >= 0 or infinity. Returns: how many items were found in all
-rows of the part. Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid),
-VESICA_E_ARGUMENT (a number or a size is out of range, a pointer is not aligned, sets are not the index's,
-the state is from another call). Accuracy: distances are those of vesica_nearest_f32, bit for bit. Cost:
-that of vesica_index_nearest_f32 for each item. Since: 0.1.""",
+parts. within, the largest distance to look for, >= 0 or infinity.
+Returns: how many items were found in all rows of the part.
+Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT
+(a number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from
+another call).
+Accuracy: distances are those of vesica_nearest_f32, bit for bit.
+Cost: that of vesica_index_nearest_f32 for each item.
+Since: 0.1.""",
     ),
     "vesica_ratio_f64": (
         c_int32,
@@ -2620,14 +2980,17 @@ other shape contains it. The last three are at most the IoU, and at least -1 (CI
 shape in CIoU is that of the vector (half length across its axis, half length along it); v is 0 if a shape
 has no size. Exchanging the shapes exchanges OVER_FIRST and OVER_SECOND, and changes no bit of the others.
 
-Requires: ratio, one of VESICA_RATIO_OVER_UNION to VESICA_RATIO_COMPLETE. Returns: 0. Errors: VESICA_E_NULL,
-VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (ratio is no such constant; the area to divide by is 0; or,
-for GIoU, DIoU and CIoU, neither shape has an area). Accuracy: computed from the result of vesica_area_f64
-or vesica_iou_f64 with at most 8 u of further error, for half lengths from 2^-200 to 2^200. In bounds on
-errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and
-|dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u
-times the scale. An aspect ratio is longer over shorter size. Cost: that of vesica_area_f64 or
-vesica_iou_f64, and 100 to 150 ns more; in arrays 40 to 100 ns more. Since: 0.1.""",
+Requires: ratio, one of VESICA_RATIO_OVER_UNION to VESICA_RATIO_COMPLETE.
+Returns: 0.
+Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (ratio is no such constant; the area
+to divide by is 0; or, for GIoU, DIoU and CIoU, neither shape has an area).
+Accuracy: computed from the result of vesica_area_f64 or vesica_iou_f64 with at most 8 u of further error,
+for half lengths from 2^-200 to 2^200. In bounds on errors u is 2^-53, half a unit in the last place of 1.
+The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths;
+"right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter
+size.
+Cost: that of vesica_area_f64 or vesica_iou_f64, and 100 to 150 ns more; in arrays 40 to 100 ns more.
+Since: 0.1.""",
     ),
     "vesica_ratio_many_f64": (
         c_int64,
@@ -2668,9 +3031,12 @@ Since: 0.1.""",
 
 How far apart are a[i] and b[j]? The elements of out are distances of vesica_nearest_f64.
 
-Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f64. Returns: how many pairs overlap
-(distance 0). Errors: as vesica_iou_matrix_f64. Accuracy: every result has the same bits as the function for
-two shapes, on every instruction set, in every layout. Since: 0.1.""",
+Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f64.
+Returns: how many pairs overlap (distance 0).
+Errors: as vesica_iou_matrix_f64.
+Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
+layout.
+Since: 0.1.""",
     ),
     "vesica_boundary_distance_matrix_f64": (
         c_int64,
@@ -2680,9 +3046,12 @@ two shapes, on every instruction set, in every layout. Since: 0.1.""",
 How far apart are the outlines of a[i] and b[j]? The elements of out are distances of
 vesica_boundary_distance_f64.
 
-Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f64. Returns: how many pairs of outlines
-meet (distance 0). Errors: as vesica_iou_matrix_f64. Accuracy: every result has the same bits as the
-function for two shapes, on every instruction set, in every layout. Since: 0.1.""",
+Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f64.
+Returns: how many pairs of outlines meet (distance 0).
+Errors: as vesica_iou_matrix_f64.
+Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
+layout.
+Since: 0.1.""",
     ),
     "vesica_depth_matrix_f64": (
         c_int64,
@@ -2691,9 +3060,12 @@ function for two shapes, on every instruction set, in every layout. Since: 0.1."
 
 How deep do a[i] and b[j] overlap? The elements of out are depths of vesica_depth_f64.
 
-Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f64. Returns: how many depths are > 0.
-Errors: as vesica_iou_matrix_f64. Accuracy: every result has the same bits as the function for two shapes,
-on every instruction set, in every layout. Since: 0.1.""",
+Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f64.
+Returns: how many depths are > 0.
+Errors: as vesica_iou_matrix_f64.
+Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
+layout.
+Since: 0.1.""",
     ),
     "vesica_signed_distance_f64": (
         c_int32,
@@ -2745,16 +3117,18 @@ Are two shapes at most `distance` apart? A distance of exactly that counts, as t
 With distance 0 the answer is that of vesica_overlap_f64, exact for all kinds. Test for > 0 to miss no
 pair, and for VESICA_WITHIN_YES to accept only what is certain. Exchanging the shapes changes nothing.
 
-Requires: distance >= 0. It may be infinity: then the answer is yes for any two valid shapes. Returns:
-VESICA_WITHIN_NO, VESICA_WITHIN_YES or VESICA_WITHIN_NEARLY. Errors: VESICA_E_NULL, VESICA_E_KIND,
-VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE. Accuracy: yes and no are always right. All
-kinds but ellipses, and ellipses with a half length of 0, get no other answer. A disjoint pair with another
-ellipse gets VESICA_WITHIN_NEARLY if the distance of vesica_nearest_f64 differs by less than 5 u scale from
-the one asked for. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two
-shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
-means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size. Cost: 10 to 60
-ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can decide, as when the
-distance is met exactly. At worst 25 us. Since: 0.1.""",
+Requires: distance >= 0. It may be infinity: then the answer is yes for any two valid shapes.
+Returns: VESICA_WITHIN_NO, VESICA_WITHIN_YES or VESICA_WITHIN_NEARLY.
+Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
+Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0, get no
+other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of
+vesica_nearest_f64 differs by less than 5 u scale from the one asked for. In bounds on errors u is 2^-53,
+half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their
+centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An
+aspect ratio is longer over shorter size.
+Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can
+decide, as when the distance is met exactly. At worst 25 us.
+Since: 0.1.""",
     ),
     "vesica_within_many_f64": (
         c_int64,
@@ -2765,14 +3139,16 @@ Are a[i] and b[i] at most `distance` apart? out[i] is the answer of vesica_withi
 
 Arrays and errors are those of vesica_overlap_many_f64.
 
-Requires: distance >= 0. It may be infinity: then the answer is yes for any two valid shapes. Returns: how
-many answers are > 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN),
-VESICA_E_SHAPE. Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half
-length of 0, get no other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the
-distance of vesica_nearest_f64 differs by less than 5 u scale from the one asked for. In bounds on errors u
-is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy|
-between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times
-the scale. An aspect ratio is longer over shorter size. Since: 0.1.""",
+Requires: distance >= 0. It may be infinity: then the answer is yes for any two valid shapes.
+Returns: how many answers are > 0.
+Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
+Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0, get no
+other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of
+vesica_nearest_f64 differs by less than 5 u scale from the one asked for. In bounds on errors u is 2^-53,
+half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their
+centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An
+aspect ratio is longer over shorter size.
+Since: 0.1.""",
     ),
     "vesica_within_matrix_f64": (
         c_int64,
@@ -2783,14 +3159,16 @@ Are a[i] and b[j] at most `distance` apart? out[i * row_stride + j] is the answe
 
 Arrays, row_stride and errors are those of vesica_overlap_matrix_f64.
 
-Requires: distance >= 0. It may be infinity: then the answer is yes for any two valid shapes. Returns: how
-many answers are > 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN),
-VESICA_E_SHAPE. Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half
-length of 0, get no other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the
-distance of vesica_nearest_f64 differs by less than 5 u scale from the one asked for. In bounds on errors u
-is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy|
-between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times
-the scale. An aspect ratio is longer over shorter size. Since: 0.1.""",
+Requires: distance >= 0. It may be infinity: then the answer is yes for any two valid shapes.
+Returns: how many answers are > 0.
+Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
+Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0, get no
+other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of
+vesica_nearest_f64 differs by less than 5 u scale from the one asked for. In bounds on errors u is 2^-53,
+half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their
+centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An
+aspect ratio is longer over shorter size.
+Since: 0.1.""",
     ),
     "vesica_suppress_f64": (
         c_int32,
@@ -2806,9 +3184,11 @@ before, of the same label, is at most the threshold. Shapes whose score is below
 Requires: shapes, scores, threshold and scratch as vesica_nms_f64; labels, one for each shape, or NULL if
 all are the same; ratio, any but VESICA_RATIO_OVER_FIRST and _OVER_SECOND; least_score, which may be
 -infinity; most, the largest number to keep; keep, with room for that number or for all shapes, whichever is
-less. Returns: 0, and keep and *kept as vesica_nms_f64. Errors: as vesica_nms_f64; VESICA_E_ARGUMENT also
-for ratio, a least_score that is NaN, and a negative most. Cost: that of vesica_nms_f64; ratios other than
-IoU take 0.1 us more a comparison. Since: 0.1.""",
+less.
+Returns: 0, and keep and *kept as vesica_nms_f64.
+Errors: as vesica_nms_f64; VESICA_E_ARGUMENT also for ratio, a least_score that is NaN, and a negative most.
+Cost: that of vesica_nms_f64; ratios other than IoU take 0.1 us more a comparison.
+Since: 0.1.""",
     ),
     "vesica_suppress_soft_scratch": (
         c_int64,
@@ -2838,12 +3218,15 @@ had then.
 Requires: shapes, scores and labels as vesica_suppress_f64; ratio, any but VESICA_RATIO_OVER_FIRST and
 _OVER_SECOND; decay, VESICA_DECAY_LINEAR or _GAUSSIAN, with its parameter; least_score >= 0; scratch of at
 least vesica_suppress_soft_scratch(count) bytes, aligned to 8; keep and decayed with room for as many as are
-kept. Returns: 0, with *kept set to how many are kept. Errors: as vesica_suppress_f64. VESICA_E_SHAPE: an
-invalid shape, or one whose score is NaN, is left out, and the result of the others is written. Accuracy: in
-every step a score is multiplied once, in double, by 1 - r, rounded once, or by the exponential, right to 1
-unit in the last place. So the same shapes are kept, with the same bits, on every machine. The float
-function computes in double and rounds only the final scores. Cost: for each kept shape, that of
-vesica_ratio_matrix_f64 with the shapes of its label that are left. Since: 0.1.""",
+kept.
+Returns: 0, with *kept set to how many are kept.
+Errors: as vesica_suppress_f64. VESICA_E_SHAPE: an invalid shape, or one whose score is NaN, is left out,
+and the result of the others is written.
+Accuracy: in every step a score is multiplied once, in double, by 1 - r, rounded once, or by the
+exponential, right to 1 unit in the last place. So the same shapes are kept, with the same bits, on every
+machine. The float function computes in double and rounds only the final scores.
+Cost: for each kept shape, that of vesica_ratio_matrix_f64 with the shapes of its label that are left.
+Since: 0.1.""",
     ),
     "vesica_ratio_f32": (
         c_int32,
@@ -2857,15 +3240,17 @@ other shape contains it. The last three are at most the IoU, and at least -1 (CI
 shape in CIoU is that of the vector (half length across its axis, half length along it); v is 0 if a shape
 has no size. Exchanging the shapes exchanges OVER_FIRST and OVER_SECOND, and changes no bit of the others.
 
-Requires: ratio, one of VESICA_RATIO_OVER_UNION to VESICA_RATIO_COMPLETE. Returns: 0. Errors: VESICA_E_NULL,
-VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (ratio is no such constant; the area to divide by is 0; or,
-for GIoU, DIoU and CIoU, neither shape has an area). Accuracy: computed from the result of vesica_area_f32
-or vesica_iou_f32 with at most 8 u of further error, for half lengths from 2^-200 to 2^200. Each number is
-computed in double, within these bounds, and then rounded to float once. In bounds on errors u is 2^-53,
-half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their
-centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An
-aspect ratio is longer over shorter size. Cost: that of vesica_area_f32 or vesica_iou_f32, and 100 to 150 ns
-more; in arrays 40 to 100 ns more. Since: 0.1.""",
+Requires: ratio, one of VESICA_RATIO_OVER_UNION to VESICA_RATIO_COMPLETE.
+Returns: 0.
+Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (ratio is no such constant; the area
+to divide by is 0; or, for GIoU, DIoU and CIoU, neither shape has an area).
+Accuracy: computed from the result of vesica_area_f32 or vesica_iou_f32 with at most 8 u of further error,
+for half lengths from 2^-200 to 2^200. Each number is computed in double, within these bounds, and then
+rounded to float once. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two
+shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
+means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
+Cost: that of vesica_area_f32 or vesica_iou_f32, and 100 to 150 ns more; in arrays 40 to 100 ns more.
+Since: 0.1.""",
     ),
     "vesica_ratio_many_f32": (
         c_int64,
@@ -2908,10 +3293,12 @@ Since: 0.1.""",
 
 How far apart are a[i] and b[j]? The elements of out are distances of vesica_nearest_f32.
 
-Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f32. Returns: how many pairs overlap
-(distance 0). Errors: as vesica_iou_matrix_f32. Accuracy: every result has the same bits as the function for
-two shapes, on every instruction set, in every layout. Each number is computed in double, within these
-bounds, and then rounded to float once. Since: 0.1.""",
+Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f32.
+Returns: how many pairs overlap (distance 0).
+Errors: as vesica_iou_matrix_f32.
+Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
+layout. Each number is computed in double, within these bounds, and then rounded to float once.
+Since: 0.1.""",
     ),
     "vesica_boundary_distance_matrix_f32": (
         c_int64,
@@ -2921,10 +3308,12 @@ bounds, and then rounded to float once. Since: 0.1.""",
 How far apart are the outlines of a[i] and b[j]? The elements of out are distances of
 vesica_boundary_distance_f32.
 
-Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f32. Returns: how many pairs of outlines
-meet (distance 0). Errors: as vesica_iou_matrix_f32. Accuracy: every result has the same bits as the
-function for two shapes, on every instruction set, in every layout. Each number is computed in double,
-within these bounds, and then rounded to float once. Since: 0.1.""",
+Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f32.
+Returns: how many pairs of outlines meet (distance 0).
+Errors: as vesica_iou_matrix_f32.
+Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
+layout. Each number is computed in double, within these bounds, and then rounded to float once.
+Since: 0.1.""",
     ),
     "vesica_depth_matrix_f32": (
         c_int64,
@@ -2933,10 +3322,12 @@ within these bounds, and then rounded to float once. Since: 0.1.""",
 
 How deep do a[i] and b[j] overlap? The elements of out are depths of vesica_depth_f32.
 
-Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f32. Returns: how many depths are > 0.
-Errors: as vesica_iou_matrix_f32. Accuracy: every result has the same bits as the function for two shapes,
-on every instruction set, in every layout. Each number is computed in double, within these bounds, and then
-rounded to float once. Since: 0.1.""",
+Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f32.
+Returns: how many depths are > 0.
+Errors: as vesica_iou_matrix_f32.
+Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
+layout. Each number is computed in double, within these bounds, and then rounded to float once.
+Since: 0.1.""",
     ),
     "vesica_suppress_f32": (
         c_int32,
@@ -2952,9 +3343,11 @@ before, of the same label, is at most the threshold. Shapes whose score is below
 Requires: shapes, scores, threshold and scratch as vesica_nms_f32; labels, one for each shape, or NULL if
 all are the same; ratio, any but VESICA_RATIO_OVER_FIRST and _OVER_SECOND; least_score, which may be
 -infinity; most, the largest number to keep; keep, with room for that number or for all shapes, whichever is
-less. Returns: 0, and keep and *kept as vesica_nms_f32. Errors: as vesica_nms_f32; VESICA_E_ARGUMENT also
-for ratio, a least_score that is NaN, and a negative most. Cost: that of vesica_nms_f32; ratios other than
-IoU take 0.1 us more a comparison. Since: 0.1.""",
+less.
+Returns: 0, and keep and *kept as vesica_nms_f32.
+Errors: as vesica_nms_f32; VESICA_E_ARGUMENT also for ratio, a least_score that is NaN, and a negative most.
+Cost: that of vesica_nms_f32; ratios other than IoU take 0.1 us more a comparison.
+Since: 0.1.""",
     ),
     "vesica_signed_distance_f32": (
         c_int32,
@@ -3009,16 +3402,18 @@ Are two shapes at most `distance` apart? A distance of exactly that counts, as t
 With distance 0 the answer is that of vesica_overlap_f32, exact for all kinds. Test for > 0 to miss no
 pair, and for VESICA_WITHIN_YES to accept only what is certain. Exchanging the shapes changes nothing.
 
-Requires: distance >= 0. It may be infinity: then the answer is yes for any two valid shapes. Returns:
-VESICA_WITHIN_NO, VESICA_WITHIN_YES or VESICA_WITHIN_NEARLY. Errors: VESICA_E_NULL, VESICA_E_KIND,
-VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE. Accuracy: yes and no are always right. All
-kinds but ellipses, and ellipses with a half length of 0, get no other answer. A disjoint pair with another
-ellipse gets VESICA_WITHIN_NEARLY if the distance of vesica_nearest_f32 differs by less than 5 u scale from
-the one asked for. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two
-shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
-means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size. Cost: 10 to 60
-ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can decide, as when the
-distance is met exactly. At worst 25 us. Since: 0.1.""",
+Requires: distance >= 0. It may be infinity: then the answer is yes for any two valid shapes.
+Returns: VESICA_WITHIN_NO, VESICA_WITHIN_YES or VESICA_WITHIN_NEARLY.
+Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
+Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0, get no
+other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of
+vesica_nearest_f32 differs by less than 5 u scale from the one asked for. In bounds on errors u is 2^-53,
+half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their
+centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An
+aspect ratio is longer over shorter size.
+Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can
+decide, as when the distance is met exactly. At worst 25 us.
+Since: 0.1.""",
     ),
     "vesica_within_many_f32": (
         c_int64,
@@ -3029,14 +3424,16 @@ Are a[i] and b[i] at most `distance` apart? out[i] is the answer of vesica_withi
 
 Arrays and errors are those of vesica_overlap_many_f32.
 
-Requires: distance >= 0. It may be infinity: then the answer is yes for any two valid shapes. Returns: how
-many answers are > 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN),
-VESICA_E_SHAPE. Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half
-length of 0, get no other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the
-distance of vesica_nearest_f32 differs by less than 5 u scale from the one asked for. In bounds on errors u
-is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy|
-between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times
-the scale. An aspect ratio is longer over shorter size. Since: 0.1.""",
+Requires: distance >= 0. It may be infinity: then the answer is yes for any two valid shapes.
+Returns: how many answers are > 0.
+Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
+Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0, get no
+other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of
+vesica_nearest_f32 differs by less than 5 u scale from the one asked for. In bounds on errors u is 2^-53,
+half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their
+centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An
+aspect ratio is longer over shorter size.
+Since: 0.1.""",
     ),
     "vesica_within_matrix_f32": (
         c_int64,
@@ -3047,14 +3444,16 @@ Are a[i] and b[j] at most `distance` apart? out[i * row_stride + j] is the answe
 
 Arrays, row_stride and errors are those of vesica_overlap_matrix_f32.
 
-Requires: distance >= 0. It may be infinity: then the answer is yes for any two valid shapes. Returns: how
-many answers are > 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN),
-VESICA_E_SHAPE. Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half
-length of 0, get no other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the
-distance of vesica_nearest_f32 differs by less than 5 u scale from the one asked for. In bounds on errors u
-is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy|
-between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times
-the scale. An aspect ratio is longer over shorter size. Since: 0.1.""",
+Requires: distance >= 0. It may be infinity: then the answer is yes for any two valid shapes.
+Returns: how many answers are > 0.
+Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
+Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0, get no
+other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of
+vesica_nearest_f32 differs by less than 5 u scale from the one asked for. In bounds on errors u is 2^-53,
+half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their
+centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An
+aspect ratio is longer over shorter size.
+Since: 0.1.""",
     ),
     "vesica_suppress_soft_f32": (
         c_int32,
@@ -3073,12 +3472,15 @@ had then.
 Requires: shapes, scores and labels as vesica_suppress_f32; ratio, any but VESICA_RATIO_OVER_FIRST and
 _OVER_SECOND; decay, VESICA_DECAY_LINEAR or _GAUSSIAN, with its parameter; least_score >= 0; scratch of at
 least vesica_suppress_soft_scratch(count) bytes, aligned to 8; keep and decayed with room for as many as are
-kept. Returns: 0, with *kept set to how many are kept. Errors: as vesica_suppress_f32. VESICA_E_SHAPE: an
-invalid shape, or one whose score is NaN, is left out, and the result of the others is written. Accuracy: in
-every step a score is multiplied once, in double, by 1 - r, rounded once, or by the exponential, right to 1
-unit in the last place. So the same shapes are kept, with the same bits, on every machine. The float
-function computes in double and rounds only the final scores. Cost: for each kept shape, that of
-vesica_ratio_matrix_f32 with the shapes of its label that are left. Since: 0.1.""",
+kept.
+Returns: 0, with *kept set to how many are kept.
+Errors: as vesica_suppress_f32. VESICA_E_SHAPE: an invalid shape, or one whose score is NaN, is left out,
+and the result of the others is written.
+Accuracy: in every step a score is multiplied once, in double, by 1 - r, rounded once, or by the
+exponential, right to 1 unit in the last place. So the same shapes are kept, with the same bits, on every
+machine. The float function computes in double and rounds only the final scores.
+Cost: for each kept shape, that of vesica_ratio_matrix_f32 with the shapes of its label that are left.
+Since: 0.1.""",
     ),
     "vesica_cast_f64": (
         c_int32,
@@ -3095,20 +3497,22 @@ vesica_depth_f64 and the point of vesica_nearest_f64. Shapes that only touch at 
 (nx, ny).(vx, vy) < 0; if not, they move apart or slide. Exchanging the shapes and reversing the velocity
 changes neither the answer nor the time; it reverses the normal, up to rounding.
 
-Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
-VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity
-that is not finite, a t_end that is negative or NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a
-coordinate of the point, would overflow; or an exact position would take more than 2000 bits, as with
-magnitudes of both 2^1000 and 2^-1000). Accuracy: the answer is exact, and the time is rounded down. The
-point is within 8 u scale of a's outline before it is rounded; along the outline it may be off by (8 u scale
-+ 4 u R) / |n.v|, n and v of unit length, R the greatest radius of curvature of a: of an ellipse its long
-half length squared over the short one, far more than its size if it is thin. The normal has length 1 to 4
-u. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the
-largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an
-error of at most 4 u times the scale. An aspect ratio is longer over shorter size. Cost: 30 to 50 ns for a
-miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two ellipses, see the typed
-functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly unlike exponents most
-take 10 to 30 us; at worst 0.3 ms. Since: 0.1.""",
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity that is not finite, a t_end that is
+negative or NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a coordinate of the point, would overflow; or
+an exact position would take more than 2000 bits, as with magnitudes of both 2^1000 and 2^-1000).
+Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline
+before it is rounded; along the outline it may be off by (8 u scale + 4 u R) / |n.v|, n and v of unit
+length, R the greatest radius of curvature of a: of an ellipse its long half length squared over the short
+one, far more than its size if it is thin. The normal has length 1 to 4 u. In bounds on errors u is 2^-53,
+half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their
+centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An
+aspect ratio is longer over shorter size.
+Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two
+ellipses, see the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly
+unlike exponents most take 10 to 30 us; at worst 0.3 ms.
+Since: 0.1.""",
     ),
     "vesica_cast_many_f64": (
         c_int64,
@@ -3122,13 +3526,15 @@ vesica_cast_f64's result.
 Velocity i is `i * stride` bytes after vx and vy; stride 0 repeats one velocity.
 
 Requires: velocities and t_end as vesica_cast_f64; equal counts, or one count of 1, whose shape is used for
-all. Each output has room for as many numbers as the larger count. Some, but not all, may be NULL. Returns:
-how many touch, including those that overlap at the start. Errors: those of vesica_cast_f64. An element with
-an invalid shape, a velocity that is not finite or a result out of range gets NaN for all its numbers, and
-all others are written as usual. The call then returns VESICA_E_SHAPE if a shape is invalid, else the error
-of such an element. Accuracy: every result has the same bits as vesica_cast_f64. Cost: that of
-vesica_cast_f64 for each pair; with AVX2 or AVX-512 a half to an eighth of it, except for pairs that overlap
-at the start. Since: 0.1.""",
+all. Each output has room for as many numbers as the larger count. Some, but not all, may be NULL.
+Returns: how many touch, including those that overlap at the start.
+Errors: those of vesica_cast_f64. An element with an invalid shape, a velocity that is not finite or a
+result out of range gets NaN for all its numbers, and all others are written as usual. The call then returns
+VESICA_E_SHAPE if a shape is invalid, else the error of such an element.
+Accuracy: every result has the same bits as vesica_cast_f64.
+Cost: that of vesica_cast_f64 for each pair; with AVX2 or AVX-512 a half to an eighth of it, except for
+pairs that overlap at the start.
+Since: 0.1.""",
     ),
     "vesica_cast_first_f64": (
         c_int64,
@@ -3138,10 +3544,13 @@ at the start. Since: 0.1.""",
 Which of many shapes at rest does one moving shape touch first? If several are touched at that time, the one
 with the lowest index.
 
-Requires: one, the shape that moves, an array of count 1; vx, vy and t_end as vesica_cast_f64. Returns: its
-index, or the count of `many` if none is touched. *out is its contact, the normal pointing to `one`. Errors:
-those of vesica_cast_f64. VESICA_E_SHAPE if any shape is invalid. VESICA_E_RANGE only if vesica_cast_f64
-returns it for a shape that might be touched first. Cost: 5 to 20 ns a shape that is missed. Since: 0.1.""",
+Requires: one, the shape that moves, an array of count 1; vx, vy and t_end as vesica_cast_f64.
+Returns: its index, or the count of `many` if none is touched. *out is its contact, the normal pointing to
+`one`.
+Errors: those of vesica_cast_f64. VESICA_E_SHAPE if any shape is invalid. VESICA_E_RANGE only if
+vesica_cast_f64 returns it for a shape that might be touched first.
+Cost: 5 to 20 ns a shape that is missed.
+Since: 0.1.""",
     ),
     "vesica_sweep_bounds_f64": (
         c_int32,
@@ -3150,11 +3559,14 @@ returns it for a shape that might be touched first. Cost: 5 to 20 ns a shape tha
 
 A box that holds a shape throughout its motion, t from 0 to t_end. The shape touches nothing outside it.
 
-Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: 0. Errors: those of
-vesica_cast_f64; VESICA_E_RANGE if a side would overflow. Accuracy: a side that does not move is that of
-vesica_bounds_f64. One that moves is too far out by at most four units in the last place of the largest of
-three numbers: the side at rest, the way it moves, and where it ends. Cost: 15 ns more than
-vesica_bounds_f64. Since: 0.1.""",
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+Returns: 0.
+Errors: those of vesica_cast_f64; VESICA_E_RANGE if a side would overflow.
+Accuracy: a side that does not move is that of vesica_bounds_f64. One that moves is too far out by at most
+four units in the last place of the largest of three numbers: the side at rest, the way it moves, and where
+it ends.
+Cost: 15 ns more than vesica_bounds_f64.
+Since: 0.1.""",
     ),
     "vesica_index_cast_f64": (
         c_int64,
@@ -3164,12 +3576,14 @@ vesica_bounds_f64. Since: 0.1.""",
 Which items of an index does one moving shape touch? They come in the index's order.
 
 Requires: sets are those of the index. one, an array of count 1; vx, vy and t_end as vesica_cast_f64. out
-has room for `capacity` items. With capacity 0, out and state may be NULL. Returns: the number of items
-written; with capacity 0, how many there are. If state[0] is not -1 then, there are more, and the same call
-continues (vesica_index.h). Errors: those of vesica_cast_f64, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for
-sets that are not the index's, a pointer that is not aligned, or a state from another call. Invalid items
-are never touched. Accuracy: exact. Cost: a few us, and that of vesica_cast_f64 for each item whose box the
-swept box meets. Since: 0.1.""",
+has room for `capacity` items. With capacity 0, out and state may be NULL.
+Returns: the number of items written; with capacity 0, how many there are. If state[0] is not -1 then, there
+are more, and the same call continues (vesica_index.h).
+Errors: those of vesica_cast_f64, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the
+index's, a pointer that is not aligned, or a state from another call. Invalid items are never touched.
+Accuracy: exact.
+Cost: a few us, and that of vesica_cast_f64 for each item whose box the swept box meets.
+Since: 0.1.""",
     ),
     "vesica_index_cast_first_f64": (
         c_int64,
@@ -3181,8 +3595,10 @@ item.
 
 Requires: sets are those of the index. one, an array of count 1; vx, vy and t_end as vesica_cast_f64.
 Returns: the item, or the index's count if none is touched. *out is its contact, the normal pointing to
-`one`. Errors: those of vesica_index_cast_f64; VESICA_E_RANGE only as for vesica_cast_first_f64. Cost: about
-2 us for a ray at a million shapes. Since: 0.1.""",
+`one`.
+Errors: those of vesica_index_cast_f64; VESICA_E_RANGE only as for vesica_cast_first_f64.
+Cost: about 2 us for a ray at a million shapes.
+Since: 0.1.""",
     ),
     "vesica_impact_time_f64": (
         c_int32,
@@ -3197,16 +3613,20 @@ rounding. *out describes that moment: the point of a that is nearest to b, and t
 them. They are then at most *gap apart.
 
 Requires: numbers of turn_a and turn_b finite, angles at most 2^20 in magnitude; tolerance, a length > 0. No
-pointer may be NULL. Returns: VESICA_CAST_MISS: it is proved that there is no contact from 0 to 1; t is
-infinity, and all other numbers and the gap are NaN. VESICA_CAST_HIT: it is proved that there is contact
-after t. VESICA_CAST_NEAR: there may be contact after t; contact of a point with a segment or a point, where
-there is no depth, is never proved. VESICA_CAST_START: the shapes overlap at t = 0, which is exact; *out is
-that of vesica_cast_f64, and the gap is 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT,
-VESICA_E_SHAPE, VESICA_E_RANGE (a coordinate of the point, or the gap, would overflow). Accuracy: what is
-said to be proved is certain. The gap is at most the tolerance, except in two cases: the tolerance is below
-(300 + 10 |angles|) u times the sum of all lengths, the motion's included, u = 2^-53; or the search stopped
-after 256 directions or 4096 poses. Cost: 0.2 to 0.9 us for boxes, 0.4 to 3 us if one shape is round; 0.14
-ms was seen at spins of 10^6 radians; at worst 1.4 ms. Since: 0.1.""",
+pointer may be NULL.
+Returns: VESICA_CAST_MISS: it is proved that there is no contact from 0 to 1; t is infinity, and all other
+numbers and the gap are NaN. VESICA_CAST_HIT: it is proved that there is contact after t. VESICA_CAST_NEAR:
+there may be contact after t; contact of a point with a segment or a point, where there is no depth, is
+never proved. VESICA_CAST_START: the shapes overlap at t = 0, which is exact; *out is that of
+vesica_cast_f64, and the gap is 0.
+Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE (a coordinate of the
+point, or the gap, would overflow).
+Accuracy: what is said to be proved is certain. The gap is at most the tolerance, except in two cases: the
+tolerance is below (300 + 10 |angles|) u times the sum of all lengths, the motion's included, u = 2^-53; or
+the search stopped after 256 directions or 4096 poses.
+Cost: 0.2 to 0.9 us for boxes, 0.4 to 3 us if one shape is round; 0.14 ms was seen at spins of 10^6 radians;
+at worst 1.4 ms.
+Since: 0.1.""",
     ),
     "vesica_cast_point_point_f64": (
         c_int32,
@@ -3215,11 +3635,13 @@ ms was seen at spins of 10^6 radians; at worst 1.4 ms. Since: 0.1.""",
 
 A ray at a point.
 
-Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
-VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
-VESICA_E_RANGE, as vesica_cast_f64. Accuracy: that of vesica_cast_f64. Cost: 15 to 25 ns for a miss, 60 to
-180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what vesica_cast_f64 does for
-other kinds. Since: 0.1.""",
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
+Accuracy: that of vesica_cast_f64.
+Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties
+cost what vesica_cast_f64 does for other kinds.
+Since: 0.1.""",
     ),
     "vesica_cast_segment_point_f64": (
         c_int32,
@@ -3228,11 +3650,13 @@ other kinds. Since: 0.1.""",
 
 A ray at a segment.
 
-Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
-VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
-VESICA_E_RANGE, as vesica_cast_f64. Accuracy: that of vesica_cast_f64. Cost: 15 to 25 ns for a miss, 60 to
-180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what vesica_cast_f64 does for
-other kinds. Since: 0.1.""",
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
+Accuracy: that of vesica_cast_f64.
+Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties
+cost what vesica_cast_f64 does for other kinds.
+Since: 0.1.""",
     ),
     "vesica_cast_circle_point_f64": (
         c_int32,
@@ -3241,11 +3665,13 @@ other kinds. Since: 0.1.""",
 
 A ray at a disc.
 
-Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
-VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
-VESICA_E_RANGE, as vesica_cast_f64. Accuracy: that of vesica_cast_f64. Cost: 15 to 25 ns for a miss, 60 to
-180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what vesica_cast_f64 does for
-other kinds. Since: 0.1.""",
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
+Accuracy: that of vesica_cast_f64.
+Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties
+cost what vesica_cast_f64 does for other kinds.
+Since: 0.1.""",
     ),
     "vesica_cast_aabb_point_f64": (
         c_int32,
@@ -3254,11 +3680,13 @@ other kinds. Since: 0.1.""",
 
 A ray at an axis-aligned box.
 
-Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
-VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
-VESICA_E_RANGE, as vesica_cast_f64. Accuracy: that of vesica_cast_f64. Cost: 15 to 25 ns for a miss, 60 to
-180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what vesica_cast_f64 does for
-other kinds. Since: 0.1.""",
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
+Accuracy: that of vesica_cast_f64.
+Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties
+cost what vesica_cast_f64 does for other kinds.
+Since: 0.1.""",
     ),
     "vesica_cast_rect_point_f64": (
         c_int32,
@@ -3267,11 +3695,13 @@ other kinds. Since: 0.1.""",
 
 A ray at a rectangle.
 
-Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
-VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
-VESICA_E_RANGE, as vesica_cast_f64. Accuracy: that of vesica_cast_f64. Cost: 15 to 25 ns for a miss, 60 to
-180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what vesica_cast_f64 does for
-other kinds. Since: 0.1.""",
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
+Accuracy: that of vesica_cast_f64.
+Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties
+cost what vesica_cast_f64 does for other kinds.
+Since: 0.1.""",
     ),
     "vesica_cast_ellipse_point_f64": (
         c_int32,
@@ -3280,11 +3710,13 @@ other kinds. Since: 0.1.""",
 
 A ray at an ellipse.
 
-Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
-VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
-VESICA_E_RANGE, as vesica_cast_f64. Accuracy: that of vesica_cast_f64. Cost: 15 to 25 ns for a miss, 60 to
-180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what vesica_cast_f64 does for
-other kinds. Since: 0.1.""",
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
+Accuracy: that of vesica_cast_f64.
+Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties
+cost what vesica_cast_f64 does for other kinds.
+Since: 0.1.""",
     ),
     "vesica_cast_circle_circle_f64": (
         c_int32,
@@ -3293,11 +3725,13 @@ other kinds. Since: 0.1.""",
 
 Two discs.
 
-Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
-VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
-VESICA_E_RANGE, as vesica_cast_f64. Accuracy: that of vesica_cast_f64. Cost: 15 to 25 ns for a miss, 60 to
-180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what vesica_cast_f64 does for
-other kinds. Since: 0.1.""",
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
+Accuracy: that of vesica_cast_f64.
+Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties
+cost what vesica_cast_f64 does for other kinds.
+Since: 0.1.""",
     ),
     "vesica_cast_rect_rect_f64": (
         c_int32,
@@ -3306,11 +3740,13 @@ other kinds. Since: 0.1.""",
 
 Two rectangles.
 
-Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
-VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
-VESICA_E_RANGE, as vesica_cast_f64. Accuracy: that of vesica_cast_f64. Cost: 15 to 25 ns for a miss, 60 to
-180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what vesica_cast_f64 does for
-other kinds. Since: 0.1.""",
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
+Accuracy: that of vesica_cast_f64.
+Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties
+cost what vesica_cast_f64 does for other kinds.
+Since: 0.1.""",
     ),
     "vesica_cast_f32": (
         c_int32,
@@ -3327,20 +3763,22 @@ vesica_depth_f32 and the point of vesica_nearest_f32. Shapes that only touch at 
 (nx, ny).(vx, vy) < 0; if not, they move apart or slide. Exchanging the shapes and reversing the velocity
 changes neither the answer nor the time; it reverses the normal, up to rounding.
 
-Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
-VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity
-that is not finite, a t_end that is negative or NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a
-coordinate of the point, would overflow; or an exact position would take more than 2000 bits, as with
-magnitudes of both 2^1000 and 2^-1000). Accuracy: the answer is exact, and the time is rounded down. The
-point is within 8 u scale of a's outline before it is rounded; along the outline it may be off by (8 u scale
-+ 4 u R) / |n.v|, n and v of unit length, R the greatest radius of curvature of a: of an ellipse its long
-half length squared over the short one, far more than its size if it is thin. The normal has length 1 to 4
-u. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the
-largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an
-error of at most 4 u times the scale. An aspect ratio is longer over shorter size. Cost: 30 to 50 ns for a
-miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two ellipses, see the typed
-functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly unlike exponents most
-take 10 to 30 us; at worst 0.3 ms. Since: 0.1.""",
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity that is not finite, a t_end that is
+negative or NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a coordinate of the point, would overflow; or
+an exact position would take more than 2000 bits, as with magnitudes of both 2^1000 and 2^-1000).
+Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline
+before it is rounded; along the outline it may be off by (8 u scale + 4 u R) / |n.v|, n and v of unit
+length, R the greatest radius of curvature of a: of an ellipse its long half length squared over the short
+one, far more than its size if it is thin. The normal has length 1 to 4 u. In bounds on errors u is 2^-53,
+half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their
+centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An
+aspect ratio is longer over shorter size.
+Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two
+ellipses, see the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly
+unlike exponents most take 10 to 30 us; at worst 0.3 ms.
+Since: 0.1.""",
     ),
     "vesica_cast_many_f32": (
         c_int64,
@@ -3353,13 +3791,15 @@ vesica_cast_f32's result.
 Velocity i is `i * stride` bytes after vx and vy; stride 0 repeats one velocity.
 
 Requires: velocities and t_end as vesica_cast_f32; equal counts, or one count of 1, whose shape is used for
-all. Each output has room for as many numbers as the larger count. Some, but not all, may be NULL. Returns:
-how many touch, including those that overlap at the start. Errors: those of vesica_cast_f32. An element with
-an invalid shape, a velocity that is not finite or a result out of range gets NaN for all its numbers, and
-all others are written as usual. The call then returns VESICA_E_SHAPE if a shape is invalid, else the error
-of such an element. Accuracy: every result has the same bits as vesica_cast_f32. Cost: that of
-vesica_cast_f32 for each pair; with AVX2 or AVX-512 a half to an eighth of it, except for pairs that overlap
-at the start. Since: 0.1.""",
+all. Each output has room for as many numbers as the larger count. Some, but not all, may be NULL.
+Returns: how many touch, including those that overlap at the start.
+Errors: those of vesica_cast_f32. An element with an invalid shape, a velocity that is not finite or a
+result out of range gets NaN for all its numbers, and all others are written as usual. The call then returns
+VESICA_E_SHAPE if a shape is invalid, else the error of such an element.
+Accuracy: every result has the same bits as vesica_cast_f32.
+Cost: that of vesica_cast_f32 for each pair; with AVX2 or AVX-512 a half to an eighth of it, except for
+pairs that overlap at the start.
+Since: 0.1.""",
     ),
     "vesica_cast_first_f32": (
         c_int64,
@@ -3369,10 +3809,13 @@ at the start. Since: 0.1.""",
 Which of many shapes at rest does one moving shape touch first? If several are touched at that time, the one
 with the lowest index.
 
-Requires: one, the shape that moves, an array of count 1; vx, vy and t_end as vesica_cast_f32. Returns: its
-index, or the count of `many` if none is touched. *out is its contact, the normal pointing to `one`. Errors:
-those of vesica_cast_f32. VESICA_E_SHAPE if any shape is invalid. VESICA_E_RANGE only if vesica_cast_f32
-returns it for a shape that might be touched first. Cost: 5 to 20 ns a shape that is missed. Since: 0.1.""",
+Requires: one, the shape that moves, an array of count 1; vx, vy and t_end as vesica_cast_f32.
+Returns: its index, or the count of `many` if none is touched. *out is its contact, the normal pointing to
+`one`.
+Errors: those of vesica_cast_f32. VESICA_E_SHAPE if any shape is invalid. VESICA_E_RANGE only if
+vesica_cast_f32 returns it for a shape that might be touched first.
+Cost: 5 to 20 ns a shape that is missed.
+Since: 0.1.""",
     ),
     "vesica_sweep_bounds_f32": (
         c_int32,
@@ -3381,11 +3824,14 @@ returns it for a shape that might be touched first. Cost: 5 to 20 ns a shape tha
 
 A box that holds a shape throughout its motion, t from 0 to t_end. The shape touches nothing outside it.
 
-Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: 0. Errors: those of
-vesica_cast_f32; VESICA_E_RANGE if a side would overflow. Accuracy: a side that does not move is that of
-vesica_bounds_f32. One that moves is too far out by at most four units in the last place of the largest of
-three numbers: the side at rest, the way it moves, and where it ends. Cost: 15 ns more than
-vesica_bounds_f32. Since: 0.1.""",
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+Returns: 0.
+Errors: those of vesica_cast_f32; VESICA_E_RANGE if a side would overflow.
+Accuracy: a side that does not move is that of vesica_bounds_f32. One that moves is too far out by at most
+four units in the last place of the largest of three numbers: the side at rest, the way it moves, and where
+it ends.
+Cost: 15 ns more than vesica_bounds_f32.
+Since: 0.1.""",
     ),
     "vesica_index_cast_f32": (
         c_int64,
@@ -3395,12 +3841,14 @@ vesica_bounds_f32. Since: 0.1.""",
 Which items of an index does one moving shape touch? They come in the index's order.
 
 Requires: sets are those of the index. one, an array of count 1; vx, vy and t_end as vesica_cast_f32. out
-has room for `capacity` items. With capacity 0, out and state may be NULL. Returns: the number of items
-written; with capacity 0, how many there are. If state[0] is not -1 then, there are more, and the same call
-continues (vesica_index.h). Errors: those of vesica_cast_f32, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for
-sets that are not the index's, a pointer that is not aligned, or a state from another call. Invalid items
-are never touched. Accuracy: exact. Cost: a few us, and that of vesica_cast_f32 for each item whose box the
-swept box meets. Since: 0.1.""",
+has room for `capacity` items. With capacity 0, out and state may be NULL.
+Returns: the number of items written; with capacity 0, how many there are. If state[0] is not -1 then, there
+are more, and the same call continues (vesica_index.h).
+Errors: those of vesica_cast_f32, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the
+index's, a pointer that is not aligned, or a state from another call. Invalid items are never touched.
+Accuracy: exact.
+Cost: a few us, and that of vesica_cast_f32 for each item whose box the swept box meets.
+Since: 0.1.""",
     ),
     "vesica_index_cast_first_f32": (
         c_int64,
@@ -3412,8 +3860,10 @@ item.
 
 Requires: sets are those of the index. one, an array of count 1; vx, vy and t_end as vesica_cast_f32.
 Returns: the item, or the index's count if none is touched. *out is its contact, the normal pointing to
-`one`. Errors: those of vesica_index_cast_f32; VESICA_E_RANGE only as for vesica_cast_first_f32. Cost: about
-2 us for a ray at a million shapes. Since: 0.1.""",
+`one`.
+Errors: those of vesica_index_cast_f32; VESICA_E_RANGE only as for vesica_cast_first_f32.
+Cost: about 2 us for a ray at a million shapes.
+Since: 0.1.""",
     ),
     "vesica_impact_time_f32": (
         c_int32,
@@ -3433,11 +3883,13 @@ Since: 0.1.""",
 
 A ray at a point.
 
-Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
-VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
-VESICA_E_RANGE, as vesica_cast_f32. Accuracy: that of vesica_cast_f32. Cost: 15 to 25 ns for a miss, 60 to
-180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what vesica_cast_f32 does for
-other kinds. Since: 0.1.""",
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
+Accuracy: that of vesica_cast_f32.
+Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties
+cost what vesica_cast_f32 does for other kinds.
+Since: 0.1.""",
     ),
     "vesica_cast_segment_point_f32": (
         c_int32,
@@ -3446,11 +3898,13 @@ other kinds. Since: 0.1.""",
 
 A ray at a segment.
 
-Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
-VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
-VESICA_E_RANGE, as vesica_cast_f32. Accuracy: that of vesica_cast_f32. Cost: 15 to 25 ns for a miss, 60 to
-180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what vesica_cast_f32 does for
-other kinds. Since: 0.1.""",
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
+Accuracy: that of vesica_cast_f32.
+Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties
+cost what vesica_cast_f32 does for other kinds.
+Since: 0.1.""",
     ),
     "vesica_cast_circle_point_f32": (
         c_int32,
@@ -3459,11 +3913,13 @@ other kinds. Since: 0.1.""",
 
 A ray at a disc.
 
-Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
-VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
-VESICA_E_RANGE, as vesica_cast_f32. Accuracy: that of vesica_cast_f32. Cost: 15 to 25 ns for a miss, 60 to
-180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what vesica_cast_f32 does for
-other kinds. Since: 0.1.""",
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
+Accuracy: that of vesica_cast_f32.
+Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties
+cost what vesica_cast_f32 does for other kinds.
+Since: 0.1.""",
     ),
     "vesica_cast_aabb_point_f32": (
         c_int32,
@@ -3472,11 +3928,13 @@ other kinds. Since: 0.1.""",
 
 A ray at an axis-aligned box.
 
-Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
-VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
-VESICA_E_RANGE, as vesica_cast_f32. Accuracy: that of vesica_cast_f32. Cost: 15 to 25 ns for a miss, 60 to
-180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what vesica_cast_f32 does for
-other kinds. Since: 0.1.""",
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
+Accuracy: that of vesica_cast_f32.
+Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties
+cost what vesica_cast_f32 does for other kinds.
+Since: 0.1.""",
     ),
     "vesica_cast_rect_point_f32": (
         c_int32,
@@ -3485,11 +3943,13 @@ other kinds. Since: 0.1.""",
 
 A ray at a rectangle.
 
-Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
-VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
-VESICA_E_RANGE, as vesica_cast_f32. Accuracy: that of vesica_cast_f32. Cost: 15 to 25 ns for a miss, 60 to
-180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what vesica_cast_f32 does for
-other kinds. Since: 0.1.""",
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
+Accuracy: that of vesica_cast_f32.
+Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties
+cost what vesica_cast_f32 does for other kinds.
+Since: 0.1.""",
     ),
     "vesica_cast_ellipse_point_f32": (
         c_int32,
@@ -3498,11 +3958,13 @@ other kinds. Since: 0.1.""",
 
 A ray at an ellipse.
 
-Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
-VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
-VESICA_E_RANGE, as vesica_cast_f32. Accuracy: that of vesica_cast_f32. Cost: 15 to 25 ns for a miss, 60 to
-180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what vesica_cast_f32 does for
-other kinds. Since: 0.1.""",
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
+Accuracy: that of vesica_cast_f32.
+Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties
+cost what vesica_cast_f32 does for other kinds.
+Since: 0.1.""",
     ),
     "vesica_cast_circle_circle_f32": (
         c_int32,
@@ -3511,11 +3973,13 @@ other kinds. Since: 0.1.""",
 
 Two discs.
 
-Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
-VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
-VESICA_E_RANGE, as vesica_cast_f32. Accuracy: that of vesica_cast_f32. Cost: 15 to 25 ns for a miss, 60 to
-180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what vesica_cast_f32 does for
-other kinds. Since: 0.1.""",
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
+Accuracy: that of vesica_cast_f32.
+Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties
+cost what vesica_cast_f32 does for other kinds.
+Since: 0.1.""",
     ),
     "vesica_cast_rect_rect_f32": (
         c_int32,
@@ -3524,11 +3988,13 @@ other kinds. Since: 0.1.""",
 
 Two rectangles.
 
-Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
-VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
-VESICA_E_RANGE, as vesica_cast_f32. Accuracy: that of vesica_cast_f32. Cost: 15 to 25 ns for a miss, 60 to
-180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what vesica_cast_f32 does for
-other kinds. Since: 0.1.""",
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
+Accuracy: that of vesica_cast_f32.
+Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties
+cost what vesica_cast_f32 does for other kinds.
+Since: 0.1.""",
     ),
     "vesica_de9im_f64": (
         c_int32,
@@ -3544,10 +4010,13 @@ that of a segment its two end points; a point has none. A segment without length
 one size 0 is a segment, with both 0 a point. Two boxes side by side that share a side give "FF2F11212".
 Exchanging the shapes exchanges rows and columns.
 
-Requires: matrix with room for VESICA_DE9IM_SIZE characters. Returns: 0, and nine characters and a final NUL
-in matrix. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE. Accuracy: exact. Cost: that of
-vesica_relation_f64; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel. At worst
-30 us. Since: 0.1.""",
+Requires: matrix with room for VESICA_DE9IM_SIZE characters.
+Returns: 0, and nine characters and a final NUL in matrix.
+Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: that of vesica_relation_f64; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are
+parallel. At worst 30 us.
+Since: 0.1.""",
     ),
     "vesica_de9im_match": (
         c_int32,
@@ -3577,16 +4046,18 @@ is the one with the least y, of equal ones that with the least x, by the numbers
 point, two are the ends of a segment. Exchanging the shapes changes no bit; a zero is +0. Unused vertices
 become 0.
 
-Returns: the number of vertices, 1 to 8, or 0 if the shapes share nothing. Errors: VESICA_E_NULL,
-VESICA_E_KIND (also for other pairs of kinds than these), VESICA_E_SHAPE, VESICA_E_RANGE (a vertex, or the
-length of a side that makes one, overflows). Accuracy: the number of vertices is exact: it is that of the
-true region. A corner of a shape that lies in the other keeps the stored numbers, or those of
-vesica_corners_of_shapes_f64 for a rectangle. Other vertices are right to 4 u times the largest coordinate
-or size of either shape. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of
-two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u
-scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size. Cost:
-that of vesica_overlap_f64 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6 us for areas; at worst 30
-us. Since: 0.1.""",
+Returns: the number of vertices, 1 to 8, or 0 if the shapes share nothing.
+Errors: VESICA_E_NULL, VESICA_E_KIND (also for other pairs of kinds than these), VESICA_E_SHAPE,
+VESICA_E_RANGE (a vertex, or the length of a side that makes one, overflows).
+Accuracy: the number of vertices is exact: it is that of the true region. A corner of a shape that lies in
+the other keeps the stored numbers, or those of vesica_corners_of_shapes_f64 for a rectangle. Other vertices
+are right to 4 u times the largest coordinate or size of either shape. In bounds on errors u is 2^-53, half
+a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres
+and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect
+ratio is longer over shorter size.
+Cost: that of vesica_overlap_f64 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6 us for areas; at
+worst 30 us.
+Since: 0.1.""",
     ),
     "vesica_de9im_f32": (
         c_int32,
@@ -3602,10 +4073,13 @@ that of a segment its two end points; a point has none. A segment without length
 one size 0 is a segment, with both 0 a point. Two boxes side by side that share a side give "FF2F11212".
 Exchanging the shapes exchanges rows and columns.
 
-Requires: matrix with room for VESICA_DE9IM_SIZE characters. Returns: 0, and nine characters and a final NUL
-in matrix. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE. Accuracy: exact. Cost: that of
-vesica_relation_f32; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel. At worst
-30 us. Since: 0.1.""",
+Requires: matrix with room for VESICA_DE9IM_SIZE characters.
+Returns: 0, and nine characters and a final NUL in matrix.
+Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
+Accuracy: exact.
+Cost: that of vesica_relation_f32; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are
+parallel. At worst 30 us.
+Since: 0.1.""",
     ),
     "vesica_intersection_f32": (
         c_int32,
@@ -3620,16 +4094,18 @@ is the one with the least y, of equal ones that with the least x, by the numbers
 point, two are the ends of a segment. Exchanging the shapes changes no bit; a zero is +0. Unused vertices
 become 0.
 
-Returns: the number of vertices, 1 to 8, or 0 if the shapes share nothing. Errors: VESICA_E_NULL,
-VESICA_E_KIND (also for other pairs of kinds than these), VESICA_E_SHAPE, VESICA_E_RANGE (a vertex, or the
-length of a side that makes one, overflows). Accuracy: the number of vertices is exact: it is that of the
-true region. A corner of a shape that lies in the other keeps the stored numbers, or those of
-vesica_corners_of_shapes_f32 for a rectangle. Other vertices are right to 4 u times the largest coordinate
-or size of either shape. Each number is computed in double, within these bounds, and then rounded to float
-once. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the
-largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an
-error of at most 4 u times the scale. An aspect ratio is longer over shorter size. Cost: that of
-vesica_overlap_f32 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6 us for areas; at worst 30 us.
+Returns: the number of vertices, 1 to 8, or 0 if the shapes share nothing.
+Errors: VESICA_E_NULL, VESICA_E_KIND (also for other pairs of kinds than these), VESICA_E_SHAPE,
+VESICA_E_RANGE (a vertex, or the length of a side that makes one, overflows).
+Accuracy: the number of vertices is exact: it is that of the true region. A corner of a shape that lies in
+the other keeps the stored numbers, or those of vesica_corners_of_shapes_f32 for a rectangle. Other vertices
+are right to 4 u times the largest coordinate or size of either shape. Each number is computed in double,
+within these bounds, and then rounded to float once. In bounds on errors u is 2^-53, half a unit in the last
+place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
+lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over
+shorter size.
+Cost: that of vesica_overlap_f32 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6 us for areas; at
+worst 30 us.
 Since: 0.1.""",
     ),
 }

@@ -183,7 +183,7 @@ TEST(Leading, PolynomialsOfLongNumbers) {
   EXPECT_GT(differing, 500 * properties::repeat());
 }
 
-// Each of the four may be the only long one; digits tell as well where none is.
+// Each of the four numbers may be the only long one, or none is.
 TEST(Leading, TwoProductsOfWhichOneIsLong) {
   const Number<8> one = exact::integer(1), two = exact::integer(2), longer = one + exact::from_double(0x1p-1074);
   ASSERT_TRUE(is_long(longer) && !is_long(two));
