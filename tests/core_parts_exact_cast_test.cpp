@@ -235,7 +235,7 @@ TEST(ExactCastParts, SearchesThatFindNothing) {
 TEST(ExactCastParts, FloorByTrials) {
   const auto floor = [](double start, double t0, double guess = 0, Between witness = {largest, infinity}) {
     const auto ask = [t0](double t) { return Trial{true, t > t0}; };
-    return TrialSearch(ask).floor(start, witness, guess);
+    return TrialSearch(ask, Trial{true, false}).floor(start, witness, guess);
   };
   for (const double t0 : {0x1p-1074, 0x1p-1022, 0x1.8p-3, 1.0, before(2.0), 0x1.5555p100, before(0x1p1023)}) {
     for (const double start : {0x1p-1074, 1.0, next(t0), t0, largest}) EXPECT_EQ(floor(start, t0), t0) << start;
@@ -252,22 +252,20 @@ TEST(ExactCastParts, FloorByTrials) {
   EXPECT_EQ(floor(1, largest), infinity);
 }
 
-/// Contact before all times that trials know is told by one of them.
+/// Contact before all times that trials know: no other time is asked.
 TEST(ExactCastParts, FloorBeforeAllTrials) {
-  int asked = 0;
-  const auto ask = [&asked](double t) {
-    ++asked;
-    return Trial{t >= 0x1p-500, true};
+  const auto ask = [](double t) {
+    EXPECT_GE(t, 0x1p-500);
+    return Trial{true, true};
   };
-  EXPECT_EQ(TrialSearch(ask, 0x1p-500).floor(0, {largest, infinity}, 0), -1);
-  EXPECT_EQ(asked, 1);
+  EXPECT_EQ(TrialSearch(ask, Trial{true, false}, 0x1p-500).floor(0, {largest, infinity}, 0), -1);
 }
 
 /// Trials that are known from some time on: the search ends where it asks one before that.
 TEST(ExactCastParts, FloorWithoutTheFirstTrials) {
   const auto floor = [](double t0, double known) {
     const auto ask = [=](double t) { return Trial{t >= known, t > t0}; };
-    return TrialSearch(ask).floor(0, {largest, infinity}, 0);
+    return TrialSearch(ask, Trial{true, false}).floor(0, {largest, infinity}, 0);
   };
   EXPECT_EQ(floor(0x1p-450, 0x1p-400), -1);
   EXPECT_EQ(floor(0x1.8p-3, 0x1p-400), 0x1.8p-3);
@@ -291,16 +289,18 @@ TEST(ExactCastParts, FloorOfEllipsesBeyondTheDigits) {
 /// and after it.
 TEST(ExactCastParts, TrialAtTheTimeItself) {
   const Ellipse<double> a{0, 0, 1, 0, 1, 1}, b{8, 0, 0, 1, 1, 1};
-  const LeadingContact contact{PairDigits<exact::few_limbs>(pair_of(a, b, -1, 0))};
+  const ExactPair pair = pair_of(a, b, -1, 0);
+  const LeadingContact contact(pair);
   const Trial no = contact.at(before(6)), at = contact.at(6), yes = contact.at(next(6));
   EXPECT_TRUE(no.known && !no.after && no.has_value && no.value.value > 0);
   EXPECT_FALSE(at.known);
   EXPECT_TRUE(yes.known && yes.after && yes.has_value && yes.value.value < 0);
-  const Trial exactly = LeadingContact::exactly_at(pair_of(a, b, -1, 0), 6);
-  EXPECT_TRUE(exactly.known && !exactly.after && !exactly.has_value);
+  KnownCubic known;
+  const Trial exactly = known.try_at(pair, 6);
+  EXPECT_TRUE(exactly.known && !exactly.after && !exactly.has_value && known.has_discriminant);
   // One of 2^-90 beside one of 1: the first digits that are tried lose some of the others.
   const Circle<double> large{0, 0, 1}, small{1, 0, 0x1p-90};
-  const Trial of_more = LeadingContact::exactly_at(pair_of(large, small, 1, 0), 0x1p-90);
+  const Trial of_more = known.try_at(pair_of(large, small, 1, 0), 0x1p-90);
   EXPECT_TRUE(of_more.known && !of_more.after && !of_more.has_value);
 }
 
@@ -316,21 +316,52 @@ TEST(ExactCastParts, TrialsFromTheWitness) {
   }
 }
 
-/// A disc that meets a thin ellipse flat on, whether the time might be 0 or not.
+/// A disc that meets a thin ellipse flat on.
 TEST(ExactCastParts, TimeOfAThinEllipseMetFlatOn) {
   const Ellipse<double> thin{0, 0, 0x1.8e0d53f198a59p-1, 0, 0x1.634ea5e9e2933p+2, 0x1.4p-270},
       disc{0x1.2911c0aa2a5a4p-4, 0x1.086c846440b3ep+3, 0x1.a19fe315b1be4p-1,
            0x1.817effc9499e2p-1, 0x1.26af17d2325dbp+0, 0x1.26af17d2325dbp+0};
   const ExactPair pair = pair_of(thin, disc, -0x1p-700, -0x1.e911739e24a04p-1);
-  ASSERT_FALSE(LeadingContact(PairDigits<exact::few_limbs>(pair)).soon(pair).tells());
-  for (const bool beside_start : {false, true}) {
-    const WideTime found = known_time_of_ellipses(pair, beside_start);
-    ASSERT_TRUE(found.tells()) << beside_start;
-    double t = 0;
-    ASSERT_EQ(floor_of_time(pair, found.time, t), 0);
-    EXPECT_EQ(pair.contact_before(t), 0);
-    EXPECT_EQ(pair.contact_before(next(t)), 1);
+  const double t = EllipseTrials(pair).floor(0, 0);
+  EXPECT_EQ(pair.contact_before(t), 0);
+  EXPECT_EQ(pair.contact_before(next(t)), 1);
+}
+
+/// The cubic at other times by how it differs from that at one: the same where both are known, and known where shapes
+/// are so near to each other that all leading digits of the cubic itself cancel. Moved far, or not at all.
+TEST(ExactCastParts, TrialFromAKnownCubic) {
+  const Ellipse<double> a{0, 0, 1, 0, 1, 2}, b{8, 0, 3, 4, 0.1, 0.3};
+  const auto same = [](const Trial& x, const Trial& y) {
+    return x.after == y.after && std::fabs(ratio(x.value, y.value) - 1) < 0x1p-50;
+  };
+  for (const double far : {1.0, 0x1p400}) {
+    const ExactPair pair = pair_of(a, b, -1 / far, 0);
+    KnownCubic from;
+    ASSERT_TRUE(from.try_at(pair, 3 * far).known);
+    for (const double t : {far, 2.5 * far, 3 * far, 8 * far}) {
+      KnownCubic there;
+      const Trial exactly = there.try_at(pair, t), trial = LeadingContact(pair).at(t, from);
+      ASSERT_TRUE(exactly.known && trial.known) << t;
+      EXPECT_TRUE(exactly.has_value ? same(trial, exactly) : trial.after && exactly.after) << t;
+    }
   }
+}
+
+/// Where all leading digits of the cubic cancel, from the start on.
+TEST(ExactCastParts, TrialBesideContactFromTheStart) {
+  const Ellipse<double> a{-0x1.1414343f395eap+512, 0x1.b9779b312b7ebp-765, -0x1.b73500f6b3fb3p+761, 0x1p-211,
+                          0x1.41d5e1ad87e23p-250,  0x1.12ee99daf1f1fp+177},
+      b{-0x0p+0, -0x1.1414343f395dcp+459, 0x1.9022a51ce9306p-516, -0x1.6858e5be8610ep+389, 0x1.7272e9927b299p+520,
+        0x1p+69};
+  const ExactPair pair = pair_of(a, b, 0x0p+0, 0x1.9022a51ce930ap-524);
+  const LeadingContact contact(pair);
+  KnownCubic at_start;
+  ASSERT_TRUE(at_start.try_at(pair, 0).known);
+  const double last = 0x1.4433a2676cf56p+974;
+  EXPECT_FALSE(contact.at(last).known || contact.at(0).known);
+  const Trial no = contact.at(last, at_start), yes = contact.at(next(last), at_start);
+  EXPECT_TRUE(no.known && !no.after && yes.known && yes.after);
+  EXPECT_EQ(EllipseTrials(pair).floor(0, 0), last);
 }
 
 /// Digits of which so few are kept that a sqrt(x) + b sqrt(y) might be 0, and digits that tell.
@@ -359,7 +390,7 @@ TEST(ExactCastParts, ContactBeyondExactNumbers) {
 /// A box whose time is not known, as it is in the ellipse from the start on: then the time is searched.
 TEST(ExactCastParts, SearchedFloorOfABox) {
   const ExactPair pair = pair_of(Ellipse<double>{0, 0, 1, 0, 2, 1}, Rect<double>{1, 0, 1, 0, 1, 1}, -1, 0x1p-10);
-  ASSERT_FALSE(known_time(pair, false).tells());
+  ASSERT_FALSE(known_time(pair).tells());
   double t = -1;
   EXPECT_EQ(exact_floor(pair, infinity, false, -1, {}, t), 1);
   EXPECT_EQ(t, 0);

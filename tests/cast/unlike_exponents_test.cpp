@@ -37,15 +37,22 @@ void expect_found_by_search(const ExactPair& pair, double t) {
   }
 }
 
-/// Whether the pair has a time that is known without trials; checks it, also `by_search`.
+/// The floor of the time by formulas, or of two ellipses by trials; negative where neither tells it.
+double floor_of(const ExactPair& pair) {
+  const core::WideTime found = core::known_time(pair);
+  double t = 0;
+  if (found.tells()) return core::floor_of_time(pair, found.time, t) == 0 ? t : -1;
+  return pair.of_ellipses() && !pair.line_grazes() ? core::EllipseTrials(pair).floor(0, 0) : -1;
+}
+
+/// Whether the pair has a time that is known without the search that defines it; checks it, also `by_search`.
 bool check(const Body& a, const Body& b, const core::Motion& m, bool by_search) {
   const ExactPair pair(a, b, m);
   if (pair.contact_at(0) != core::Contact::none) return false;
   const core::LineMeeting line = core::exact_line(pair, m.end);
   if (!line.meets) return false;
-  const core::WideTime found = core::known_time(pair, false);
-  double t = 0;
-  if (!found.tells() || core::floor_of_time(pair, found.time, t) != 0) return false;
+  const double t = floor_of(pair);
+  if (t < 0) return false;
   if (by_search) expect_found_by_search(pair, t);
   if (t > std::numeric_limits<double>::max()) {
     EXPECT_LE(pair.contact_before(std::numeric_limits<double>::max()), 0);
@@ -143,10 +150,7 @@ TEST(CastAtUnlikeExponents, KnownTimes) {
   };
   for (const Known& k : all) {
     const ExactPair pair(k.a, k.b, k.motion);
-    const core::WideTime found = core::known_time(pair, false);
-    double t = 0;
-    ASSERT_TRUE(found.tells());
-    ASSERT_EQ(core::floor_of_time(pair, found.time, t), 0);
+    const double t = floor_of(pair);
     EXPECT_EQ(t, k.time);
     EXPECT_EQ(pair.contact_before(t), 0);
     EXPECT_EQ(pair.contact_before(next(t)), 1);

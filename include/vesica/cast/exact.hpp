@@ -212,11 +212,8 @@ enum class Contact { none, touch, inside, beyond };
 
 struct WideTime;
 struct ByExtent;
-template <int limbs>
-struct PairDigits;
+struct KnownCubic;
 class LeadingContact;
-class EllipseSector;
-class EllipseTime;
 
 /// A pair and its motion, v != 0, in exact numbers.
 class ExactPair {
@@ -300,12 +297,9 @@ class ExactPair {
   friend WideTime wide_time_of_circles(const ExactPair& pair) noexcept;
   friend WideTime wide_time_of_thin(const ExactPair& pair, const ByExtent& by_extent) noexcept;
   friend WideTime wide_grazing_time(const ExactPair& pair) noexcept;
-  template <int limbs>
-  friend struct PairDigits;
   friend struct ByExtent;
+  friend struct KnownCubic;
   friend class LeadingContact;
-  friend class EllipseSector;
-  friend class EllipseTime;
 
  private:
   Rough find_witness() const noexcept {

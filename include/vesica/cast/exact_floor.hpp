@@ -2,12 +2,11 @@
 /// The greatest double with no contact before it, from exact numbers.
 ///
 /// It is defined by a search: doubles are tried, from an estimate on, and where a place that is tried is beyond exact
-/// numbers, the search ends with an error. At unlike exponents the time is mostly known without trials (wide.hpp,
-/// ellipse_time.hpp); then only the places are looked at.
+/// numbers, the search ends with an error. At unlike exponents the time is mostly found otherwise (wide.hpp,
+/// ellipse_trials.hpp); then only the places are looked at.
 #pragma once
 
 #include <vesica/arithmetic/rounding.hpp>
-#include <vesica/cast/ellipse_time.hpp>
 #include <vesica/cast/ellipse_trials.hpp>
 
 namespace vesica::detail::cast {
@@ -56,25 +55,16 @@ inline std::int32_t repeat_search(const ExactPair& pair, double start, double t)
   return search(start, reaches, out);
 }
 
-/// The time, as far as it is known from few digits. `is_beside_start`: whether double leaves open that it is 0.
-inline WideTime known_time_of_ellipses(const ExactPair& pair, bool is_beside_start) noexcept {
+/// The time, as far as it is known without trials.
+inline WideTime known_time_of_ellipses(const ExactPair& pair) noexcept {
   const WideTime of_circles = wide_time_of_circles(pair);
   if (of_circles.certain) return of_circles;
   const ByExtent by_extent(pair);
-  const WideTime of_thin = by_extent.bits > 64 ? wide_time_of_thin(pair, by_extent) : WideTime{};
-  if (of_thin.tells()) return of_thin;
-  const auto soon = [&] { return LeadingContact(PairDigits<exact::few_limbs>(pair)).soon(pair); };
-  WideTime found;
-  if (is_beside_start) found = soon();
-  if (found.tells()) return found;
-  found = EllipseTime(pair).time();
-  if (found.tells()) return found;
-  const WideTime straight = is_beside_start ? WideTime{} : soon();
-  return straight.tells() ? straight : found;
+  return by_extent.bits > 64 ? wide_time_of_thin(pair, by_extent) : WideTime{};
 }
-inline WideTime known_time(const ExactPair& pair, bool is_beside_start) noexcept {
+inline WideTime known_time(const ExactPair& pair) noexcept {
   if (pair.line_grazes()) return wide_grazing_time(pair);
-  return pair.of_ellipses() ? known_time_of_ellipses(pair, is_beside_start) : wide_time(pair);
+  return pair.of_ellipses() ? known_time_of_ellipses(pair) : wide_time(pair);
 }
 
 /// Contact at one time; where the shapes touch is not told.
@@ -83,18 +73,23 @@ inline std::int32_t exact_contact_at(const ExactPair& pair, double t) noexcept {
   return contact == Contact::beyond ? static_cast<std::int32_t>(error_range) : contact != Contact::none ? 1 : 0;
 }
 
-/// Whether there is contact at the end, where the witness comes after it; or an error. The time, if known, tells
-/// mostly.
-inline std::int32_t contact_at_end(const ExactPair& pair, double end, const WideTime& found) noexcept {
-  if (found.tells()) {
-    const Rough left = found.time - Rough(exact::from_double(end));
-    // The errors of two times of boxes are within 2^-90 of either.
-    const double error = left.error + arithmetic::scale(0x1p-88, found.time.exponent - left.exponent);
-    if (std::fabs(rounded(left.value)) > error) {
-      return pair.holds_place(end) ? (left.sign() < 0 ? 1 : 0) : static_cast<std::int32_t>(error_range);
-    }
-  }
-  return exact_contact_at(pair, end);
+/// Sign of the time less the end, 0 where that is not known.
+inline int time_after(double end, const WideTime& found) noexcept {
+  if (!found.tells()) return 0;
+  const Rough left = found.time - Rough(exact::from_double(end));
+  // The errors of two times of boxes are within 2^-90 of either.
+  const double error = left.error + arithmetic::scale(0x1p-88, found.time.exponent - left.exponent);
+  return std::fabs(rounded(left.value)) > error ? left.sign() : 0;
+}
+/// The same by the floor of the time, negative where that is not known.
+inline int time_after(double end, double floor) noexcept {
+  return floor < 0 || floor == end ? 0 : floor < end ? -1 : 1;
+}
+
+/// Whether there is contact at the end, where the witness comes after it, or an error.
+inline std::int32_t contact_at_end(const ExactPair& pair, double end, int time_after_end) noexcept {
+  if (time_after_end == 0) return exact_contact_at(pair, end);
+  return pair.holds_place(end) ? (time_after_end < 0 ? 1 : 0) : static_cast<std::int32_t>(error_range);
 }
 
 /// The floor of a time by the search that defines it, with what trials told, if there were any.
@@ -109,13 +104,27 @@ VESICA_COLD inline std::int32_t searched_floor(const ExactPair& pair, const Elli
   return error;
 }
 
-/// The same for two ellipses, of whose time `found` is all that is known.
-VESICA_COLD inline std::int32_t tried_floor(const ExactPair& pair, double start, bool start_is_estimate,
+/// Where the search begins: beside an estimate, where there is one.
+struct Start {
+  bool is_estimate;
+  double time;
+
+  explicit Start(double estimate) noexcept
+      : is_estimate(estimate > 0 && estimate < std::numeric_limits<double>::max()),
+        time(is_estimate ? arithmetic::at_rank<double>(arithmetic::rank(estimate) + 1) : 1.0) {}
+};
+
+/// exact_floor() of two ellipses, of whose time `found` is all that is known. The floor tells of the end too.
+VESICA_COLD inline std::int32_t tried_floor(const ExactPair& pair, double end, bool late, const Start& start,
                                             const WideTime& found, double& out) noexcept {
   EllipseTrials trials(pair);
   const double guess = found.time.sign() > 0 ? between(found.time).least : 0;
-  out = trials.floor(start_is_estimate ? start : 0, guess);
-  return out >= 0 ? repeat_search(pair, start, out) : searched_floor(pair, &trials, start, out);
+  out = trials.floor(start.is_estimate ? start.time : 0, guess);
+  const std::int32_t at_end = late ? contact_at_end(pair, end, time_after(end, out)) : 1;
+  if (at_end <= 0) return at_end;
+  const std::int32_t error =
+      out < 0 ? searched_floor(pair, &trials, start.time, out) : repeat_search(pair, start.time, out);
+  return error != 0 ? error : 1;
 }
 
 /// For a line that enters M after the start, and a witness that comes after the end if that is `late`. `bounds`: what
@@ -123,21 +132,19 @@ VESICA_COLD inline std::int32_t tried_floor(const ExactPair& pair, double start,
 /// place is beyond the numbers.
 VESICA_COLD inline std::int32_t exact_floor(const ExactPair& pair, double end, bool late, double estimate,
                                             const WideTime& bounds, double& out) noexcept {
-  const bool usable = estimate > 0 && estimate < std::numeric_limits<double>::max();
-  const double start = usable ? arithmetic::at_rank<double>(arithmetic::rank(estimate) + 1) : 1.0;
-  const WideTime found = bounds.tells() ? bounds : known_time(pair, bounds.certain);
-  if (late) {
-    const std::int32_t at_end = contact_at_end(pair, end, found);
-    if (at_end <= 0) return at_end;
+  const Start start(estimate);
+  const WideTime found = bounds.tells() ? bounds : known_time(pair);
+  if (!found.tells() && pair.of_ellipses() && !pair.line_grazes()) {
+    return tried_floor(pair, end, late, start, found, out);
   }
+  const std::int32_t at_end = late ? contact_at_end(pair, end, time_after(end, found)) : 1;
+  if (at_end <= 0) return at_end;
   std::int32_t error;
   if (found.tells()) {
     error = floor_of_time(pair, found.time, out);
-    if (error == 0) error = repeat_search(pair, start, out);
-  } else if (pair.of_ellipses() && !pair.line_grazes()) {
-    error = tried_floor(pair, start, usable, found, out);
+    if (error == 0) error = repeat_search(pair, start.time, out);
   } else {
-    error = searched_floor(pair, nullptr, start, out);
+    error = searched_floor(pair, nullptr, start.time, out);
   }
   return error != 0 ? error : 1;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The time of first contact where numbers are of unlike exponents: to about 100 bits, by numbers of any exponent with
 /// a bound on their error (crossings/rough.hpp), and from exact polynomials where terms cancel. Of two boxes, and of a
-/// box and a round shape; for two ellipses see ellipse_time.hpp.
+/// box and a round shape; for two ellipses see ellipse_trials.hpp.
 ///
 /// t0 is the greatest T(n) (bound.hpp), for a line that enters M after the start and does not graze.
 ///

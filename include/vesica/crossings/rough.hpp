@@ -5,7 +5,6 @@
 
 #include <utility>
 #include <vesica/crossings/points.hpp>
-#include <vesica/exact/digits.hpp>
 #include <vesica/exact/rounded.hpp>
 
 namespace vesica::detail::crossings {
@@ -85,21 +84,16 @@ inline Rough operator/(const Rough& a, const Rough& b) noexcept {
 inline Rough times(double factor, const Rough& a) noexcept { return a * Rough(Real(factor), 0, 0); }
 
 /// Of leading digits.
-template <int Degree>
-Rough rough(const exact::Number<Degree>& kept, std::int64_t error) noexcept {
+template <int limbs>
+Rough rough(const exact::Leading<limbs>& x) noexcept {
+  const auto kept = exact::detail::digits_of(x);
   Rough out(kept);
-  if (error == exact::Digits::nothing) return out;
-  const int place = static_cast<int>(error);
+  if (x.error == x.nothing) return out;
+  const int place = static_cast<int>(x.error);
   // Of digits that are all beyond what is known, only how great they may be.
   if (kept.sign == 0 || place > out.exponent + 60) return {{}, 2, place};
   return {out.value, out.error + arithmetic::scale(1.01, place - out.exponent), out.exponent};
 }
-template <int limbs>
-Rough rough(const exact::Leading<limbs>& x) noexcept {
-  return rough(exact::detail::digits_of(x), x.error);
-}
-inline Rough rough(const exact::Digits& x) noexcept { return rough(exact::detail::digits_of(x), x.error); }
-inline const Rough& rough(const Rough& x) noexcept { return x; }
 
 /// The sign of a polynomial in exact numbers, from the rough one or else from these.
 template <class Polynomial, int... Degree>

@@ -40,14 +40,6 @@ struct Digits : LeadingLimbs<Digits> {
   }
 
   constexpr detail::Span span() const noexcept { return {limb, low, sign == 0 ? 0 : limbs}; }
-  /// These digits, or as many of them, as a number of its own.
-  constexpr Digits with_limbs(int count) const noexcept {
-    Digits out;
-    out.limbs = count;
-    out.set(sign, span());
-    out.error = nothing;
-    return out;
-  }
 };
 
 namespace detail {
@@ -116,7 +108,6 @@ constexpr Digits operator-(const Digits& a) noexcept {
   negative.sign = -a.sign;
   return negative;
 }
-constexpr Digits abs(const Digits& a) noexcept { return a.sign < 0 ? -a : a; }
 
 /// A small positive whole number of times.
 VESICA_CALLED constexpr Digits times(int factor, const Digits& a) noexcept {

@@ -132,12 +132,6 @@ constexpr Leading<limbs> times(int factor, const Leading<limbs>& a) noexcept {
 }
 
 template <int limbs>
-constexpr Leading<limbs> abs(Leading<limbs> a) noexcept {
-  a.sign = a.sign < 0 ? 1 : a.sign;
-  return a;
-}
-
-template <int limbs>
 constexpr Leading<limbs> operator-(const Leading<limbs>& a) noexcept {
   Leading<limbs> negative = a;
   negative.sign = -a.sign;

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Trials of times: whether there is contact before one, and a value that is 0 at the time of contact.
+#pragma once
+
+#include <vesica/arithmetic/scaled.hpp>
+
+namespace vesica::detail::cast {
+
+/// What a trial tells: whether there is contact of insides before the time, and where known the discriminant of the
+/// cubic, which is positive before contact, and falls through 0 at it.
+struct Trial {
+  bool known = false, after = false, has_value = false;
+  arithmetic::Scaled value{0, 0};
+};
+
+/// A time, and what a trial there told.
+struct TriedTime {
+  double time;
+  Trial trial;
+};
+
+/// y / x for values x, y.
+inline double ratio(const arithmetic::Scaled& y, const arithmetic::Scaled& x) noexcept {
+  return arithmetic::scale(y.value / x.value, y.exponent - x.exponent);
+}
+
+}  // namespace vesica::detail::cast
