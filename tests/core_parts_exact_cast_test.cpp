@@ -327,22 +327,25 @@ TEST(ExactCastParts, TimeOfAThinEllipseMetFlatOn) {
   EXPECT_EQ(pair.contact_before(next(t)), 1);
 }
 
-/// The cubic at other times by how it differs from that at one: the same where both are known, and known where shapes
-/// are so near to each other that all leading digits of the cubic itself cancel. Moved far, or not at all.
+/// The cubic at other times by how it differs from that at one: the same as from all digits, of long times too, and of
+/// lengths so small that exact numbers are moved for places to have room.
 TEST(ExactCastParts, TrialFromAKnownCubic) {
-  const Ellipse<double> a{0, 0, 1, 0, 1, 2}, b{8, 0, 3, 4, 0.1, 0.3};
   const auto same = [](const Trial& x, const Trial& y) {
     return x.after == y.after && std::fabs(ratio(x.value, y.value) - 1) < 0x1p-50;
   };
-  for (const double far : {1.0, 0x1p400}) {
-    const ExactPair pair = pair_of(a, b, -1 / far, 0);
-    KnownCubic from;
-    ASSERT_TRUE(from.try_at(pair, 3 * far).known);
-    for (const double t : {far, 2.5 * far, 3 * far, 8 * far}) {
-      KnownCubic there;
-      const Trial exactly = there.try_at(pair, t), trial = LeadingContact(pair).at(t, from);
-      ASSERT_TRUE(exactly.known && trial.known) << t;
-      EXPECT_TRUE(exactly.has_value ? same(trial, exactly) : trial.after && exactly.after) << t;
+  for (const double length : {1.0, 0x1p-1000}) {
+    for (const double time : {1.0, 0x1p20}) {
+      const Ellipse<double> a{0, 0, 1, 0, length, 2 * length}, b{8 * length, 0, 3, 4, 0.1 * length, 0.3 * length};
+      const ExactPair pair = pair_of(a, b, -(1 - 0x1p-50) * length / time, 0);
+      const LeadingContact contact(pair);
+      KnownCubic from;
+      ASSERT_TRUE(from.try_at(pair, (3 + 0x1p-40) * time).known && from.has_discriminant);
+      for (const double t : {0.5, 1.0 + 0x1p-45, 2.5, 3 + 0x1p-40, 8.0}) {
+        KnownCubic there;
+        const Trial exactly = there.try_at(pair, t * time), trial = contact.at(t * time, from);
+        ASSERT_TRUE(exactly.known && trial.known) << t;
+        EXPECT_TRUE(exactly.has_value ? same(trial, exactly) : trial.after && exactly.after) << t;
+      }
     }
   }
 }
@@ -385,6 +388,17 @@ TEST(ExactCastParts, ContactBeyondExactNumbers) {
   EXPECT_EQ(exact_contact_at(pair, largest), static_cast<std::int32_t>(error_range));
   EXPECT_EQ(exact_contact_at(pair, 0x1p-40), 1);
   EXPECT_EQ(exact_contact_at(pair, 1), 0);
+}
+
+/// A line that grazes two ellipses, beside the time of which few digits do not tell.
+TEST(ExactCastParts, ContactOfEllipsesThatGraze) {
+  const Circle<double> a{0, 0, 1};
+  const Ellipse<double> b{4, 2, 1, 0, 1, 1};
+  const ExactPair pair = pair_of(a, b, -1, 0);
+  ASSERT_TRUE(pair.line_grazes());
+  for (const double t : {0x1p-1074, 1.0, before(4), 4.0, next(4), 8.0, largest}) {
+    EXPECT_EQ(pair.contact_before(t), t > 4 ? 1 : 0) << t;
+  }
 }
 
 /// A box whose time is not known, as it is in the ellipse from the start on: then the time is searched.

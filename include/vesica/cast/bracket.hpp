@@ -35,12 +35,16 @@ class Bracket {
   bool is_closed() const noexcept { return way() <= 1; }
   double floor() const noexcept { return arithmetic::at_rank<double>(no_.rank); }
   std::uint64_t next() noexcept {
-    // Every fourth trial halves the way, unless it is a sixteenth of what it was four trials ago.
-    const bool may_halve = ++trials_ % 4 == 0;
-    const bool quick = !may_halve || way() <= before_ / 16;
-    if (may_halve) before_ = way();
+    // Where four trials did not make the way a sixteenth, the next one halves it; after three times three of four do.
+    const int of_four = ++trials_ % 4;
+    if (of_four == 0) {
+      slow_ = way() > before_ / 16 ? slow_ + 1 : 0;
+      before_ = way();
+    }
+    was_halved_ = halves_;
+    halves_ = slow_ > 2 ? of_four != 3 : slow_ > 0 && of_four == 0;
     const double whole = static_cast<double>(way()), most = static_cast<double>(way() - 1);
-    double share = quick ? zero_from_no() : 0.5 * whole;
+    double share = halves_ ? 0.5 * whole : zero_from_no();
     if (!(share <= most)) share = share <= whole ? most : 0.5 * whole;
     return no_.rank + (share < 1 ? 1 : static_cast<std::uint64_t>(share));
   }
@@ -49,7 +53,7 @@ class Bracket {
     was_after_ = trial.after;
     margin_ = repeated_ ? most_margin : lane::max(margin_ * margin_, 0x1p-30);
     End& end = trial.after ? yes_ : no_;
-    if (!trial.after) earlier_no_ = end;
+    if (!trial.after) earliest_no_ = earlier_no_, earlier_no_ = end;
     earlier_ = end;
     end = {at, trial};
   }
@@ -71,14 +75,17 @@ class Bracket {
   double zero_from_no() noexcept {
     const double whole = static_cast<double>(way());
     if (!no_.has_value()) return yes_.has_value() ? 0 : unknown;  // it is 0 there
-    if (!yes_.has_value()) return double_zero_from_no(whole);
+    // Or as good as none beside that before contact.
+    const bool has_no_negative = !yes_.has_value() || -ratio(yes_.trial.value, no_.trial.value) < 0x1p-30;
+    if (has_no_negative && earlier_no_.has_value()) return even_zero_from_no(whole);
+    if (!yes_.has_value()) return unknown;
     const Parabola of_values = parabola(whole, [](double value) { return value; });
     const Parabola of_roots = parabola(whole, cube_root);
     if (of_values.bend != 0 && of_roots.bend != 0) {
       is_triple_ = std::fabs(of_roots.bend) < 0x1p-4 * std::fabs(of_values.bend);
     }
     const double from_no = whole * (is_triple_ ? of_roots : of_values).zero(), from_yes = whole - from_no;
-    if (!repeated_) return from_no;
+    if (!repeated_ || was_halved_) return from_no;
     // Twice as far from an end that has moved twice, but no nearer to the other than half: so that it moves too.
     return was_after_ ? lane::max(from_no - from_yes, 0.5 * from_no)
                       : whole - lane::max(from_yes - from_no, 0.5 * from_yes);
@@ -103,23 +110,37 @@ class Bracket {
     const double bend = ((part(earlier_) - 1) / u - (y - 1)) / (u - 1);
     return {y, std::fabs(bend) < 0x1p100 ? bend : 0};
   }
-  /// Where contact begins with a double zero no value is negative, and the values' roots fall straight. The place where
-  /// they are 0 is missed on purpose, first to the one side, then to the other, by less each time.
-  double double_zero_from_no(double whole) const noexcept {
-    if (!earlier_no_.has_value()) return unknown;
-    const double falling = std::sqrt(ratio(earlier_no_.trial.value, no_.trial.value));
-    const double to_zero = static_cast<double>(no_.rank - earlier_no_.rank) / (falling - 1);
+  /// Where contact begins with a zero of order 2, 4 or 8 no value is negative, and their roots of that order fall
+  /// straight. The place where these are 0 is missed on purpose, first to the one side, then to the other, by less each
+  /// time.
+  double even_zero_from_no(double whole) const noexcept {
     if (was_after_ && repeated_) return 0.5 * whole;
     const double factor = was_after_ ? 1 - margin_ : repeated_ ? 2 : 1 + margin_;
-    return lane::min(factor * to_zero, (1 - 0x1p-8) * whole);
+    return lane::min(factor * to_even_zero(), (1 - 0x1p-8) * whole);
   }
+  /// By the last two values before contact, and the order for which they tell most nearly what the two before told.
+  double to_even_zero() const noexcept {
+    const bool has_earliest = earliest_no_.has_value();
+    double falling = ratio(earlier_no_.trial.value, no_.trial.value);
+    double before = has_earliest ? ratio(earliest_no_.trial.value, earlier_no_.trial.value) : 1;
+    double nearest = 0, least = std::numeric_limits<double>::infinity();
+    for (int order = 2; order <= (has_earliest ? 8 : 2); order *= 2) {
+      falling = std::sqrt(falling), before = std::sqrt(before);
+      const double to_zero = ranks(earlier_no_, no_) / (falling - 1);
+      const double told = ranks(earliest_no_, earlier_no_) / (before - 1) - ranks(earlier_no_, no_);
+      const double off = std::fabs(told / to_zero - 1);
+      if (order == 2 || off < least) nearest = to_zero, least = off;
+    }
+    return nearest;
+  }
+  static double ranks(const End& from, const End& to) noexcept { return static_cast<double>(to.rank - from.rank); }
 
-  End no_, yes_, earlier_no_;
+  End no_, yes_, earlier_no_, earliest_no_{0, {}};
   End earlier_;                  ///< where that end was that has moved last
-  double margin_ = most_margin;  ///< by which share a double zero is missed on purpose
+  double margin_ = most_margin;  ///< by which share an even zero is missed on purpose
   std::uint64_t before_;
-  int trials_ = 0;
-  bool was_after_ = false, repeated_ = false;
+  int trials_ = 0, slow_ = 0;
+  bool halves_ = false, was_halved_ = false, was_after_ = false, repeated_ = false;
   bool is_triple_ = false;  ///< the zero: cube roots of values fall straight there
 };
 

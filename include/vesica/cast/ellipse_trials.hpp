@@ -22,12 +22,14 @@ class EllipseTrials {
     return TrialSearch(ask, at_start, least_held()).floor(start, between(witness_), guess);
   }
 
-  /// What ExactPair::contact_before() answers; mostly known from the trials before.
-  std::int32_t contact_before(double t) const noexcept {
-    const int left = t > 0 ? to_witness(t) : 0;
-    if (left < 0) return 1;
-    if (left == 0 || (latest_before_ < t && t < first_after_)) return pair_.contact_before(t);
-    return pair_.holds_place(t) ? (t < first_after_ ? 0 : 1) : static_cast<std::int32_t>(error_range);
+  /// What ExactPair::contact_before() answers, by trials and what they told before.
+  std::int32_t contact_before(double t) noexcept {
+    if (!(t > 0)) return 0;
+    if (to_witness(t) < 0) return 1;
+    if (!pair_.holds_place(t)) return error_range;
+    if (t <= latest_before_ || t >= first_after_) return t < first_after_ ? 0 : 1;
+    const Trial trial = at(t);
+    return trial.known ? (trial.after ? 1 : 0) : static_cast<std::int32_t>(error_range);
   }
 
  private:

@@ -231,7 +231,7 @@ class ExactPair {
         reach_a_(a_, vx_, vy_),
         reach_b_(b_, vx_, vy_),
         gap_(line_gap(reach_a_, reach_b_, w_)) {
-    if (is_long() && !line_misses()) witness_ = find_witness();
+    if (keeps_witness()) witness_ = find_witness();
   }
 
   bool line_misses() const noexcept { return gap_ > 0; }
@@ -241,12 +241,12 @@ class ExactPair {
   int side() const noexcept { return w_.sign; }
 
   /// t_w, above 0, for a line that meets M.
-  Rough rough_witness() const noexcept { return is_long() ? witness_ : find_witness(); }
+  Rough rough_witness() const noexcept { return keeps_witness() ? witness_ : find_witness(); }
 
   /// Sign of t_w - t for a line that meets M.
   int witness_after(double t) const noexcept {
-    if (is_long()) {
-      const Rough left = rough_witness() - Rough(exact::from_double(t));
+    if (keeps_witness()) {
+      const Rough left = witness_ - Rough(exact::from_double(t));
       if (left.sign_is_known()) return left.sign();
     }
     if (t == 0) return witness_sign(reach_a_, reach_b_, w_, q_);
@@ -280,7 +280,9 @@ class ExactPair {
   int contact_before(double t) const noexcept {
     if (!(t > 0)) return 0;
     if (line_grazes()) {
-      const auto q = q_ + exact::from_double(t) * vv_ + (reach_a_.edge + reach_b_.edge);
+      const auto edge = reach_a_.edge + reach_b_.edge;
+      if (edge.sign == 0) return witness_after(t) < 0 ? 1 : 0;
+      const auto q = q_ + exact::from_double(t) * vv_ + edge;
       return witness_sign(reach_a_, reach_b_, w_, q) < 0 ? 1 : 0;
     }
     // Where insides meet, contact is in the inside of its interval.
@@ -302,6 +304,8 @@ class ExactPair {
   friend class LeadingContact;
 
  private:
+  /// Where it saves exact signs: of long numbers they are dear, and of a line that grazes many are asked.
+  bool keeps_witness() const noexcept { return !line_misses() && (is_long() || line_grazes()); }
   Rough find_witness() const noexcept {
     const auto reach = [](const ExactReach& r) { return r.round ? root(Rough(r.squared)) : Rough(r.h); };
     const Rough across = reach(reach_a_) + reach(reach_b_);
@@ -383,7 +387,7 @@ class ExactPair {
   Number<2> w_, q_, vv_;
   ExactReach reach_a_, reach_b_;
   int gap_;
-  Rough witness_;  ///< of long numbers, and a line that meets M
+  Rough witness_;  ///< where it is kept
   mutable struct {
     double time;
     Contact contact;

@@ -93,7 +93,7 @@ inline std::int32_t contact_at_end(const ExactPair& pair, double end, int time_a
 }
 
 /// The floor of a time by the search that defines it, with what trials told, if there were any.
-VESICA_COLD inline std::int32_t searched_floor(const ExactPair& pair, const EllipseTrials* trials, double start,
+VESICA_COLD inline std::int32_t searched_floor(const ExactPair& pair, EllipseTrials* trials, double start,
                                                double& out) noexcept {
   const auto contact_before = [&pair, trials](double t) {
     return trials != nullptr ? trials->contact_before(t) : pair.contact_before(t);

@@ -24,8 +24,11 @@ class FallOfValues {
   }
   bool is_known() const noexcept { return is_known_; }
   bool is_of(int time) const noexcept { return last_.time == time; }
-  /// The logarithm of the time at which values would be 0, by the last two of them.
-  double zero() const noexcept { return last_.time - last_.fall / power_; }
+  /// The power of two before the zero of values, by the last two of them, between two others.
+  int power_before_zero(int least, int most) const noexcept {
+    const double told = std::floor(last_.time - last_.fall / power_);
+    return told <= least ? least + 1 : told >= most ? most - 1 : static_cast<int>(told);
+  }
 
  private:
   /// Logarithms of a time, and of the fall until then over the value at the start.
@@ -112,15 +115,13 @@ class TrialSearch {
   void bisect_powers(double guess) noexcept {
     int least = arithmetic::exponent_of(no_.time == 0 ? least_ : no_.time) - 1;
     int most = yes_.time <= largest ? arithmetic::exponent_of(yes_.time) : 1024;
-    int at = guess > 0 ? arithmetic::exponent_of(guess) : most, step = 1, slow = 0;
+    int at = guess > 0 ? arithmetic::exponent_of(guess) : most, step = 1;
+    int slow = 0;  // times that values told, one after another, without halving the way; 2 where they told nothing
     while (!lost_ && most - least > 1) {
       const int way = most - least;
       const bool is_near = least < at && at < most && step <= longest_step;
       const bool is_told = !is_near && slow < 2 && fall_.is_known();
-      if (!is_near) {
-        const double there = is_told ? std::floor(fall_.zero()) : (most + least) / 2;
-        at = there > least ? there < most ? static_cast<int>(there) : most - 1 : least + 1;
-      }
+      if (!is_near) at = is_told ? fall_.power_before_zero(least, most) : (most + least) / 2;
       const bool after = is_after(arithmetic::scale_far(1, at));
       (after ? most : least) = at;
       if (!is_near) {
