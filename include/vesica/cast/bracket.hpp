@@ -42,7 +42,7 @@ class Bracket {
       before_ = way();
     }
     was_halved_ = halves_;
-    halves_ = slow_ > 2 ? of_four != 3 : slow_ > 0 && of_four == 0;
+    halves_ = slow_ > 2 ? of_four != 3 : slow_ > 0 && of_four == 0 && !has_sure_even_zero();
     const double whole = static_cast<double>(way()), most = static_cast<double>(way() - 1);
     double share = halves_ ? 0.5 * whole : zero_from_no();
     if (!(share <= most)) share = share <= whole ? most : 0.5 * whole;
@@ -56,6 +56,8 @@ class Bracket {
     if (!trial.after) earliest_no_ = earlier_no_, earlier_no_ = end;
     earlier_ = end;
     end = {at, trial};
+    const bool is_again_after = repeated_ && was_after_ && no_.has_value() && yes_.has_value();
+    is_flat_ = is_flat_ || (is_again_after && is_tiny_after());
   }
 
  private:
@@ -75,10 +77,7 @@ class Bracket {
   double zero_from_no() noexcept {
     const double whole = static_cast<double>(way());
     if (!no_.has_value()) return yes_.has_value() ? 0 : unknown;  // it is 0 there
-    // Or as good as none beside that before contact.
-    const bool has_no_negative = !yes_.has_value() || -ratio(yes_.trial.value, no_.trial.value) < 0x1p-30;
-    if (has_no_negative && earlier_no_.has_value()) return even_zero_from_no(whole);
-    if (!yes_.has_value()) return unknown;
+    if (!has_negative()) return earlier_no_.has_value() ? even_zero_from_no(whole) : unknown;
     const Parabola of_values = parabola(whole, [](double value) { return value; });
     const Parabola of_roots = parabola(whole, cube_root);
     if (of_values.bend != 0 && of_roots.bend != 0) {
@@ -110,26 +109,36 @@ class Bracket {
     const double bend = ((part(earlier_) - 1) / u - (y - 1)) / (u - 1);
     return {y, std::fabs(bend) < 0x1p100 ? bend : 0};
   }
-  /// Where contact begins with a zero of order 2, 4 or 8 no value is negative, and their roots of that order fall
-  /// straight. The place where these are 0 is missed on purpose, first to the one side, then to the other, by less each
-  /// time.
+  /// Where contact begins with a zero of order 2, 4 or 8 no value is negative, or only one to which those before do not
+  /// fall straight.
+  bool has_negative() const noexcept { return yes_.has_value() && !(is_flat_ && is_tiny_after()); }
+  bool is_tiny_after() const noexcept { return -ratio(yes_.trial.value, no_.trial.value) < 0x1p-30; }
+  bool has_sure_even_zero() const noexcept {
+    return no_.has_value() && earlier_no_.has_value() && !has_negative() && even_zero().off < 0x1p-4;
+  }
+  /// Then the values' roots of that order fall straight. The place where these are 0 is missed on purpose, first to the
+  /// one side, then to the other, by less each time.
   double even_zero_from_no(double whole) const noexcept {
     if (was_after_ && repeated_) return 0.5 * whole;
     const double factor = was_after_ ? 1 - margin_ : repeated_ ? 2 : 1 + margin_;
-    return lane::min(factor * to_even_zero(), (1 - 0x1p-8) * whole);
+    return lane::min(factor * even_zero().from_no, (1 - 0x1p-8) * whole);
   }
+  /// Where it is by two values, and how far off, for its distance, by the two before.
+  struct EvenZero {
+    double from_no, off;
+  };
   /// By the last two values before contact, and the order for which they tell most nearly what the two before told.
-  double to_even_zero() const noexcept {
+  EvenZero even_zero() const noexcept {
     const bool has_earliest = earliest_no_.has_value();
     double falling = ratio(earlier_no_.trial.value, no_.trial.value);
     double before = has_earliest ? ratio(earliest_no_.trial.value, earlier_no_.trial.value) : 1;
-    double nearest = 0, least = std::numeric_limits<double>::infinity();
+    EvenZero nearest{unknown, std::numeric_limits<double>::infinity()};
     for (int order = 2; order <= (has_earliest ? 8 : 2); order *= 2) {
       falling = std::sqrt(falling), before = std::sqrt(before);
-      const double to_zero = ranks(earlier_no_, no_) / (falling - 1);
+      const double from_no = ranks(earlier_no_, no_) / (falling - 1);
       const double told = ranks(earliest_no_, earlier_no_) / (before - 1) - ranks(earlier_no_, no_);
-      const double off = std::fabs(told / to_zero - 1);
-      if (order == 2 || off < least) nearest = to_zero, least = off;
+      const double off = std::fabs(told / from_no - 1);
+      if (order == 2 || off < nearest.off) nearest = {from_no, off};
     }
     return nearest;
   }
@@ -141,6 +150,7 @@ class Bracket {
   std::uint64_t before_;
   int trials_ = 0, slow_ = 0;
   bool halves_ = false, was_halved_ = false, was_after_ = false, repeated_ = false;
+  bool is_flat_ = false;    ///< after contact: once a tiny value there was followed by another
   bool is_triple_ = false;  ///< the zero: cube roots of values fall straight there
 };
 
