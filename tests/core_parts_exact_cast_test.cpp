@@ -285,6 +285,21 @@ TEST(ExactCastParts, FloorOfEllipsesBeyondTheDigits) {
   EXPECT_EQ(floor(0x1p-1074), -1);
 }
 
+/// Times beside the witness, of which few digits do not tell on which side they are: after it no place is asked for,
+/// which has more digits here than there is room for.
+TEST(ExactCastParts, ContactBesideTheWitnessBeyondTheDigits) {
+  const Circle<double> large{0, 0, 0x1p1000};
+  const Ellipse<double> small{0x1.8p1000, 0, 0x1p1000, 0, 0x1p-54, 0x1p-54};
+  for (const double vy : {-0x1p-1074, 0x1p-1074}) {
+    const ExactPair pair = pair_of(large, small, -0x1p1001, vy);
+    ASSERT_FALSE(pair.holds_place(0.75));
+    EllipseTrials trials(pair);
+    for (const double t : {0.25, before(0.75), 0.75, next(0.75), 1.0}) {
+      EXPECT_EQ(trials.contact_before(t), pair.contact_before(t)) << t;
+    }
+  }
+}
+
 /// The cubic of two ellipses before they touch, where they do, of which its digits do not tell on which side that is,
 /// and after it.
 TEST(ExactCastParts, TrialAtTheTimeItself) {

@@ -25,7 +25,8 @@ class EllipseTrials {
   /// What ExactPair::contact_before() answers, by trials and what they told before.
   std::int32_t contact_before(double t) noexcept {
     if (!(t > 0)) return 0;
-    if (to_witness(t) < 0) return 1;
+    const int left = to_witness(t);
+    if (left <= 0) return left < 0 ? 1 : pair_.contact_before(t);
     if (!pair_.holds_place(t)) return error_range;
     if (t <= latest_before_ || t >= first_after_) return t < first_after_ ? 0 : 1;
     const Trial trial = at(t);
