@@ -105,11 +105,11 @@ constexpr Expected all_expected[] = {
     {"none", Form::none, {4034, 2762, 4581, 352, 1782, 4030}},
     {"straight", Form::straight, {397, 346, 649, 192, 257, 334}},
     {"bent", Form::bent, {1087, 452, 1136, 192, 261, 655}},
-    {"triple", Form::triple, {839, 642, 972, 192, 260, 684}},
-    {"dipping", Form::dipping, {1883, 789, 1891, 192, 1339, 1929}},
-    {"touching", Form::touching, {1809, 1199, 1862, 352, 1750, 1855}},
-    {"flat", Form::flat, {1916, 1241, 1866, 352, 1781, 1907}},
-    {"near_alone", Form::near_alone, {1992, 1199, 2524, 352, 1750, 1988}},
+    {"triple", Form::triple, {949, 710, 1071, 192, 260, 789}},
+    {"dipping", Form::dipping, {1913, 826, 1919, 192, 1341, 1959}},
+    {"touching", Form::touching, {1837, 1215, 1867, 352, 1750, 1883}},
+    {"flat", Form::flat, {2194, 1277, 2629, 352, 1781, 2144}},
+    {"near_alone", Form::near_alone, {1992, 1215, 2524, 352, 1750, 1988}},
 };
 
 INSTANTIATE_TEST_SUITE_P(Forms, TrialsOfEllipses, testing::ValuesIn(all_expected),

@@ -19,6 +19,8 @@ inline double cube_root(double x) noexcept {
   return std::copysign(arithmetic::scale_far(root, third), x);
 }
 
+inline double signed_root(double x) noexcept { return std::copysign(std::sqrt(std::fabs(x)), x); }
+
 /// The doubles between which contact begins, by their ranks.
 class Bracket {
  public:
@@ -42,7 +44,7 @@ class Bracket {
       before_ = way();
     }
     was_halved_ = halves_;
-    halves_ = slow_ > 2 ? of_four != 3 : slow_ > 0 && of_four == 0 && !has_sure_even_zero();
+    halves_ = slow_ > 2 ? of_four != 3 : slow_ > 0 && of_four == 0;
     const double whole = static_cast<double>(way()), most = static_cast<double>(way() - 1);
     double share = halves_ ? 0.5 * whole : zero_from_no();
     if (!(share <= most)) share = share <= whole ? most : 0.5 * whole;
@@ -78,12 +80,18 @@ class Bracket {
     const double whole = static_cast<double>(way());
     if (!no_.has_value()) return yes_.has_value() ? 0 : unknown;  // it is 0 there
     if (!has_negative()) return earlier_no_.has_value() ? even_zero_from_no(whole) : unknown;
-    const Parabola of_values = parabola(whole, [](double value) { return value; });
-    const Parabola of_roots = parabola(whole, cube_root);
-    if (of_values.bend != 0 && of_roots.bend != 0) {
-      is_triple_ = std::fabs(of_roots.bend) < 0x1p-4 * std::fabs(of_values.bend);
+    const Parabola through[] = {parabola(whole, [](double value) { return value; }), parabola(whole, signed_root),
+                                parabola(whole, cube_root)};
+    if (through[0].bend != 0) {
+      int straightest = 0;
+      double least = 0x1p-4 * std::fabs(through[0].bend);
+      for (int i = 1; i < 3; ++i) {
+        const double bend = std::fabs(through[i].bend);
+        if (bend != 0 && bend < least) straightest = i, least = bend;
+      }
+      root_ = straightest;
     }
-    const double from_no = whole * (is_triple_ ? of_roots : of_values).zero(), from_yes = whole - from_no;
+    const double from_no = whole * through[root_].zero(), from_yes = whole - from_no;
     if (!repeated_ || was_halved_) return from_no;
     // Twice as far from an end that has moved twice, but no nearer to the other than half: so that it moves too.
     return was_after_ ? lane::max(from_no - from_yes, 0.5 * from_no)
@@ -112,33 +120,26 @@ class Bracket {
   /// Where contact begins with a zero of order 2, 4 or 8 no value is negative, or only one to which those before do not
   /// fall straight.
   bool has_negative() const noexcept { return yes_.has_value() && !(is_flat_ && is_tiny_after()); }
-  bool is_tiny_after() const noexcept { return -ratio(yes_.trial.value, no_.trial.value) < 0x1p-30; }
-  bool has_sure_even_zero() const noexcept {
-    return no_.has_value() && earlier_no_.has_value() && !has_negative() && even_zero().off < 0x1p-4;
-  }
+  bool is_tiny_after() const noexcept { return -ratio(yes_.trial.value, no_.trial.value) < 0x1p-16; }
   /// Then the values' roots of that order fall straight. The place where these are 0 is missed on purpose, first to the
   /// one side, then to the other, by less each time.
   double even_zero_from_no(double whole) const noexcept {
     if (was_after_ && repeated_) return 0.5 * whole;
     const double factor = was_after_ ? 1 - margin_ : repeated_ ? 2 : 1 + margin_;
-    return lane::min(factor * even_zero().from_no, (1 - 0x1p-8) * whole);
+    return lane::min(factor * even_zero(), (1 - 0x1p-8) * whole);
   }
-  /// Where it is by two values, and how far off, for its distance, by the two before.
-  struct EvenZero {
-    double from_no, off;
-  };
   /// By the last two values before contact, and the order for which they tell most nearly what the two before told.
-  EvenZero even_zero() const noexcept {
+  double even_zero() const noexcept {
     const bool has_earliest = earliest_no_.has_value();
     double falling = ratio(earlier_no_.trial.value, no_.trial.value);
     double before = has_earliest ? ratio(earliest_no_.trial.value, earlier_no_.trial.value) : 1;
-    EvenZero nearest{unknown, std::numeric_limits<double>::infinity()};
+    double nearest = unknown, least = std::numeric_limits<double>::infinity();
     for (int order = 2; order <= (has_earliest ? 8 : 2); order *= 2) {
       falling = std::sqrt(falling), before = std::sqrt(before);
       const double from_no = ranks(earlier_no_, no_) / (falling - 1);
       const double told = ranks(earliest_no_, earlier_no_) / (before - 1) - ranks(earlier_no_, no_);
       const double off = std::fabs(told / from_no - 1);
-      if (order == 2 || off < nearest.off) nearest = {from_no, off};
+      if (order == 2 || off < least) nearest = from_no, least = off;
     }
     return nearest;
   }
@@ -150,8 +151,8 @@ class Bracket {
   std::uint64_t before_;
   int trials_ = 0, slow_ = 0;
   bool halves_ = false, was_halved_ = false, was_after_ = false, repeated_ = false;
-  bool is_flat_ = false;    ///< after contact: once a tiny value there was followed by another
-  bool is_triple_ = false;  ///< the zero: cube roots of values fall straight there
+  bool is_flat_ = false;  ///< after contact: once a tiny value there was followed by another
+  int root_ = 0;          ///< which of values, their roots and their cube roots fall most nearly straight
 };
 
 }  // namespace vesica::detail::cast

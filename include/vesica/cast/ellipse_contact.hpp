@@ -8,13 +8,12 @@
 
 namespace vesica::detail::cast {
 
-/// What a discriminant tells whose sign is certain.
-VESICA_CALLED inline Trial trial_of(const Leading<exact::few_limbs>& discriminant) noexcept {
+/// What a discriminant tells whose sign is certain. After contact it may be positive again: its negative is the value.
+VESICA_CALLED inline Trial trial_of(const Leading<exact::few_limbs>& discriminant, bool after) noexcept {
   constexpr int limbs = exact::few_limbs;
   const auto digit = [&discriminant](int i) { return static_cast<double>(discriminant.limb[limbs - i]); };
-  const int sign = discriminant.sign;
-  const double value = sign * (digit(1) * 0x1p-64 + digit(2) * 0x1p-128);
-  return {true, sign < 0, sign != 0, {value, 64 * (discriminant.low + limbs)}};
+  const double size = digit(1) * 0x1p-64 + digit(2) * 0x1p-128;
+  return {true, after, discriminant.sign != 0, {after ? -size : size, 64 * (discriminant.low + limbs)}};
 }
 
 using exact::times;
@@ -67,7 +66,7 @@ struct KnownCubic {
       const int limbs = 4 * window.limbs();
       *this = {true, Few(exact::from_double(t)), lowered(Few(p.c1), limbs), lowered(Few(p.c2), limbs),
                lowered(exact::leading_discriminant(p), 4 * limbs)};
-      trial = trial_of(discriminant);
+      trial = trial_of(discriminant, discriminant.sign < 0);
     });
     return trial;
   }
@@ -123,9 +122,10 @@ class LeadingContact {
   template <class Discriminant>
   static Trial told(const Few& c1, const Few& c2, const Discriminant& discriminant) noexcept {
     if (!c1.sign_is_certain() || !c2.sign_is_certain()) return {};
-    if (c1.sign >= 0 && c2.sign >= 0) return {true, true};
+    const bool after = c1.sign >= 0 && c2.sign >= 0;
     const Few value = discriminant();
-    return value.sign_is_certain() && value.sign != 0 ? trial_of(value) : Trial{};
+    if (value.sign_is_certain() && value.sign != 0) return trial_of(value, after || value.sign < 0);
+    return {after, after};
   }
   static Few mixed(const LeadingFrame& e, const LeadingFrame& f, const Few& dot, const Few& cross) noexcept {
     const Few a0 = square(e.hx), a1 = square(e.hy), b0 = square(f.hx), b1 = square(f.hy);

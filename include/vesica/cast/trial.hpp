@@ -6,8 +6,8 @@
 
 namespace vesica::detail::cast {
 
-/// What a trial tells: whether there is contact of insides before the time, and where known the discriminant of the
-/// cubic, which is positive before contact, and falls through 0 at it.
+/// What a trial tells: whether there is contact of insides before the time, and where known a value that is positive
+/// before contact, 0 at it, and negative after: the discriminant of the cubic, or its negative.
 struct Trial {
   bool known = false, after = false, has_value = false;
   arithmetic::Scaled value{0, 0};
