@@ -22,9 +22,10 @@ constexpr double infinity = std::numeric_limits<double>::infinity(), largest = s
 constexpr int count = 64;
 
 /// What a trial tells of the time: nothing but before or after; a value that falls straight through 0; one that falls
-/// ever more steeply; one with a triple zero; one that has two zeros close together; one that touches 0 and is not told
-/// after; the same with a zero of order 8; and that is not told far off either.
-enum class Form { none, straight, bent, triple, dipping, touching, flat, near_alone };
+/// ever more steeply; one with a double zero, of either sign; one with a triple zero; one that has two zeros close
+/// together; one that touches 0 and is not told after; the same with a zero of order 8; one of the first sort that is
+/// not told far off either.
+enum class Form { none, straight, bent, twofold, triple, dipping, touching, flat, near_alone };
 
 Scaled scaled(double x, double unit) {
   int exponent;
@@ -44,6 +45,8 @@ Trial trial(Form form, double zero, double t) {
       return of_value(left);
     case Form::bent:
       return of_value(left * (1 + 100 * (t / zero)));
+    case Form::twofold:
+      return of_value(left * std::fabs(left));
     case Form::triple:
       return of_value(left * left * left);
     case Form::dipping:
@@ -105,6 +108,7 @@ constexpr Expected all_expected[] = {
     {"none", Form::none, {4034, 2762, 4581, 352, 1782, 4030}},
     {"straight", Form::straight, {397, 346, 649, 192, 257, 334}},
     {"bent", Form::bent, {1087, 452, 1136, 192, 261, 655}},
+    {"twofold", Form::twofold, {778, 542, 927, 192, 258, 687}},
     {"triple", Form::triple, {949, 710, 1071, 192, 260, 789}},
     {"dipping", Form::dipping, {1913, 826, 1919, 192, 1341, 1959}},
     {"touching", Form::touching, {1837, 1215, 1867, 352, 1750, 1883}},
