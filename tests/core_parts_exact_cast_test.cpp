@@ -252,13 +252,16 @@ TEST(ExactCastParts, FloorByTrials) {
   EXPECT_EQ(floor(1, largest), infinity);
 }
 
-/// Contact before all times that trials know: no other time is asked.
+/// Contact before all times that trials know: no other time is asked, and that by the fewest that halve the powers.
 TEST(ExactCastParts, FloorBeforeAllTrials) {
-  const auto ask = [](double t) {
+  int asked = 0;
+  const auto ask = [&asked](double t) {
+    ++asked;
     EXPECT_GE(t, 0x1p-500);
     return Trial{true, true};
   };
   EXPECT_EQ(TrialSearch(ask, Trial{true, false}, 0x1p-500).floor(0, {largest, infinity}, 0), -1);
+  EXPECT_EQ(asked, 12);
 }
 
 /// Trials that are known from some time on: the search ends where it asks one before that.

@@ -117,12 +117,12 @@ class Bracket {
     const double bend = ((part(earlier_) - 1) / u - (y - 1)) / (u - 1);
     return {y, std::fabs(bend) < 0x1p100 ? bend : 0};
   }
-  /// Where contact begins with a zero of order 2, 4 or 8 no value is negative, or only one to which those before do not
-  /// fall straight.
+  /// Whether a value after contact tells where the zero is: not if it is next to nothing and has told nothing before.
   bool has_negative() const noexcept { return yes_.has_value() && !(is_flat_ && is_tiny_after()); }
   bool is_tiny_after() const noexcept { return -ratio(yes_.trial.value, no_.trial.value) < 0x1p-16; }
-  /// Then the values' roots of that order fall straight. The place where these are 0 is missed on purpose, first to the
-  /// one side, then to the other, by less each time.
+  /// Else by values before contact alone. They fall as to a zero of order 2, 4 or 8, and their roots of that order fall
+  /// straight. The place where these are 0 is missed on purpose, first to the one side, then to the other, by less each
+  /// time.
   double even_zero_from_no(double whole) const noexcept {
     if (was_after_ && repeated_) return 0.5 * whole;
     const double factor = was_after_ ? 1 - margin_ : repeated_ ? 2 : 1 + margin_;
