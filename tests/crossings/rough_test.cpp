@@ -9,23 +9,16 @@
 #include <functional>
 #include <vesica/crossings/rough.hpp>
 
+#include "exact/values.hpp"
 #include "properties/random.hpp"
 
 namespace {
 
 using namespace vesica::detail::crossings;
 namespace exact = vesica::exact;
+using exact_values::power_of_two, exact_values::value;
 using properties::Random;
 
-mpq_class power_of_two(int exponent) {
-  mpq_class x = 1;
-  if (exponent < 0) {
-    mpq_div_2exp(x.get_mpq_t(), x.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
-  } else {
-    mpq_mul_2exp(x.get_mpq_t(), x.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
-  }
-  return x;
-}
 mpq_class value(const Rough& x) {
   return (mpq_class(x.value.high) + mpq_class(x.value.low)) * power_of_two(x.exponent);
 }
@@ -85,6 +78,29 @@ TEST(RoughNumbers, Roots) {
     // The error is half of the operand's, over the root, but for roundings.
     EXPECT_LE(error(x) * value(x), 2 * error(a) + power_of_two(-95) * value(a));
   }
+}
+
+/// Of differences that all digits kept tell, that some tell, and of which none is left; or one that is below the error.
+TEST(RoughNumbers, OfLeadingDigits) {
+  Random random(properties::seed() + 2);
+  using Few = exact::Leading<exact::few_limbs>;
+  int certain = 0, known = 0, unknown = 0;
+  for (int i = 0; i < 1000 * properties::repeat(); ++i) {
+    exact::Number<4> p;
+    p.sign = 1;
+    p.low = random.integer(-20, 20);
+    p.size = random.integer(1, 12);
+    for (int k = 0; k < p.size; ++k) p.limb[k] = random.bits() | 1;
+    exact::Number<4> q = p;
+    q.limb[random.integer(0, p.size - 1)] ^= exact::Limb{2} << random.integer(0, 61);
+    const exact::Number<4> tiny =
+        exact::from_double(random.chance(0.5) ? 0 : std::ldexp(1, random.integer(-1000, 1000)));
+    const Few sum = Few(p) - Few(q) + Few(tiny);
+    const Rough found = rough(sum);
+    EXPECT_LE(abs(value(p) - value(q) + value(tiny) - value(found)), error(found));
+    (sum.error == sum.nothing ? certain : found.sign() != 0 ? known : unknown) += 1;
+  }
+  for (const int count : {certain, known, unknown}) EXPECT_GT(count, 50 * properties::repeat());
 }
 
 /// One that is far below another is part of its error, and one that is 0 is not.

@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <utility>
 #include <vector>
-#include <vesica/exact/digits.hpp>
 #include <vesica/exact/ellipse_ellipse.hpp>
 #include <vesica/exact/leading.hpp>
 #include <vesica/exact/rounded.hpp>
@@ -28,11 +27,10 @@ using exact_values::about, exact_values::any_number, exact_values::integer, exac
     exact_values::value;
 using properties::Random;
 
-template <class Kept>
-mpq_class value(const exact::LeadingLimbs<Kept>& x) {
-  const Kept& kept = static_cast<const Kept&>(x);
+template <int limbs>
+mpq_class value(const exact::Leading<limbs>& x) {
   if (x.sign == 0) return 0;
-  return mpq_class(x.sign * integer(kept.limb, kept.limbs)) * power_of_two(std::int64_t{64} * x.low);
+  return mpq_class(x.sign * integer(x.limb, limbs)) * power_of_two(std::int64_t{64} * x.low);
 }
 
 /// Runs of zeros and of ones, and between them limbs of any kind.
@@ -103,13 +101,6 @@ int expect_arithmetic(const Number<8>& p, const Number<8>& q) {
   return none.sign_is_certain() ? 1 : 0;
 }
 
-/// Digits whose count the type names.
-template <int count>
-struct DigitsOf : exact::Digits {
-  explicit DigitsOf(const Number<8>& x) : Digits(x, count) {}
-  DigitsOf(const Digits& x) : Digits(x) {}
-};
-
 /// Factors whose lowest limb is anywhere: what is not formed of a product is in its error, and a product that fits is
 /// exact.
 TEST(Leading, ProductsOfAnyLowestLimb) {
@@ -137,9 +128,8 @@ TEST(Leading, ProductsOfAnyLowestLimb) {
   }
 }
 
-/// Of numbers whose limbs are counted by the compiler, and at run time.
 TEST(Leading, WithinItsBound) {
-  using exact::Leading, exact::few_limbs, exact::some_limbs, exact::more_limbs, exact::most_limbs;
+  using exact::Leading, exact::few_limbs, exact::some_limbs, exact::more_limbs;
   Random random(properties::seed());
   int certain = 0;
   for (int i = 0; i < 2000 * properties::repeat(); ++i) {
@@ -147,16 +137,12 @@ TEST(Leading, WithinItsBound) {
     // Often nearly the same, or the same.
     const Number<8> q = random.chance(0.5) ? any_number(random) : random.chance(0.5) ? p : p + any_number(random);
     certain += expect_arithmetic<Leading<few_limbs>>(p, q) + expect_arithmetic<Leading<more_limbs>>(q, p);
-    certain += expect_arithmetic<DigitsOf<few_limbs>>(p, q) + expect_arithmetic<DigitsOf<more_limbs>>(q, p);
     expect_arithmetic<Leading<some_limbs>>(p, Number<8>());
-    expect_arithmetic<Leading<most_limbs>>(p, q);
-    expect_arithmetic<DigitsOf<some_limbs>>(Number<8>(), q);
-    expect_arithmetic<DigitsOf<most_limbs>>(p, q);
+    expect_arithmetic<Leading<some_limbs>>(Number<8>(), q);
     // Of a number that is exact, what a sum leaves out of the other one is all that is lost.
     const Number<8> brief = exact::from_double(std::ldexp(1 + random.unit(), random.integer(-1000, 1000)));
     expect_arithmetic<Leading<few_limbs>>(p, brief);
-    expect_arithmetic<DigitsOf<few_limbs>>(p, brief);
-    expect_arithmetic<DigitsOf<few_limbs>>(brief, p);
+    expect_arithmetic<Leading<few_limbs>>(brief, p);
   }
   EXPECT_EQ(certain, 0);
 }
@@ -346,13 +332,9 @@ TEST(Leading, NothingIsLostOfWhatFits) {
     x.sign = -1;
     x.size = size;
     for (int i = 0; i < size; ++i) x.limb[i] = Limb{3};
-    const exact::Digits digits(x, limbs);
     const exact::Leading<limbs> leading(x);
-    expect_within_bound(digits, value(x));
     expect_within_bound(leading, value(x));
-    EXPECT_EQ(digits.error == digits.nothing, size <= limbs) << size;
     EXPECT_EQ(leading.error == leading.nothing, size <= limbs) << size;
-    EXPECT_EQ(digits.error, leading.error) << size;
   }
 }
 

@@ -29,8 +29,7 @@ class EllipseTrials {
     if (left <= 0) return left < 0 ? 1 : pair_.contact_before(t);
     if (!pair_.holds_place(t)) return error_range;
     if (t <= latest_before_ || t >= first_after_) return t < first_after_ ? 0 : 1;
-    const Trial trial = at(t);
-    return trial.known ? (trial.after ? 1 : 0) : static_cast<std::int32_t>(error_range);
+    return at(t).after ? 1 : 0;
   }
 
  private:

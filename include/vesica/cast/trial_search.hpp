@@ -104,8 +104,8 @@ class TrialSearch {
   }
 
   bool begins_at(const Between& witness) noexcept {
-    if (!(witness.least > 0 && witness.most <= yes_.time && witness.most <= largest)) return false;
-    if (witness.least > no_.time && is_after(witness.least)) return false;
+    if (!(witness.least > no_.time && witness.most <= yes_.time && witness.most <= largest)) return false;
+    if (is_after(witness.least)) return false;
     yes_ = {witness.most, {}};
     return true;
   }

@@ -9,49 +9,15 @@
 
 namespace vesica::exact {
 
-/// What numbers that keep `limbs` leading limbs have in common, from `low` on; and a bound on what is missing.
-template <class Kept>
-struct LeadingLimbs {
+/// A number to 64 limbs - 63 binary digits or more.
+template <int count>
+struct Leading {
+  static constexpr int limbs = count;
   static constexpr std::int64_t nothing = -(std::int64_t{1} << 40);
 
   std::int32_t sign = 0;
-  std::int32_t low = 0;
-  std::int64_t error = nothing;  ///< the number is less than 2^error away, or `nothing` is missing
-
-  constexpr void lose(std::int64_t exponent) noexcept { error = (error > exponent ? error : exponent) + 1; }
-  /// A sum with an error of nothing is below half of that.
-  constexpr void lose_if_any(std::int64_t exponent) noexcept {
-    if (exponent > nothing / 2) lose(exponent);
-  }
-  /// As a product.
-  constexpr void lose_factors(const Kept& a, const Kept& b) noexcept {
-    lose_if_any(a.top() + b.error);
-    lose_if_any(b.top() + a.error);
-    lose_if_any(a.error + b.error);
-  }
-
-  /// Its magnitude is less than 2^top, and at least half of that unless it is 0.
-  constexpr std::int64_t top() const noexcept {
-    const Kept& x = kept();
-    return sign == 0 ? nothing : 64 * (std::int64_t{low} + x.limbs) - std::countl_zero(x.limb[x.limbs - 1]);
-  }
-  /// Its lowest limb that is not 0, unless it is 0.
-  constexpr int lowest() const noexcept {
-    int i = 0;
-    while (kept().limb[i] == 0) ++i;
-    return i;
-  }
-  constexpr bool sign_is_certain() const noexcept { return error == nothing || top() - 1 > error; }
-
- private:
-  constexpr const Kept& kept() const noexcept { return static_cast<const Kept&>(*this); }
-};
-
-/// A number to 64 limbs - 63 binary digits or more.
-template <int count>
-struct Leading : LeadingLimbs<Leading<count>> {
-  static constexpr int limbs = count;
-
+  std::int32_t low = 0;                ///< the place of the first limb
+  std::int64_t error = nothing;        ///< the number is less than 2^error away, or `nothing` is missing
   Limb limb[std::size_t{limbs}] = {};  ///< the last one not zero, unless the sign is 0
 
   constexpr Leading() noexcept = default;
@@ -66,12 +32,24 @@ struct Leading : LeadingLimbs<Leading<count>> {
   constexpr void set(int its_sign, detail::Span x) noexcept {
     while (x.size > 0 && x.limb[x.size - 1] == 0) --x.size;
     if (x.size == 0) return;
-    this->sign = its_sign;
-    this->low = x.low + x.size - limbs;
-    for (int i = 0; i < limbs; ++i) limb[i] = x.at(this->low + i);
+    sign = its_sign;
+    low = x.low + x.size - limbs;
+    for (int i = 0; i < limbs; ++i) limb[i] = x.at(low + i);
     for (int i = 0; i < x.size - limbs; ++i) {
-      if (x.limb[i] != 0) return this->lose(std::int64_t{64} * this->low);
+      if (x.limb[i] != 0) return lose(std::int64_t{64} * low);
     }
+  }
+
+  constexpr void lose(std::int64_t exponent) noexcept { error = (error > exponent ? error : exponent) + 1; }
+  /// A sum with an error of nothing is below half of that.
+  constexpr void lose_if_any(std::int64_t exponent) noexcept {
+    if (exponent > nothing / 2) lose(exponent);
+  }
+  /// As a product.
+  constexpr void lose_factors(const Leading& a, const Leading& b) noexcept {
+    lose_if_any(a.top() + b.error);
+    lose_if_any(b.top() + a.error);
+    lose_if_any(a.error + b.error);
   }
 
   /// Products are formed from here on, one limb more than is kept at least.
@@ -79,10 +57,21 @@ struct Leading : LeadingLimbs<Leading<count>> {
   /// What multiply() leaves out below that, of factors that are not 0.
   constexpr void lose_unformed(const Leading& a, const Leading& b) noexcept {
     static_assert(first_formed % 2 == 0 && first_formed < 64);
-    if (a.lowest() + b.lowest() < first_formed) this->lose(std::int64_t{64} * (a.low + b.low + first_formed + 1) + 6);
+    if (a.lowest() + b.lowest() < first_formed) lose(std::int64_t{64} * (a.low + b.low + first_formed + 1) + 6);
   }
 
-  constexpr detail::Span span() const noexcept { return {limb, this->low, limbs}; }
+  /// Its magnitude is less than 2^top, and at least half of that unless it is 0.
+  constexpr std::int64_t top() const noexcept {
+    return sign == 0 ? nothing : 64 * (std::int64_t{low} + limbs) - std::countl_zero(limb[limbs - 1]);
+  }
+  /// Its lowest limb that is not 0, unless it is 0.
+  constexpr int lowest() const noexcept {
+    int i = 0;
+    while (limb[i] == 0) ++i;
+    return i;
+  }
+  constexpr bool sign_is_certain() const noexcept { return error == nothing || top() - 1 > error; }
+  constexpr detail::Span span() const noexcept { return {limb, low, limbs}; }
 };
 
 namespace detail {
@@ -170,7 +159,7 @@ constexpr Leading<limbs> operator-(const Leading<limbs>& a, const Leading<limbs>
 }
 
 /// For numbers with more limbs than this, leading digits are tried first: few of them, and then more.
-inline constexpr int least_long = 16, few_limbs = 6, some_limbs = 12, more_limbs = 24, most_limbs = 48;
+inline constexpr int least_long = 16, few_limbs = 6, some_limbs = 12, more_limbs = 24;
 
 template <int Degree>
 constexpr bool is_long(const Number<Degree>& x) noexcept {

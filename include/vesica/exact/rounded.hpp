@@ -3,9 +3,8 @@
 #pragma once
 
 #include <cstddef>
-#include <initializer_list>
 #include <vesica/arithmetic/scaled.hpp>
-#include <vesica/exact/digits.hpp>
+#include <vesica/exact/leading.hpp>
 
 namespace vesica::exact {
 
@@ -74,8 +73,8 @@ constexpr auto digits_of(const Leading<limbs>& x) noexcept {
 }
 
 /// rounded() of leading digits, if the missing digits cannot change the result.
-template <class Kept>
-constexpr bool rounds_surely(const Kept& x, vesica::detail::arithmetic::Scaled& out) noexcept {
+template <int limbs>
+constexpr bool rounds_surely(const Leading<limbs>& x, vesica::detail::arithmetic::Scaled& out) noexcept {
   if (!x.sign_is_certain()) return false;
   auto kept = digits_of(x);
   out = rounded(kept);
@@ -99,12 +98,7 @@ template <class Polynomial, int... Degree>
 constexpr vesica::detail::arithmetic::Scaled rounded_value(const Polynomial& value,
                                                            const Number<Degree>&... x) noexcept {
   vesica::detail::arithmetic::Scaled out{0, 0};
-  if ((is_long(x) || ...)) {
-    if (detail::rounds_surely(value(Leading<few_limbs>(x)...), out)) return out;
-    for (const int limbs : {more_limbs, most_limbs}) {
-      if (((x.size > 2 * limbs) || ...) && detail::rounds_surely(value(Digits(x, limbs)...), out)) return out;
-    }
-  }
+  if ((is_long(x) || ...) && detail::rounds_surely(value(Leading<few_limbs>(x)...), out)) return out;
   return rounded(value(x...));
 }
 
