@@ -277,6 +277,16 @@ TEST(ExactCastParts, FloorWithoutTheFirstTrials) {
   EXPECT_EQ(floor(0, 0), 0);
 }
 
+/// At the time and after it there is room, and at the double before it, whose fraction is longer, there is none: the
+/// search asks for it only if it begins there.
+TEST(ExactCastParts, SearchBesideATimeWithoutRoom) {
+  const Circle<double> disc{0x1p951, 0, 0x1p950};
+  const ExactPair pair = pair_of(Point<double>{0, 0}, disc, -0x1p950, 0x1p-1034);
+  ASSERT_TRUE(pair.holds_place(1) && pair.holds_place(next(1)) && !pair.holds_place(before(1)));
+  EXPECT_EQ(repeat_search(pair, next(1), 1), 0);
+  EXPECT_EQ(repeat_search(pair, before(1), 1), error_range);
+}
+
 /// Two ellipses whose contact rounds to a place of more digits than there is room for.
 TEST(ExactCastParts, FloorOfEllipsesBeyondTheDigits) {
   const Circle<double> large{0, 0, 0x1p1000};

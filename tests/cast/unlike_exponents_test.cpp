@@ -26,6 +26,17 @@ Body body(int kind, const cast_test::Numbers& numbers) {
 
 double next(double t) { return std::nextafter(t, std::numeric_limits<double>::infinity()); }
 
+/// Motions that end beside the time, before the witness.
+void expect_contact_at_ends(const ExactPair& pair, double t) {
+  for (const double end : {std::nextafter(t, 0.0), t, next(t)}) {
+    const bool is_late = end > 0 && end <= std::numeric_limits<double>::max() && pair.witness_after(end) > 0;
+    if (!is_late || !pair.holds_place(end)) continue;
+    double floor = 0;
+    const std::int32_t found = core::exact_floor(pair, end, is_late, t, {}, floor);
+    EXPECT_EQ(found != 0, pair.contact_at(end) != core::Contact::none) << std::hexfloat << end;
+  }
+}
+
 /// What the search finds that defines the time, and with which error it ends.
 void expect_found_by_search(const ExactPair& pair, double t) {
   double after = 0;
@@ -53,7 +64,10 @@ bool check(const Body& a, const Body& b, const core::Motion& m, bool by_search) 
   if (!line.meets) return false;
   const double t = floor_of(pair);
   if (t < 0) return false;
-  if (by_search) expect_found_by_search(pair, t);
+  if (by_search) {
+    expect_found_by_search(pair, t);
+    expect_contact_at_ends(pair, t);
+  }
   if (t > std::numeric_limits<double>::max()) {
     EXPECT_LE(pair.contact_before(std::numeric_limits<double>::max()), 0);
     return true;
@@ -154,6 +168,7 @@ TEST(CastAtUnlikeExponents, KnownTimes) {
     EXPECT_EQ(t, k.time);
     EXPECT_EQ(pair.contact_before(t), 0);
     EXPECT_EQ(pair.contact_before(next(t)), 1);
+    expect_contact_at_ends(pair, t);
   }
 }
 

@@ -48,8 +48,7 @@ inline std::int32_t repeat_search(const ExactPair& pair, double start, double t)
   const auto reaches = [&](double x) -> std::int32_t {
     if (!(x > 0)) return 0;
     if (x > witness.most || places.have_room(x) || pair.holds_place(x)) return x > t ? 1 : 0;
-    const bool is_after_witness = x >= witness.least && pair.witness_after(x) < 0;
-    return is_after_witness ? 1 : static_cast<std::int32_t>(error_range);
+    return pair.witness_after(x) < 0 ? 1 : static_cast<std::int32_t>(error_range);
   };
   double out;
   return search(start, reaches, out);

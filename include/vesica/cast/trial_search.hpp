@@ -110,27 +110,25 @@ class TrialSearch {
     return true;
   }
 
-  /// From the guess on by steps that double; then from where values say that they would be 0, while that is quicker
-  /// than to go halfway. Nothing is tried at `least_` and below.
+  /// From the guess on by steps that double; then from where values say that they would be 0, and half way after they
+  /// have misled. Nothing is tried at `least_` and below.
   void bisect_powers(double guess) noexcept {
     int least = arithmetic::exponent_of(no_.time == 0 ? least_ : no_.time) - 1;
     int most = yes_.time <= largest ? arithmetic::exponent_of(yes_.time) : 1024;
     int at = guess > 0 ? arithmetic::exponent_of(guess) : most, step = 1;
-    int slow = 0;  // times that values told, one after another, without halving the way; 2 where they told nothing
+    bool is_misled = false;  // by values, which told nothing or did not halve the way
     while (!lost_ && most - least > 1) {
       const int way = most - least;
       const bool is_near = least < at && at < most && step <= longest_step;
-      const bool is_told = !is_near && slow < 2 && fall_.is_known();
+      const bool is_told = !is_near && !is_misled && fall_.is_known();
       if (!is_near) at = is_told ? fall_.power_before_zero(least, most) : (most + least) / 2;
-      const bool after = is_after(arithmetic::scale_far(1, at));
-      (after ? most : least) = at;
+      (is_after(arithmetic::scale_far(1, at)) ? most : least) = at;
       if (!is_near) {
-        const bool is_new = fall_.is_of(at), is_half = most - least <= way / 2;
-        slow = !is_told ? 0 : !is_new ? 2 : is_half ? 0 : slow + 1;
-        // A little before contact.
-        step = is_told && is_new && !after ? 1 : 2 * longest_step;
+        const bool is_new = is_told && fall_.is_of(at);
+        is_misled = is_told && !(is_new && most - least <= way / 2);
+        step = is_new ? 1 : 2 * longest_step;  // a little before contact
       }
-      at += after ? -step : step;
+      at += step;
       step *= 2;
     }
   }
