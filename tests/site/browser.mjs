@@ -53,7 +53,10 @@ const browser = await puppeteer.launch({
   ],
 });
 after(async () => {
-  await browser.close();
+  const gone = new Promise((exits) => browser.process().once('exit', exits));
+  // All of its processes: one that has still to draw would be waited for, up to a minute.
+  process.kill(-browser.process().pid, 'SIGKILL');
+  await gone;
   server.close();
 });
 
