@@ -18,26 +18,29 @@ type Array[T Float] struct {
 // Len is how many shapes there are.
 func (a Array[T]) Len() int { return int(a.view.count) }
 
+// address is where a value lies. Of C.char, Go takes any that points into an object, whatever else that holds.
+func address[E any](value *E) *C.char { return (*C.char)(unsafe.Pointer(value)) }
+
 // first is the address of a slice's first element, or nil.
-func first[E any](slice []E) unsafe.Pointer {
+func first[E any](slice []E) *C.char {
 	if len(slice) == 0 {
 		return nil
 	}
-	return unsafe.Pointer(&slice[0])
+	return address(&slice[0])
 }
 
-func arrayOf[T Float](kind Kind, start unsafe.Pointer, count int) Array[T] {
+func arrayOf[T Float](kind Kind, start *C.char, count int) Array[T] {
 	return records[T](kind, start, count, kind.Fields())
 }
 
 // records has step numbers from one shape to the next.
-func records[T Float](kind Kind, start unsafe.Pointer, count, step int) (array Array[T]) {
+func records[T Float](kind Kind, start *C.char, count, step int) (array Array[T]) {
 	size := unsafe.Sizeof(T(0))
 	array.view.kind, array.view.count = C.int32_t(kind), C.int64_t(count)
 	array.view.stride = C.ptrdiff_t(uintptr(step) * size)
 	if count > 0 {
 		for i := 0; i < kind.Fields(); i++ {
-			array.view.field[i] = unsafe.Add(start, uintptr(i)*size)
+			array.view.field[i] = (*C.char)(unsafe.Add(unsafe.Pointer(start), uintptr(i)*size))
 		}
 	}
 	return array
@@ -85,7 +88,7 @@ func arrayOfOne[T Float](shape Shape) (Array[T], error) {
 	if s.wide != isWide[T]() {
 		return Array[T]{}, errScalars
 	}
-	return arrayOf[T](Kind(s.kind), unsafe.Pointer(&s.numbers), 1), nil
+	return arrayOf[T](Kind(s.kind), address(&s.numbers), 1), nil
 }
 
 func room(name string, given, needed int) error {
@@ -114,7 +117,7 @@ func extentOf[E any](slice []E) extent {
 	if len(slice) == 0 {
 		return extent{}
 	}
-	from := uintptr(first(slice))
+	from := uintptr(unsafe.Pointer(&slice[0]))
 	return extent{from, from + uintptr(len(slice))*unsafe.Sizeof(slice[0])}
 }
 
@@ -124,12 +127,13 @@ func (a Array[T]) extent() (all extent) {
 		return extent{}
 	}
 	last := uintptr(a.view.count-1) * uintptr(a.view.stride)
-	all.from = uintptr(a.view.field[0])
+	all.from = uintptr(unsafe.Pointer(a.view.field[0]))
 	for _, field := range a.view.field[:Kind(a.view.kind).Fields()] {
-		if start := uintptr(field); start < all.from {
+		start := uintptr(unsafe.Pointer(field))
+		if start < all.from {
 			all.from = start
 		}
-		if end := uintptr(field) + last + unsafe.Sizeof(T(0)); end > all.to {
+		if end := start + last + unsafe.Sizeof(T(0)); end > all.to {
 			all.to = end
 		}
 	}
@@ -150,8 +154,8 @@ func output[R any](out []R, needed int, taken ...extent) error {
 	return nil
 }
 
-func many[T Float, R any](function func(bool, C.vesica_go_view, C.vesica_go_view, unsafe.Pointer) C.int64_t,
-	a, b Array[T], out []R) (int, error) {
+func many[T Float, R any](function func(bool, C.vesica_go_view, C.vesica_go_view, *C.char) C.int64_t, a, b Array[T],
+	out []R) (int, error) {
 	n, err := inStep(a, b)
 	if err == nil {
 		err = output(out, n, a.extent(), b.extent())
@@ -207,8 +211,7 @@ func outputs[T Float](needed int, inputs []extent, columns ...[]T) error {
 	return nil
 }
 
-type closest = func(bool, C.vesica_go_view, C.vesica_go_view, unsafe.Pointer, unsafe.Pointer, unsafe.Pointer,
-	unsafe.Pointer, unsafe.Pointer) C.int64_t
+type closest = func(bool, C.vesica_go_view, C.vesica_go_view, *C.char, *C.char, *C.char, *C.char, *C.char) C.int64_t
 
 func closestMany[T Float](function closest, a, b Array[T], out ClosestPointsColumns[T]) (int, error) {
 	n, err := inStep(a, b)
@@ -245,8 +248,8 @@ func DepthMany[T Float](a, b Array[T], out PenetrationColumns[T]) (int, error) {
 }
 
 func matrix[T Float, R any](
-	function func(bool, C.vesica_go_view, C.vesica_go_view, unsafe.Pointer, C.ptrdiff_t) C.int64_t,
-	a, b Array[T], out []R) (int, error) {
+	function func(bool, C.vesica_go_view, C.vesica_go_view, *C.char, C.ptrdiff_t) C.int64_t, a, b Array[T],
+	out []R) (int, error) {
 	if err := output(out, a.Len()*b.Len(), a.extent(), b.extent()); err != nil {
 		return 0, err
 	}
@@ -311,7 +314,7 @@ func NMS[T Float](shapes Array[T], scores []T, threshold T) ([]int64, error) {
 	}
 	scratch, keep, kept := make([]byte, size), make([]int64, n), int64(0)
 	err = status(cNMS(isWide[T](), shapes.view, first(scores), float64(threshold), first(scratch), C.int64_t(size),
-		first(keep), unsafe.Pointer(&kept)))
+		first(keep), address(&kept)))
 	if err != nil && err != ErrShape {
 		return nil, err
 	}

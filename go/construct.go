@@ -2,51 +2,49 @@
 
 package vesica
 
-import "unsafe"
-
 // AABBFromCorners is the box with two opposite corners, in any order.
 func AABBFromCorners[T Float](x0, y0, x1, y1 T) (out AABB[T], err error) {
-	code := cAABBFromCorners(isWide[T](), float64(x0), float64(y0), float64(x1), float64(y1), unsafe.Pointer(&out))
+	code := cAABBFromCorners(isWide[T](), float64(x0), float64(y0), float64(x1), float64(y1), address(&out))
 	return out, status(code)
 }
 
 // RectFromAngle is a rectangle from centre, angle in radians, and whole sizes: width along the angle, height across it.
 func RectFromAngle[T Float](cx, cy, angle, width, height T) (out Rect[T], err error) {
 	code := cRectFromAngle(isWide[T](), float64(cx), float64(cy), float64(angle), float64(width), float64(height),
-		unsafe.Pointer(&out))
+		address(&out))
 	return out, status(code)
 }
 
 // RectFromCorners is a rectangle from its four corners x0 y0 ... x3 y3, in order round the outline.
 func RectFromCorners[T Float](corners [8]T) (out Rect[T], err error) {
-	code := cRectFromCorners(isWide[T](), unsafe.Pointer(&corners), unsafe.Pointer(&out))
+	code := cRectFromCorners(isWide[T](), address(&corners), address(&out))
 	return out, status(code)
 }
 
 // EllipseFromAngle is an ellipse from centre, angle in radians, and half lengths: a along the angle, b across it.
 func EllipseFromAngle[T Float](cx, cy, angle, a, b T) (out Ellipse[T], err error) {
 	code := cEllipseFromAngle(isWide[T](), float64(cx), float64(cy), float64(angle), float64(a), float64(b),
-		unsafe.Pointer(&out))
+		address(&out))
 	return out, status(code)
 }
 
 // EllipseFromRadiusVector has one half axis (wx, wy), and the other is ratio times its perpendicular.
 func EllipseFromRadiusVector[T Float](cx, cy, wx, wy, ratio T) (out Ellipse[T], err error) {
 	code := cEllipseFromRadiusVector(isWide[T](), float64(cx), float64(cy), float64(wx), float64(wy), float64(ratio),
-		unsafe.Pointer(&out))
+		address(&out))
 	return out, status(code)
 }
 
 // EllipseFromCovariance has the points within k standard deviations of a mean.
 func EllipseFromCovariance[T Float](meanX, meanY, cxx, cxy, cyy, k T) (out Ellipse[T], err error) {
 	code := cEllipseFromCovariance(isWide[T](), float64(meanX), float64(meanY), float64(cxx), float64(cxy),
-		float64(cyy), float64(k), unsafe.Pointer(&out))
+		float64(cyy), float64(k), address(&out))
 	return out, status(code)
 }
 
 // EllipseFromMatrix has the points X with (X - C) . M (X - C) <= 1.
 func EllipseFromMatrix[T Float](cx, cy, mxx, mxy, myy T) (out Ellipse[T], err error) {
 	code := cEllipseFromMatrix(isWide[T](), float64(cx), float64(cy), float64(mxx), float64(mxy), float64(myy),
-		unsafe.Pointer(&out))
+		address(&out))
 	return out, status(code)
 }

@@ -337,7 +337,7 @@ func cContains(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C
 }
 
 func cCrossings(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers,
-	out unsafe.Pointer) C.int32_t {
+	out *C.char) C.int32_t {
 	if wide {
 		return C.go_crossings_f64(kindA, numbersA, kindB, numbersB, out)
 	}
@@ -345,7 +345,7 @@ func cCrossings(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB 
 }
 
 func cNearest(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers,
-	out unsafe.Pointer) C.int32_t {
+	out *C.char) C.int32_t {
 	if wide {
 		return C.go_nearest_f64(kindA, numbersA, kindB, numbersB, out)
 	}
@@ -353,7 +353,7 @@ func cNearest(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.
 }
 
 func cBoundaryDistance(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t,
-	numbersB C.vesica_go_numbers, out unsafe.Pointer) C.int32_t {
+	numbersB C.vesica_go_numbers, out *C.char) C.int32_t {
 	if wide {
 		return C.go_boundary_distance_f64(kindA, numbersA, kindB, numbersB, out)
 	}
@@ -361,14 +361,14 @@ func cBoundaryDistance(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers,
 }
 
 func cDepth(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers,
-	out unsafe.Pointer) C.int32_t {
+	out *C.char) C.int32_t {
 	if wide {
 		return C.go_depth_f64(kindA, numbersA, kindB, numbersB, out)
 	}
 	return C.go_depth_f32(kindA, numbersA, kindB, numbersB, out)
 }
 
-func cShapeArea(wide bool, kind C.int32_t, numbers C.vesica_go_numbers, out unsafe.Pointer) C.int32_t {
+func cShapeArea(wide bool, kind C.int32_t, numbers C.vesica_go_numbers, out *C.char) C.int32_t {
 	if wide {
 		return C.go_shape_area_f64(kind, numbers, out)
 	}
@@ -376,7 +376,7 @@ func cShapeArea(wide bool, kind C.int32_t, numbers C.vesica_go_numbers, out unsa
 }
 
 func cArea(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers,
-	out unsafe.Pointer) C.int32_t {
+	out *C.char) C.int32_t {
 	if wide {
 		return C.go_area_f64(kindA, numbersA, kindB, numbersB, out)
 	}
@@ -384,21 +384,21 @@ func cArea(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int
 }
 
 func cIOU(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers,
-	out unsafe.Pointer) C.int32_t {
+	out *C.char) C.int32_t {
 	if wide {
 		return C.go_iou_f64(kindA, numbersA, kindB, numbersB, out)
 	}
 	return C.go_iou_f32(kindA, numbersA, kindB, numbersB, out)
 }
 
-func cBounds(wide bool, kind C.int32_t, numbers C.vesica_go_numbers, out unsafe.Pointer) C.int32_t {
+func cBounds(wide bool, kind C.int32_t, numbers C.vesica_go_numbers, out *C.char) C.int32_t {
 	if wide {
 		return C.go_bounds_f64(kind, numbers, out)
 	}
 	return C.go_bounds_f32(kind, numbers, out)
 }
 
-func cAABBFromCorners(wide bool, x0 float64, y0 float64, x1 float64, y1 float64, out unsafe.Pointer) C.int32_t {
+func cAABBFromCorners(wide bool, x0 float64, y0 float64, x1 float64, y1 float64, out *C.char) C.int32_t {
 	if wide {
 		return C.go_aabb_from_corners_f64(C.double(x0), C.double(y0), C.double(x1), C.double(y1), out)
 	}
@@ -406,22 +406,21 @@ func cAABBFromCorners(wide bool, x0 float64, y0 float64, x1 float64, y1 float64,
 }
 
 func cRectFromAngle(wide bool, cx float64, cy float64, angle float64, width float64, height float64,
-	out unsafe.Pointer) C.int32_t {
+	out *C.char) C.int32_t {
 	if wide {
 		return C.go_rect_from_angle_f64(C.double(cx), C.double(cy), C.double(angle), C.double(width), C.double(height), out)
 	}
 	return C.go_rect_from_angle_f32(C.float(cx), C.float(cy), C.float(angle), C.float(width), C.float(height), out)
 }
 
-func cRectFromCorners(wide bool, corners unsafe.Pointer, out unsafe.Pointer) C.int32_t {
+func cRectFromCorners(wide bool, corners *C.char, out *C.char) C.int32_t {
 	if wide {
 		return C.go_rect_from_corners_f64(corners, out)
 	}
 	return C.go_rect_from_corners_f32(corners, out)
 }
 
-func cEllipseFromAngle(wide bool, cx float64, cy float64, angle float64, a float64, b float64,
-	out unsafe.Pointer) C.int32_t {
+func cEllipseFromAngle(wide bool, cx float64, cy float64, angle float64, a float64, b float64, out *C.char) C.int32_t {
 	if wide {
 		return C.go_ellipse_from_angle_f64(C.double(cx), C.double(cy), C.double(angle), C.double(a), C.double(b), out)
 	}
@@ -429,7 +428,7 @@ func cEllipseFromAngle(wide bool, cx float64, cy float64, angle float64, a float
 }
 
 func cEllipseFromRadiusVector(wide bool, cx float64, cy float64, wx float64, wy float64, ratio float64,
-	out unsafe.Pointer) C.int32_t {
+	out *C.char) C.int32_t {
 	if wide {
 		return C.go_ellipse_from_radius_vector_f64(C.double(cx), C.double(cy), C.double(wx), C.double(wy), C.double(ratio),
 			out)
@@ -438,7 +437,7 @@ func cEllipseFromRadiusVector(wide bool, cx float64, cy float64, wx float64, wy 
 }
 
 func cEllipseFromCovariance(wide bool, meanX float64, meanY float64, cxx float64, cxy float64, cyy float64, k float64,
-	out unsafe.Pointer) C.int32_t {
+	out *C.char) C.int32_t {
 	if wide {
 		return C.go_ellipse_from_covariance_f64(C.double(meanX), C.double(meanY), C.double(cxx), C.double(cxy), C.double(cyy),
 			C.double(k), out)
@@ -448,185 +447,177 @@ func cEllipseFromCovariance(wide bool, meanX float64, meanY float64, cxx float64
 }
 
 func cEllipseFromMatrix(wide bool, cx float64, cy float64, mxx float64, mxy float64, myy float64,
-	out unsafe.Pointer) C.int32_t {
+	out *C.char) C.int32_t {
 	if wide {
 		return C.go_ellipse_from_matrix_f64(C.double(cx), C.double(cy), C.double(mxx), C.double(mxy), C.double(myy), out)
 	}
 	return C.go_ellipse_from_matrix_f32(C.float(cx), C.float(cy), C.float(mxx), C.float(mxy), C.float(myy), out)
 }
 
-func cOverlapMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer) C.int64_t {
+func cOverlapMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, out *C.char) C.int64_t {
 	if wide {
 		return C.go_overlap_many_f64(a, b, out)
 	}
 	return C.go_overlap_many_f32(a, b, out)
 }
 
-func cRelationMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer) C.int64_t {
+func cRelationMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, out *C.char) C.int64_t {
 	if wide {
 		return C.go_relation_many_f64(a, b, out)
 	}
 	return C.go_relation_many_f32(a, b, out)
 }
 
-func cContainsMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer) C.int64_t {
+func cContainsMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, out *C.char) C.int64_t {
 	if wide {
 		return C.go_contains_many_f64(a, b, out)
 	}
 	return C.go_contains_many_f32(a, b, out)
 }
 
-func cNearestMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, distance unsafe.Pointer, ax unsafe.Pointer,
-	ay unsafe.Pointer, bx unsafe.Pointer, by unsafe.Pointer) C.int64_t {
+func cNearestMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, distance *C.char, ax *C.char, ay *C.char,
+	bx *C.char, by *C.char) C.int64_t {
 	if wide {
 		return C.go_nearest_many_f64(a, b, distance, ax, ay, bx, by)
 	}
 	return C.go_nearest_many_f32(a, b, distance, ax, ay, bx, by)
 }
 
-func cBoundaryDistanceMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, distance unsafe.Pointer,
-	ax unsafe.Pointer, ay unsafe.Pointer, bx unsafe.Pointer, by unsafe.Pointer) C.int64_t {
+func cBoundaryDistanceMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, distance *C.char, ax *C.char, ay *C.char,
+	bx *C.char, by *C.char) C.int64_t {
 	if wide {
 		return C.go_boundary_distance_many_f64(a, b, distance, ax, ay, bx, by)
 	}
 	return C.go_boundary_distance_many_f32(a, b, distance, ax, ay, bx, by)
 }
 
-func cDepthMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, depth unsafe.Pointer, x unsafe.Pointer,
-	y unsafe.Pointer) C.int64_t {
+func cDepthMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, depth *C.char, x *C.char, y *C.char) C.int64_t {
 	if wide {
 		return C.go_depth_many_f64(a, b, depth, x, y)
 	}
 	return C.go_depth_many_f32(a, b, depth, x, y)
 }
 
-func cAreaMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer) C.int64_t {
+func cAreaMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, out *C.char) C.int64_t {
 	if wide {
 		return C.go_area_many_f64(a, b, out)
 	}
 	return C.go_area_many_f32(a, b, out)
 }
 
-func cIOUMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer) C.int64_t {
+func cIOUMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, out *C.char) C.int64_t {
 	if wide {
 		return C.go_iou_many_f64(a, b, out)
 	}
 	return C.go_iou_many_f32(a, b, out)
 }
 
-func cOverlapMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer,
-	rowStride C.ptrdiff_t) C.int64_t {
+func cOverlapMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out *C.char, rowStride C.ptrdiff_t) C.int64_t {
 	if wide {
 		return C.go_overlap_matrix_f64(a, b, out, rowStride)
 	}
 	return C.go_overlap_matrix_f32(a, b, out, rowStride)
 }
 
-func cRelationMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer,
-	rowStride C.ptrdiff_t) C.int64_t {
+func cRelationMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out *C.char, rowStride C.ptrdiff_t) C.int64_t {
 	if wide {
 		return C.go_relation_matrix_f64(a, b, out, rowStride)
 	}
 	return C.go_relation_matrix_f32(a, b, out, rowStride)
 }
 
-func cContainsMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer,
-	rowStride C.ptrdiff_t) C.int64_t {
+func cContainsMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out *C.char, rowStride C.ptrdiff_t) C.int64_t {
 	if wide {
 		return C.go_contains_matrix_f64(a, b, out, rowStride)
 	}
 	return C.go_contains_matrix_f32(a, b, out, rowStride)
 }
 
-func cAreaMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer,
-	rowStride C.ptrdiff_t) C.int64_t {
+func cAreaMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out *C.char, rowStride C.ptrdiff_t) C.int64_t {
 	if wide {
 		return C.go_area_matrix_f64(a, b, out, rowStride)
 	}
 	return C.go_area_matrix_f32(a, b, out, rowStride)
 }
 
-func cIOUMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer,
-	rowStride C.ptrdiff_t) C.int64_t {
+func cIOUMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out *C.char, rowStride C.ptrdiff_t) C.int64_t {
 	if wide {
 		return C.go_iou_matrix_f64(a, b, out, rowStride)
 	}
 	return C.go_iou_matrix_f32(a, b, out, rowStride)
 }
 
-func cOverlapSelect(wide bool, one C.vesica_go_view, many C.vesica_go_view, out unsafe.Pointer,
-	capacity C.int64_t) C.int64_t {
+func cOverlapSelect(wide bool, one C.vesica_go_view, many C.vesica_go_view, out *C.char, capacity C.int64_t) C.int64_t {
 	if wide {
 		return C.go_overlap_select_f64(one, many, out, capacity)
 	}
 	return C.go_overlap_select_f32(one, many, out, capacity)
 }
 
-func cNMS(wide bool, shapes C.vesica_go_view, scores unsafe.Pointer, threshold float64, scratch unsafe.Pointer,
-	scratchSize C.int64_t, keep unsafe.Pointer, kept unsafe.Pointer) C.int32_t {
+func cNMS(wide bool, shapes C.vesica_go_view, scores *C.char, threshold float64, scratch *C.char, scratchSize C.int64_t,
+	keep *C.char, kept *C.char) C.int32_t {
 	if wide {
 		return C.go_nms_f64(shapes, scores, C.double(threshold), scratch, scratchSize, keep, kept)
 	}
 	return C.go_nms_f32(shapes, scores, C.float(threshold), scratch, scratchSize, keep, kept)
 }
 
-func cRectsFromBoxes(wide bool, boxes unsafe.Pointer, count C.int64_t, stride C.ptrdiff_t, angle C.int32_t,
-	out unsafe.Pointer) C.int64_t {
+func cRectsFromBoxes(wide bool, boxes *C.char, count C.int64_t, stride C.ptrdiff_t, angle C.int32_t,
+	out *C.char) C.int64_t {
 	if wide {
 		return C.go_rects_from_boxes_f64(boxes, count, stride, angle, out)
 	}
 	return C.go_rects_from_boxes_f32(boxes, count, stride, angle, out)
 }
 
-func cEllipsesFromBoxes(wide bool, boxes unsafe.Pointer, count C.int64_t, stride C.ptrdiff_t, angle C.int32_t,
-	out unsafe.Pointer) C.int64_t {
+func cEllipsesFromBoxes(wide bool, boxes *C.char, count C.int64_t, stride C.ptrdiff_t, angle C.int32_t,
+	out *C.char) C.int64_t {
 	if wide {
 		return C.go_ellipses_from_boxes_f64(boxes, count, stride, angle, out)
 	}
 	return C.go_ellipses_from_boxes_f32(boxes, count, stride, angle, out)
 }
 
-func cBoxesFromShapes(wide bool, shapes C.vesica_go_view, angle C.int32_t, boxes unsafe.Pointer) C.int64_t {
+func cBoxesFromShapes(wide bool, shapes C.vesica_go_view, angle C.int32_t, boxes *C.char) C.int64_t {
 	if wide {
 		return C.go_boxes_from_shapes_f64(shapes, angle, boxes)
 	}
 	return C.go_boxes_from_shapes_f32(shapes, angle, boxes)
 }
 
-func cCornersOfShapes(wide bool, shapes C.vesica_go_view, corners unsafe.Pointer) C.int64_t {
+func cCornersOfShapes(wide bool, shapes C.vesica_go_view, corners *C.char) C.int64_t {
 	if wide {
 		return C.go_corners_of_shapes_f64(shapes, corners)
 	}
 	return C.go_corners_of_shapes_f32(shapes, corners)
 }
 
-func cBoundsMany(wide bool, shapes C.vesica_go_view, out unsafe.Pointer) C.int64_t {
+func cBoundsMany(wide bool, shapes C.vesica_go_view, out *C.char) C.int64_t {
 	if wide {
 		return C.go_bounds_many_f64(shapes, out)
 	}
 	return C.go_bounds_many_f32(shapes, out)
 }
 
-func cIndexBuild(wide bool, sets C.vesica_go_sets, setCount C.int32_t, index unsafe.Pointer, indexSize C.int64_t,
-	scratch unsafe.Pointer, scratchSize C.int64_t) C.int64_t {
+func cIndexBuild(wide bool, sets C.vesica_go_sets, setCount C.int32_t, index *C.char, indexSize C.int64_t,
+	scratch *C.char, scratchSize C.int64_t) C.int64_t {
 	if wide {
 		return C.go_index_build_f64(sets, setCount, index, indexSize, scratch, scratchSize)
 	}
 	return C.go_index_build_f32(sets, setCount, index, indexSize, scratch, scratchSize)
 }
 
-func cIndexSelect(wide bool, index unsafe.Pointer, sets C.vesica_go_sets, setCount C.int32_t, one C.vesica_go_view,
-	out unsafe.Pointer, capacity C.int64_t, state unsafe.Pointer) C.int64_t {
+func cIndexSelect(wide bool, index *C.char, sets C.vesica_go_sets, setCount C.int32_t, one C.vesica_go_view,
+	out *C.char, capacity C.int64_t, state *C.char) C.int64_t {
 	if wide {
 		return C.go_index_select_f64(index, sets, setCount, one, out, capacity, state)
 	}
 	return C.go_index_select_f32(index, sets, setCount, one, out, capacity, state)
 }
 
-func cJoin(wide bool, query C.int32_t, indexA unsafe.Pointer, setsA C.vesica_go_sets, setCountA C.int32_t,
-	indexB unsafe.Pointer, setsB C.vesica_go_sets, setCountB C.int32_t, part C.int64_t, parts C.int64_t,
-	scratch unsafe.Pointer, scratchSize C.int64_t, outA unsafe.Pointer, outB unsafe.Pointer, capacity C.int64_t,
-	state unsafe.Pointer) C.int64_t {
+func cJoin(wide bool, query C.int32_t, indexA *C.char, setsA C.vesica_go_sets, setCountA C.int32_t, indexB *C.char,
+	setsB C.vesica_go_sets, setCountB C.int32_t, part C.int64_t, parts C.int64_t, scratch *C.char, scratchSize C.int64_t,
+	outA *C.char, outB *C.char, capacity C.int64_t, state *C.char) C.int64_t {
 	if wide {
 		return C.go_join_f64(query, indexA, setsA, setCountA, indexB, setsB, setCountB, part, parts, scratch, scratchSize,
 			outA, outB, capacity, state)
@@ -635,9 +626,9 @@ func cJoin(wide bool, query C.int32_t, indexA unsafe.Pointer, setsA C.vesica_go_
 		outA, outB, capacity, state)
 }
 
-func cJoinWithin(wide bool, indexA unsafe.Pointer, setsA C.vesica_go_sets, setCountA C.int32_t, indexB unsafe.Pointer,
-	setsB C.vesica_go_sets, setCountB C.int32_t, distance float64, part C.int64_t, parts C.int64_t, outA unsafe.Pointer,
-	outB unsafe.Pointer, capacity C.int64_t, state unsafe.Pointer) C.int64_t {
+func cJoinWithin(wide bool, indexA *C.char, setsA C.vesica_go_sets, setCountA C.int32_t, indexB *C.char,
+	setsB C.vesica_go_sets, setCountB C.int32_t, distance float64, part C.int64_t, parts C.int64_t, outA *C.char,
+	outB *C.char, capacity C.int64_t, state *C.char) C.int64_t {
 	if wide {
 		return C.go_join_within_f64(indexA, setsA, setCountA, indexB, setsB, setCountB, C.double(distance), part, parts, outA,
 			outB, capacity, state)
@@ -646,17 +637,17 @@ func cJoinWithin(wide bool, indexA unsafe.Pointer, setsA C.vesica_go_sets, setCo
 		outB, capacity, state)
 }
 
-func cIndexNearest(wide bool, index unsafe.Pointer, sets C.vesica_go_sets, setCount C.int32_t, one C.vesica_go_view,
-	k C.int64_t, within float64, out unsafe.Pointer, distance unsafe.Pointer) C.int64_t {
+func cIndexNearest(wide bool, index *C.char, sets C.vesica_go_sets, setCount C.int32_t, one C.vesica_go_view,
+	k C.int64_t, within float64, out *C.char, distance *C.char) C.int64_t {
 	if wide {
 		return C.go_index_nearest_f64(index, sets, setCount, one, k, C.double(within), out, distance)
 	}
 	return C.go_index_nearest_f32(index, sets, setCount, one, k, C.float(within), out, distance)
 }
 
-func cJoinNearest(wide bool, setsA C.vesica_go_sets, setCountA C.int32_t, indexB unsafe.Pointer, setsB C.vesica_go_sets,
-	setCountB C.int32_t, k C.int64_t, within float64, part C.int64_t, parts C.int64_t, out unsafe.Pointer,
-	distance unsafe.Pointer) C.int64_t {
+func cJoinNearest(wide bool, setsA C.vesica_go_sets, setCountA C.int32_t, indexB *C.char, setsB C.vesica_go_sets,
+	setCountB C.int32_t, k C.int64_t, within float64, part C.int64_t, parts C.int64_t, out *C.char,
+	distance *C.char) C.int64_t {
 	if wide {
 		return C.go_join_nearest_f64(setsA, setCountA, indexB, setsB, setCountB, k, C.double(within), part, parts, out,
 			distance)
@@ -666,21 +657,21 @@ func cJoinNearest(wide bool, setsA C.vesica_go_sets, setCountA C.int32_t, indexB
 }
 
 func cRatio(wide bool, ratio C.int32_t, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t,
-	numbersB C.vesica_go_numbers, out unsafe.Pointer) C.int32_t {
+	numbersB C.vesica_go_numbers, out *C.char) C.int32_t {
 	if wide {
 		return C.go_ratio_f64(ratio, kindA, numbersA, kindB, numbersB, out)
 	}
 	return C.go_ratio_f32(ratio, kindA, numbersA, kindB, numbersB, out)
 }
 
-func cRatioMany(wide bool, ratio C.int32_t, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer) C.int64_t {
+func cRatioMany(wide bool, ratio C.int32_t, a C.vesica_go_view, b C.vesica_go_view, out *C.char) C.int64_t {
 	if wide {
 		return C.go_ratio_many_f64(ratio, a, b, out)
 	}
 	return C.go_ratio_many_f32(ratio, a, b, out)
 }
 
-func cRatioMatrix(wide bool, ratio C.int32_t, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer,
+func cRatioMatrix(wide bool, ratio C.int32_t, a C.vesica_go_view, b C.vesica_go_view, out *C.char,
 	rowStride C.ptrdiff_t) C.int64_t {
 	if wide {
 		return C.go_ratio_matrix_f64(ratio, a, b, out, rowStride)
@@ -688,15 +679,14 @@ func cRatioMatrix(wide bool, ratio C.int32_t, a C.vesica_go_view, b C.vesica_go_
 	return C.go_ratio_matrix_f32(ratio, a, b, out, rowStride)
 }
 
-func cNearestMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer,
-	rowStride C.ptrdiff_t) C.int64_t {
+func cNearestMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out *C.char, rowStride C.ptrdiff_t) C.int64_t {
 	if wide {
 		return C.go_nearest_matrix_f64(a, b, out, rowStride)
 	}
 	return C.go_nearest_matrix_f32(a, b, out, rowStride)
 }
 
-func cBoundaryDistanceMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer,
+func cBoundaryDistanceMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out *C.char,
 	rowStride C.ptrdiff_t) C.int64_t {
 	if wide {
 		return C.go_boundary_distance_matrix_f64(a, b, out, rowStride)
@@ -704,8 +694,7 @@ func cBoundaryDistanceMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, 
 	return C.go_boundary_distance_matrix_f32(a, b, out, rowStride)
 }
 
-func cDepthMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer,
-	rowStride C.ptrdiff_t) C.int64_t {
+func cDepthMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out *C.char, rowStride C.ptrdiff_t) C.int64_t {
 	if wide {
 		return C.go_depth_matrix_f64(a, b, out, rowStride)
 	}
@@ -713,21 +702,21 @@ func cDepthMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.
 }
 
 func cSignedDistance(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t,
-	numbersB C.vesica_go_numbers, out unsafe.Pointer) C.int32_t {
+	numbersB C.vesica_go_numbers, out *C.char) C.int32_t {
 	if wide {
 		return C.go_signed_distance_f64(kindA, numbersA, kindB, numbersB, out)
 	}
 	return C.go_signed_distance_f32(kindA, numbersA, kindB, numbersB, out)
 }
 
-func cSignedDistanceMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer) C.int64_t {
+func cSignedDistanceMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, out *C.char) C.int64_t {
 	if wide {
 		return C.go_signed_distance_many_f64(a, b, out)
 	}
 	return C.go_signed_distance_many_f32(a, b, out)
 }
 
-func cSignedDistanceMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer,
+func cSignedDistanceMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out *C.char,
 	rowStride C.ptrdiff_t) C.int64_t {
 	if wide {
 		return C.go_signed_distance_matrix_f64(a, b, out, rowStride)
@@ -743,14 +732,14 @@ func cWithin(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.i
 	return C.go_within_f32(kindA, numbersA, kindB, numbersB, C.float(distance))
 }
 
-func cWithinMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, distance float64, out unsafe.Pointer) C.int64_t {
+func cWithinMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, distance float64, out *C.char) C.int64_t {
 	if wide {
 		return C.go_within_many_f64(a, b, C.double(distance), out)
 	}
 	return C.go_within_many_f32(a, b, C.float(distance), out)
 }
 
-func cWithinMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, distance float64, out unsafe.Pointer,
+func cWithinMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, distance float64, out *C.char,
 	rowStride C.ptrdiff_t) C.int64_t {
 	if wide {
 		return C.go_within_matrix_f64(a, b, C.double(distance), out, rowStride)
@@ -758,9 +747,8 @@ func cWithinMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, distance f
 	return C.go_within_matrix_f32(a, b, C.float(distance), out, rowStride)
 }
 
-func cSuppress(wide bool, shapes C.vesica_go_view, scores unsafe.Pointer, labels unsafe.Pointer, ratio C.int32_t,
-	threshold float64, leastScore float64, most C.int64_t, scratch unsafe.Pointer, scratchSize C.int64_t,
-	keep unsafe.Pointer, kept unsafe.Pointer) C.int32_t {
+func cSuppress(wide bool, shapes C.vesica_go_view, scores *C.char, labels *C.char, ratio C.int32_t, threshold float64,
+	leastScore float64, most C.int64_t, scratch *C.char, scratchSize C.int64_t, keep *C.char, kept *C.char) C.int32_t {
 	if wide {
 		return C.go_suppress_f64(shapes, scores, labels, ratio, C.double(threshold), C.double(leastScore), most, scratch,
 			scratchSize, keep, kept)
@@ -769,9 +757,9 @@ func cSuppress(wide bool, shapes C.vesica_go_view, scores unsafe.Pointer, labels
 		scratchSize, keep, kept)
 }
 
-func cSuppressSoft(wide bool, shapes C.vesica_go_view, scores unsafe.Pointer, labels unsafe.Pointer, ratio C.int32_t,
-	decay C.int32_t, parameter float64, leastScore float64, most C.int64_t, scratch unsafe.Pointer, scratchSize C.int64_t,
-	keep unsafe.Pointer, decayed unsafe.Pointer, kept unsafe.Pointer) C.int32_t {
+func cSuppressSoft(wide bool, shapes C.vesica_go_view, scores *C.char, labels *C.char, ratio C.int32_t, decay C.int32_t,
+	parameter float64, leastScore float64, most C.int64_t, scratch *C.char, scratchSize C.int64_t, keep *C.char,
+	decayed *C.char, kept *C.char) C.int32_t {
 	if wide {
 		return C.go_suppress_soft_f64(shapes, scores, labels, ratio, decay, C.double(parameter), C.double(leastScore), most,
 			scratch, scratchSize, keep, decayed, kept)
@@ -781,16 +769,15 @@ func cSuppressSoft(wide bool, shapes C.vesica_go_view, scores unsafe.Pointer, la
 }
 
 func cCast(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers,
-	vx float64, vy float64, tEnd float64, out unsafe.Pointer) C.int32_t {
+	vx float64, vy float64, tEnd float64, out *C.char) C.int32_t {
 	if wide {
 		return C.go_cast_f64(kindA, numbersA, kindB, numbersB, C.double(vx), C.double(vy), C.double(tEnd), out)
 	}
 	return C.go_cast_f32(kindA, numbersA, kindB, numbersB, C.float(vx), C.float(vy), C.float(tEnd), out)
 }
 
-func cCastMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, vx unsafe.Pointer, vy unsafe.Pointer,
-	stride C.ptrdiff_t, tEnd float64, t unsafe.Pointer, x unsafe.Pointer, y unsafe.Pointer, nx unsafe.Pointer,
-	ny unsafe.Pointer) C.int64_t {
+func cCastMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, vx *C.char, vy *C.char, stride C.ptrdiff_t,
+	tEnd float64, t *C.char, x *C.char, y *C.char, nx *C.char, ny *C.char) C.int64_t {
 	if wide {
 		return C.go_cast_many_f64(a, b, vx, vy, stride, C.double(tEnd), t, x, y, nx, ny)
 	}
@@ -798,7 +785,7 @@ func cCastMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, vx unsafe.Poin
 }
 
 func cCastFirst(wide bool, one C.vesica_go_view, many C.vesica_go_view, vx float64, vy float64, tEnd float64,
-	out unsafe.Pointer) C.int64_t {
+	out *C.char) C.int64_t {
 	if wide {
 		return C.go_cast_first_f64(one, many, C.double(vx), C.double(vy), C.double(tEnd), out)
 	}
@@ -806,15 +793,15 @@ func cCastFirst(wide bool, one C.vesica_go_view, many C.vesica_go_view, vx float
 }
 
 func cSweepBounds(wide bool, kind C.int32_t, numbers C.vesica_go_numbers, vx float64, vy float64, tEnd float64,
-	out unsafe.Pointer) C.int32_t {
+	out *C.char) C.int32_t {
 	if wide {
 		return C.go_sweep_bounds_f64(kind, numbers, C.double(vx), C.double(vy), C.double(tEnd), out)
 	}
 	return C.go_sweep_bounds_f32(kind, numbers, C.float(vx), C.float(vy), C.float(tEnd), out)
 }
 
-func cIndexCast(wide bool, index unsafe.Pointer, sets C.vesica_go_sets, setCount C.int32_t, one C.vesica_go_view,
-	vx float64, vy float64, tEnd float64, out unsafe.Pointer, capacity C.int64_t, state unsafe.Pointer) C.int64_t {
+func cIndexCast(wide bool, index *C.char, sets C.vesica_go_sets, setCount C.int32_t, one C.vesica_go_view, vx float64,
+	vy float64, tEnd float64, out *C.char, capacity C.int64_t, state *C.char) C.int64_t {
 	if wide {
 		return C.go_index_cast_f64(index, sets, setCount, one, C.double(vx), C.double(vy), C.double(tEnd), out, capacity,
 			state)
@@ -822,81 +809,72 @@ func cIndexCast(wide bool, index unsafe.Pointer, sets C.vesica_go_sets, setCount
 	return C.go_index_cast_f32(index, sets, setCount, one, C.float(vx), C.float(vy), C.float(tEnd), out, capacity, state)
 }
 
-func cIndexCastFirst(wide bool, index unsafe.Pointer, sets C.vesica_go_sets, setCount C.int32_t, one C.vesica_go_view,
-	vx float64, vy float64, tEnd float64, out unsafe.Pointer) C.int64_t {
+func cIndexCastFirst(wide bool, index *C.char, sets C.vesica_go_sets, setCount C.int32_t, one C.vesica_go_view,
+	vx float64, vy float64, tEnd float64, out *C.char) C.int64_t {
 	if wide {
 		return C.go_index_cast_first_f64(index, sets, setCount, one, C.double(vx), C.double(vy), C.double(tEnd), out)
 	}
 	return C.go_index_cast_first_f32(index, sets, setCount, one, C.float(vx), C.float(vy), C.float(tEnd), out)
 }
 
-func cImpactTime(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, turnA unsafe.Pointer, kindB C.int32_t,
-	numbersB C.vesica_go_numbers, turnB unsafe.Pointer, tolerance float64, out unsafe.Pointer,
-	gap unsafe.Pointer) C.int32_t {
+func cImpactTime(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, turnA *C.char, kindB C.int32_t,
+	numbersB C.vesica_go_numbers, turnB *C.char, tolerance float64, out *C.char, gap *C.char) C.int32_t {
 	if wide {
 		return C.go_impact_time_f64(kindA, numbersA, turnA, kindB, numbersB, turnB, C.double(tolerance), out, gap)
 	}
 	return C.go_impact_time_f32(kindA, numbersA, turnA, kindB, numbersB, turnB, C.float(tolerance), out, gap)
 }
 
-func cCastPointPoint(wide bool, a unsafe.Pointer, b unsafe.Pointer, vx float64, vy float64, tEnd float64,
-	out unsafe.Pointer) C.int32_t {
+func cCastPointPoint(wide bool, a *C.char, b *C.char, vx float64, vy float64, tEnd float64, out *C.char) C.int32_t {
 	if wide {
 		return C.go_cast_point_point_f64(a, b, C.double(vx), C.double(vy), C.double(tEnd), out)
 	}
 	return C.go_cast_point_point_f32(a, b, C.float(vx), C.float(vy), C.float(tEnd), out)
 }
 
-func cCastSegmentPoint(wide bool, a unsafe.Pointer, b unsafe.Pointer, vx float64, vy float64, tEnd float64,
-	out unsafe.Pointer) C.int32_t {
+func cCastSegmentPoint(wide bool, a *C.char, b *C.char, vx float64, vy float64, tEnd float64, out *C.char) C.int32_t {
 	if wide {
 		return C.go_cast_segment_point_f64(a, b, C.double(vx), C.double(vy), C.double(tEnd), out)
 	}
 	return C.go_cast_segment_point_f32(a, b, C.float(vx), C.float(vy), C.float(tEnd), out)
 }
 
-func cCastCirclePoint(wide bool, a unsafe.Pointer, b unsafe.Pointer, vx float64, vy float64, tEnd float64,
-	out unsafe.Pointer) C.int32_t {
+func cCastCirclePoint(wide bool, a *C.char, b *C.char, vx float64, vy float64, tEnd float64, out *C.char) C.int32_t {
 	if wide {
 		return C.go_cast_circle_point_f64(a, b, C.double(vx), C.double(vy), C.double(tEnd), out)
 	}
 	return C.go_cast_circle_point_f32(a, b, C.float(vx), C.float(vy), C.float(tEnd), out)
 }
 
-func cCastAABBPoint(wide bool, a unsafe.Pointer, b unsafe.Pointer, vx float64, vy float64, tEnd float64,
-	out unsafe.Pointer) C.int32_t {
+func cCastAABBPoint(wide bool, a *C.char, b *C.char, vx float64, vy float64, tEnd float64, out *C.char) C.int32_t {
 	if wide {
 		return C.go_cast_aabb_point_f64(a, b, C.double(vx), C.double(vy), C.double(tEnd), out)
 	}
 	return C.go_cast_aabb_point_f32(a, b, C.float(vx), C.float(vy), C.float(tEnd), out)
 }
 
-func cCastRectPoint(wide bool, a unsafe.Pointer, b unsafe.Pointer, vx float64, vy float64, tEnd float64,
-	out unsafe.Pointer) C.int32_t {
+func cCastRectPoint(wide bool, a *C.char, b *C.char, vx float64, vy float64, tEnd float64, out *C.char) C.int32_t {
 	if wide {
 		return C.go_cast_rect_point_f64(a, b, C.double(vx), C.double(vy), C.double(tEnd), out)
 	}
 	return C.go_cast_rect_point_f32(a, b, C.float(vx), C.float(vy), C.float(tEnd), out)
 }
 
-func cCastEllipsePoint(wide bool, a unsafe.Pointer, b unsafe.Pointer, vx float64, vy float64, tEnd float64,
-	out unsafe.Pointer) C.int32_t {
+func cCastEllipsePoint(wide bool, a *C.char, b *C.char, vx float64, vy float64, tEnd float64, out *C.char) C.int32_t {
 	if wide {
 		return C.go_cast_ellipse_point_f64(a, b, C.double(vx), C.double(vy), C.double(tEnd), out)
 	}
 	return C.go_cast_ellipse_point_f32(a, b, C.float(vx), C.float(vy), C.float(tEnd), out)
 }
 
-func cCastCircleCircle(wide bool, a unsafe.Pointer, b unsafe.Pointer, vx float64, vy float64, tEnd float64,
-	out unsafe.Pointer) C.int32_t {
+func cCastCircleCircle(wide bool, a *C.char, b *C.char, vx float64, vy float64, tEnd float64, out *C.char) C.int32_t {
 	if wide {
 		return C.go_cast_circle_circle_f64(a, b, C.double(vx), C.double(vy), C.double(tEnd), out)
 	}
 	return C.go_cast_circle_circle_f32(a, b, C.float(vx), C.float(vy), C.float(tEnd), out)
 }
 
-func cCastRectRect(wide bool, a unsafe.Pointer, b unsafe.Pointer, vx float64, vy float64, tEnd float64,
-	out unsafe.Pointer) C.int32_t {
+func cCastRectRect(wide bool, a *C.char, b *C.char, vx float64, vy float64, tEnd float64, out *C.char) C.int32_t {
 	if wide {
 		return C.go_cast_rect_rect_f64(a, b, C.double(vx), C.double(vy), C.double(tEnd), out)
 	}
@@ -904,7 +882,7 @@ func cCastRectRect(wide bool, a unsafe.Pointer, b unsafe.Pointer, vx float64, vy
 }
 
 func cDe9im(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers,
-	matrix unsafe.Pointer) C.int32_t {
+	matrix *C.char) C.int32_t {
 	if wide {
 		return C.go_de9im_f64(kindA, numbersA, kindB, numbersB, matrix)
 	}
@@ -912,7 +890,7 @@ func cDe9im(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.in
 }
 
 func cIntersection(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t,
-	numbersB C.vesica_go_numbers, vertices unsafe.Pointer) C.int32_t {
+	numbersB C.vesica_go_numbers, vertices *C.char) C.int32_t {
 	if wide {
 		return C.go_intersection_f64(kindA, numbersA, kindB, numbersB, vertices)
 	}

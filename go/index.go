@@ -75,7 +75,7 @@ func NewIndex[T Float](arrays ...Array[T]) (*Index[T], error) {
 	used, err := count(cIndexBuild(isWide[T](), index.sets, index.count, first(memory), C.int64_t(size), first(room),
 		C.int64_t(scratch)))
 	if index.Incomplete = err == ErrShape; index.Incomplete {
-		used, err = count(C.vesica_index_bytes(first(memory)))
+		used, err = count(C.vesica_index_bytes(unsafe.Pointer(first(memory))))
 	}
 	if err != nil {
 		return nil, err
@@ -96,10 +96,10 @@ func IndexFromBytes[T Float](bytes []byte, arrays ...Array[T]) (*Index[T], error
 	}
 	index.bytes = aligned(len(bytes))
 	copy(index.bytes, bytes)
-	if err := status(C.vesica_index_check(first(index.bytes), C.int64_t(len(bytes)))); err != nil {
+	if err := status(C.vesica_index_check(unsafe.Pointer(first(index.bytes)), C.int64_t(len(bytes)))); err != nil {
 		return nil, err
 	}
-	if items := int(C.vesica_index_count(first(index.bytes))); items != index.items {
+	if items := int(C.vesica_index_count(unsafe.Pointer(first(index.bytes)))); items != index.items {
 		return nil, fmt.Errorf("an index of %d shapes cannot be that of %d: %w", items, index.items, ErrArgument)
 	}
 	return index, nil
@@ -114,28 +114,28 @@ func (x *Index[T]) Len() int { return x.items }
 // Bounds is a box around all valid shapes, a little larger than the smallest one.
 func (x *Index[T]) Bounds() (AABB[float64], error) {
 	var out C.vesica_aabb_f64
-	err := status(C.vesica_index_bounds(first(x.bytes), &out))
+	err := status(C.vesica_index_bounds(unsafe.Pointer(first(x.bytes)), &out))
 	return AABB[float64]{float64(out.min_x), float64(out.min_y), float64(out.max_x), float64(out.max_y)}, err
 }
 
 // Order has the items in spatial order: arrays that are laid so are joined quicker.
 func (x *Index[T]) Order() ([]int64, error) {
 	out := make([]int64, x.items)
-	valid, err := count(C.vesica_index_order(first(x.bytes), (*C.int64_t)(first(out)), C.int64_t(len(out))))
+	valid, err := count(C.vesica_index_order(unsafe.Pointer(first(x.bytes)), (*C.int64_t)(unsafe.Pointer(first(out))),
+		C.int64_t(len(out))))
 	return out[:valid], err
 }
 
 // Select gives the items that one shape overlaps, in the index's order.
 func (x *Index[T]) Select(one Shape) ([]int64, error) {
-	return x.all(one, func(single Array[T], out []int64, state unsafe.Pointer) C.int64_t {
+	return x.all(one, func(single Array[T], out []int64, state *C.char) C.int64_t {
 		return cIndexSelect(isWide[T](), first(x.bytes), x.sets, x.count, single.view, first(out), C.int64_t(len(out)),
 			state)
 	})
 }
 
 // all has the items of a question about one shape, which is put twice: how many, and which.
-func (x *Index[T]) all(one Shape, ask func(single Array[T], out []int64, state unsafe.Pointer) C.int64_t) ([]int64,
-	error) {
+func (x *Index[T]) all(one Shape, ask func(single Array[T], out []int64, state *C.char) C.int64_t) ([]int64, error) {
 	single, err := arrayOfOne[T](one)
 	if err != nil {
 		return nil, err
@@ -145,7 +145,7 @@ func (x *Index[T]) all(one Shape, ask func(single Array[T], out []int64, state u
 		return []int64{}, err
 	}
 	out, state := make([]int64, found), [4]int64{}
-	_, err = count(ask(single, out, unsafe.Pointer(&state)))
+	_, err = count(ask(single, out, address(&state)))
 	return out, err
 }
 

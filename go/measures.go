@@ -14,7 +14,7 @@ import (
 // RatioOf is a ratio of two shapes. ErrArgument, if the shape whose area divides has none, or neither has.
 func RatioOf[A, B Shape](ratio Ratio, a A, b B) (float64, error) {
 	n, err := measured(func(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t,
-		numbersB C.vesica_go_numbers, out unsafe.Pointer) C.int32_t {
+		numbersB C.vesica_go_numbers, out *C.char) C.int32_t {
 		return cRatio(wide, C.int32_t(ratio), kindA, numbersA, kindB, numbersB, out)
 	}, 1, a, b)
 	return n[0], err
@@ -23,14 +23,14 @@ func RatioOf[A, B Shape](ratio Ratio, a A, b B) (float64, error) {
 // RatioMany sets out[i] to a ratio of a[i] and b[i]. It returns how many are above 0. With ErrArgument, where there is
 // none: its result is NaN, and all others are written.
 func RatioMany[T Float](ratio Ratio, a, b Array[T], out []T) (int, error) {
-	return many(func(wide bool, a, b C.vesica_go_view, out unsafe.Pointer) C.int64_t {
+	return many(func(wide bool, a, b C.vesica_go_view, out *C.char) C.int64_t {
 		return cRatioMany(wide, C.int32_t(ratio), a, b, out)
 	}, a, b, out)
 }
 
 // RatioMatrix has a ratio of each of a with each of b, else as RatioMany.
 func RatioMatrix[T Float](ratio Ratio, a, b Array[T], out []T) (int, error) {
-	return matrix(func(wide bool, a, b C.vesica_go_view, out unsafe.Pointer, row C.ptrdiff_t) C.int64_t {
+	return matrix(func(wide bool, a, b C.vesica_go_view, out *C.char, row C.ptrdiff_t) C.int64_t {
 		return cRatioMatrix(wide, C.int32_t(ratio), a, b, out, row)
 	}, a, b, out)
 }
@@ -80,8 +80,7 @@ func Suppress[T Float](shapes Array[T], scores []T, how Suppression[T]) ([]int64
 	}
 	scratch, keep, kept := make([]byte, size), make([]int64, n), int64(0)
 	err = status(cSuppress(isWide[T](), shapes.view, first(scores), first(how.Labels), C.int32_t(how.Ratio),
-		float64(how.Threshold), least, C.int64_t(most), first(scratch), C.int64_t(size), first(keep),
-		unsafe.Pointer(&kept)))
+		float64(how.Threshold), least, C.int64_t(most), first(scratch), C.int64_t(size), first(keep), address(&kept)))
 	if err != nil && err != ErrShape {
 		return nil, err
 	}
@@ -91,7 +90,7 @@ func Suppress[T Float](shapes Array[T], scores []T, how Suppression[T]) ([]int64
 // Boxes are five adjacent numbers each: centre x, y, width along the angle, height across it, angle. In what follows an
 // invalid one gives NaN throughout, all others are written, and the error is ErrShape or ErrRange.
 
-type fromBoxes = func(bool, unsafe.Pointer, C.int64_t, C.ptrdiff_t, C.int32_t, unsafe.Pointer) C.int64_t
+type fromBoxes = func(bool, *C.char, C.int64_t, C.ptrdiff_t, C.int32_t, *C.char) C.int64_t
 
 func shapesFromBoxes[T Float, S any](function fromBoxes, boxes []T, step int, angle Angle, out []S) error {
 	if step < 5 || len(boxes)%step != 0 {

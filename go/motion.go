@@ -19,7 +19,7 @@ type Motion struct{ VX, VY, End float64 }
 func Cast[A, B Shape](a A, b B, motion Motion) (CastResult, Impact[float64], error) {
 	var found C.int32_t
 	n, err := measured(func(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t,
-		numbersB C.vesica_go_numbers, out unsafe.Pointer) C.int32_t {
+		numbersB C.vesica_go_numbers, out *C.char) C.int32_t {
 		found = cCast(wide, kindA, numbersA, kindB, numbersB, motion.VX, motion.VY, motion.End, out)
 		return found
 	}, 5, a, b)
@@ -46,15 +46,15 @@ func ImpactTime[A, B Shape](a A, turnA Turn[float64], b B, turnB Turn[float64], 
 	impact Impact[float64], gap float64, err error) {
 	var code C.int32_t
 	n, err := measured(func(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t,
-		numbersB C.vesica_go_numbers, out unsafe.Pointer) C.int32_t {
+		numbersB C.vesica_go_numbers, out *C.char) C.int32_t {
 		if wide {
-			code = cImpactTime(wide, kindA, numbersA, unsafe.Pointer(&turnA), kindB, numbersB, unsafe.Pointer(&turnB),
-				tolerance, out, unsafe.Pointer(&gap))
+			code = cImpactTime(wide, kindA, numbersA, address(&turnA), kindB, numbersB, address(&turnB), tolerance, out,
+				address(&gap))
 			return code
 		}
 		narrowA, narrowB, narrowGap := narrow(turnA), narrow(turnB), float32(0)
-		code = cImpactTime(wide, kindA, numbersA, unsafe.Pointer(&narrowA), kindB, numbersB, unsafe.Pointer(&narrowB),
-			tolerance, out, unsafe.Pointer(&narrowGap))
+		code = cImpactTime(wide, kindA, numbersA, address(&narrowA), kindB, numbersB, address(&narrowB), tolerance, out,
+			address(&narrowGap))
 		gap = float64(narrowGap)
 		return code
 	}, 5, a, b)
@@ -116,13 +116,13 @@ func CastFirst[T Float](one Shape, many Array[T], motion Motion) (int, Impact[T]
 	}
 	var impact Impact[T]
 	item, err := count(cCastFirst(isWide[T](), single.view, many.view, motion.VX, motion.VY, motion.End,
-		unsafe.Pointer(&impact)))
+		address(&impact)))
 	return metFirst(item, many.Len(), impact, err)
 }
 
 // SweepBounds is a box that holds a shape throughout its motion.
 func SweepBounds[S Shape](shape S, motion Motion) (AABB[float64], error) {
-	n, err := measuredOne(func(wide bool, kind C.int32_t, numbers C.vesica_go_numbers, out unsafe.Pointer) C.int32_t {
+	n, err := measuredOne(func(wide bool, kind C.int32_t, numbers C.vesica_go_numbers, out *C.char) C.int32_t {
 		return cSweepBounds(wide, kind, numbers, motion.VX, motion.VY, motion.End, out)
 	}, 4, shape)
 	return AABB[float64]{n[0], n[1], n[2], n[3]}, err
@@ -130,7 +130,7 @@ func SweepBounds[S Shape](shape S, motion Motion) (AABB[float64], error) {
 
 // Cast gives the items that one moving shape touches, in the index's order.
 func (x *Index[T]) Cast(one Shape, motion Motion) ([]int64, error) {
-	return x.all(one, func(single Array[T], out []int64, state unsafe.Pointer) C.int64_t {
+	return x.all(one, func(single Array[T], out []int64, state *C.char) C.int64_t {
 		return cIndexCast(isWide[T](), first(x.bytes), x.sets, x.count, single.view, motion.VX, motion.VY, motion.End,
 			first(out), C.int64_t(len(out)), state)
 	})
@@ -144,6 +144,6 @@ func (x *Index[T]) CastFirst(one Shape, motion Motion) (int, Impact[T], error) {
 	}
 	var impact Impact[T]
 	item, err := count(cIndexCastFirst(isWide[T](), first(x.bytes), x.sets, x.count, single.view, motion.VX, motion.VY,
-		motion.End, unsafe.Pointer(&impact)))
+		motion.End, address(&impact)))
 	return metFirst(item, x.items, impact, err)
 }

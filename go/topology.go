@@ -23,14 +23,14 @@ func Within[A, B Shape](a A, b B, distance float64) (WithinResult, error) {
 
 // WithinMany sets out[i]: are a[i] and b[i] at most distance apart? It returns how many are, or nearly.
 func WithinMany[T Float](a, b Array[T], distance T, out []WithinResult) (int, error) {
-	return many(func(wide bool, a, b C.vesica_go_view, out unsafe.Pointer) C.int64_t {
+	return many(func(wide bool, a, b C.vesica_go_view, out *C.char) C.int64_t {
 		return cWithinMany(wide, a, b, float64(distance), out)
 	}, a, b, out)
 }
 
 // WithinMatrix tells of each of a whether it is at most distance from each of b.
 func WithinMatrix[T Float](a, b Array[T], distance T, out []WithinResult) (int, error) {
-	return matrix(func(wide bool, a, b C.vesica_go_view, out unsafe.Pointer, row C.ptrdiff_t) C.int64_t {
+	return matrix(func(wide bool, a, b C.vesica_go_view, out *C.char, row C.ptrdiff_t) C.int64_t {
 		return cWithinMatrix(wide, a, b, float64(distance), out, row)
 	}, a, b, out)
 }
@@ -58,7 +58,7 @@ func DE9IM[A, B Shape](a A, b B) (string, error) {
 		return "", errScalars
 	}
 	var text [10]byte
-	code := cDe9im(first.wide, first.kind, first.numbers, second.kind, second.numbers, unsafe.Pointer(&text))
+	code := cDe9im(first.wide, first.kind, first.numbers, second.kind, second.numbers, address(&text))
 	if err := status(code); err != nil {
 		return "", err
 	}
@@ -86,7 +86,7 @@ func Intersection[A, B Shape](a A, b B) ([]Point[float64], error) {
 	}
 	var out [16]float64
 	found, err := count(cIntersection(first.wide, first.kind, first.numbers, second.kind, second.numbers,
-		unsafe.Pointer(&out)))
+		address(&out)))
 	if err != nil {
 		return nil, err
 	}
@@ -131,7 +131,7 @@ func SuppressSoft[T Float](shapes Array[T], scores []T, how SoftSuppression[T]) 
 	scratch, keep, left, kept := make([]int64, size/8), make([]int64, n), make([]T, n), int64(0)
 	err = status(cSuppressSoft(isWide[T](), shapes.view, first(scores), first(how.Labels), C.int32_t(how.Ratio),
 		C.int32_t(how.Decay), float64(how.Parameter), float64(how.LeastScore), C.int64_t(most), first(scratch),
-		C.int64_t(size), first(keep), first(left), unsafe.Pointer(&kept)))
+		C.int64_t(size), first(keep), first(left), address(&kept)))
 	if err != nil && err != ErrShape {
 		return nil, nil, err
 	}

@@ -106,7 +106,7 @@ func codeOf[A, B Shape](function func(bool, C.int32_t, C.vesica_go_numbers, C.in
 	return count(function(first.wide, first.kind, first.numbers, second.kind, second.numbers))
 }
 
-type measure = func(bool, C.int32_t, C.vesica_go_numbers, C.int32_t, C.vesica_go_numbers, unsafe.Pointer) C.int32_t
+type measure = func(bool, C.int32_t, C.vesica_go_numbers, C.int32_t, C.vesica_go_numbers, *C.char) C.int32_t
 
 // measured has the result's numbers, of either type, as float64, which holds both.
 func measured[A, B Shape](function measure, numbers int, a A, b B) (out [5]float64, err error) {
@@ -114,7 +114,7 @@ func measured[A, B Shape](function measure, numbers int, a A, b B) (out [5]float
 	if first.wide != second.wide {
 		return out, errScalars
 	}
-	code := function(first.wide, first.kind, first.numbers, second.kind, second.numbers, unsafe.Pointer(&out))
+	code := function(first.wide, first.kind, first.numbers, second.kind, second.numbers, address(&out))
 	if !first.wide {
 		out = widened((*[10]float32)(unsafe.Pointer(&out)), numbers)
 	}
@@ -184,11 +184,11 @@ func Crossings[A, B Shape](a A, b B) (CrossingPoints[float64], error) {
 	}
 	var out CrossingPoints[float64]
 	if first.wide {
-		code := cCrossings(true, first.kind, first.numbers, second.kind, second.numbers, unsafe.Pointer(&out))
+		code := cCrossings(true, first.kind, first.numbers, second.kind, second.numbers, address(&out))
 		return out, status(code)
 	}
 	var narrow CrossingPoints[float32]
-	code := cCrossings(false, first.kind, first.numbers, second.kind, second.numbers, unsafe.Pointer(&narrow))
+	code := cCrossings(false, first.kind, first.numbers, second.kind, second.numbers, address(&narrow))
 	out.Count, out.Shared = narrow.Count, narrow.Shared
 	for i := range narrow.X {
 		out.X[i], out.Y[i] = float64(narrow.X[i]), float64(narrow.Y[i])
@@ -202,10 +202,10 @@ func Check[S Shape](shape S) error {
 	return status(cCheck(s.wide, s.kind, s.numbers))
 }
 
-func measuredOne[S Shape](function func(bool, C.int32_t, C.vesica_go_numbers, unsafe.Pointer) C.int32_t, numbers int,
+func measuredOne[S Shape](function func(bool, C.int32_t, C.vesica_go_numbers, *C.char) C.int32_t, numbers int,
 	shape S) (out [5]float64, err error) {
 	s := shape.one()
-	code := function(s.wide, s.kind, s.numbers, unsafe.Pointer(&out))
+	code := function(s.wide, s.kind, s.numbers, address(&out))
 	if !s.wide {
 		out = widened((*[10]float32)(unsafe.Pointer(&out)), numbers)
 	}

@@ -2,7 +2,8 @@
 """The module for Go: constants and structs with their texts, and the C functions by one name for both scalars.
 
 Go memory that holds pointers to Go memory must not be passed to C. So views of arrays and the numbers of one shape go
-by value, to functions of a header that is written too.
+by value, to functions of a header that is written too. There addresses are of char: of void, Go would look for such
+pointers in the whole object about them, and refuse slices inside one that has any.
 """
 from description import HEAD, SCALARS, WIDTH, broken, camel, filled
 
@@ -33,7 +34,7 @@ typedef struct {
     int32_t kind, reserved;
     int64_t count;
     ptrdiff_t stride;
-    const void *field[6];
+    const char *field[6];
 } vesica_go_view;
 
 /* As many as an index may have. */
@@ -108,7 +109,7 @@ def in_c(declaration):
     if is_numbers(declaration):
         return "vesica_go_numbers"
     if declaration.is_pointer or declaration.count:
-        return "void *" if not declaration.is_const else "const void *"
+        return "char *" if not declaration.is_const else "const char *"
     return declaration.base
 
 
@@ -130,7 +131,8 @@ def passed_in_c(declaration, suffix):
         base = SCALARS[suffix]
         copy = f"    {base} of_{name}[6];\n    memcpy(of_{name}, &{name}, sizeof of_{name});\n"
         return copy, f"of_{name}"
-    return "", name
+    kind = in_c(declaration)
+    return "", f"({kind.replace('char', 'void')}){name}" if "*" in kind else name
 
 
 def function_in_c(entry, suffix):
@@ -152,7 +154,7 @@ def function_in_c(entry, suffix):
 def in_go(declaration):
     kind = in_c(declaration)
     if "*" in kind:
-        return "unsafe.Pointer"
+        return "*C.char"
     return "float64" if kind in SCALARS.values() else f"C.{kind}"
 
 
