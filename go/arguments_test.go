@@ -73,6 +73,23 @@ func TestArguments(t *testing.T) {
 	refused(t, err, ErrArgument, "")
 }
 
+// Rows are of k however few items there are, so that k is refused if no memory has room for them.
+func TestNearestOfVeryMany(t *testing.T) {
+	discs := Circles([]Circle[float64]{disc(0, 1), disc(1, 1), disc(2, 1), disc(3, 1)})
+	index := must(NewIndex(discs))
+	for _, k := range []int{math.MaxInt, math.MaxInt/4 + 1, math.MaxInt / 4, math.MaxInt >> 13} {
+		_, _, err := index.NearestOfEach(k, 1, discs)
+		refused(t, err, ErrArgument, "too many for any memory")
+	}
+	items, distances, err := index.NearestOfEach(6, 0, discs)
+	if err != nil || len(items) != 24 || items[4] != -1 || distances[4] != math.Inf(1) {
+		t.Error(items, distances, err)
+	}
+	if product := times(math.MaxInt/4+1, 4); product != math.MaxInt {
+		t.Error(product)
+	}
+}
+
 // Columns of one slice are results as any others, unless they share numbers.
 func sharedColumns(t *testing.T, three Array[float64]) {
 	t.Helper()

@@ -7,6 +7,7 @@ import "C"
 
 import (
 	"fmt"
+	"math"
 	"unsafe"
 )
 
@@ -89,6 +90,14 @@ func arrayOfOne[T Float](shape Shape) (Array[T], error) {
 		return Array[T]{}, errScalars
 	}
 	return arrayOf[T](Kind(s.kind), address(&s.numbers), 1), nil
+}
+
+// times is a product, or the greatest int if that is less.
+func times(a, b int) int {
+	if b > 0 && a > math.MaxInt/b {
+		return math.MaxInt
+	}
+	return a * b
 }
 
 func room(name string, given, needed int) error {
@@ -250,7 +259,7 @@ func DepthMany[T Float](a, b Array[T], out PenetrationColumns[T]) (int, error) {
 func matrix[T Float, R any](
 	function func(bool, C.vesica_go_view, C.vesica_go_view, *C.char, C.ptrdiff_t) C.int64_t, a, b Array[T],
 	out []R) (int, error) {
-	if err := output(out, a.Len()*b.Len(), a.extent(), b.extent()); err != nil {
+	if err := output(out, times(a.Len(), b.Len()), a.extent(), b.extent()); err != nil {
 		return 0, err
 	}
 	return count(function(isWide[T](), a.view, b.view, first(out), C.ptrdiff_t(b.Len())))

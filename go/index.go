@@ -7,6 +7,7 @@ import "C"
 
 import (
 	"fmt"
+	"math"
 	"unsafe"
 )
 
@@ -184,7 +185,13 @@ func (x *Index[T]) NearestOfEach(k int, within T, arrays ...Array[T]) ([]int64, 
 	if k < 1 {
 		return nil, nil, fmt.Errorf("k is %d, not 1 or more: %w", k, ErrArgument)
 	}
-	out, distances := make([]int64, items*k), make([]T, items*k)
+	// More numbers than that have no room in any address space: make would panic.
+	const most = math.MaxInt / 8 & (1<<44 - 1)
+	needed := times(items, k)
+	if needed > most {
+		return nil, nil, fmt.Errorf("%d rows of %d items are too many for any memory: %w", items, k, ErrArgument)
+	}
+	out, distances := make([]int64, needed), make([]T, needed)
 	_, err = count(cJoinNearest(isWide[T](), sets, C.int32_t(len(arrays)), first(x.bytes), x.sets, x.count, C.int64_t(k),
 		float64(within), 0, 1, first(out), first(distances)))
 	return out, distances, err
