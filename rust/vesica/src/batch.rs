@@ -173,6 +173,14 @@ pub fn overlap_select<'b, S: Shape + ?Sized>(
     answer(|| unsafe { S::Scalar::overlap_select(&one.view, &many.view, out.as_mut_ptr(), out.len() as i64) })
 }
 
+/// How many are kept. After an error about an invalid shape -1 ends them, for the error does not tell.
+pub(crate) fn ended(result: Result<usize, Error>, kept: i64, keep: &mut [i64]) -> Result<usize, Error> {
+    if let (Err(Error::Shape), Some(end)) = (result, keep.get_mut(kept as usize)) {
+        *end = -1;
+    }
+    result.map(|_| kept as usize)
+}
+
 /// Bytes of scratch that [`nms`] needs for so many shapes.
 pub fn nms_scratch(count: usize) -> Result<usize, Error> {
     answer(|| unsafe { sys::vesica_nms_scratch(count as i64) })
@@ -181,7 +189,8 @@ pub fn nms_scratch(count: usize) -> Result<usize, Error> {
 /// Greedy suppression: writes the indices of the shapes kept, best score first, and returns how many they are.
 ///
 /// Each shape kept has an intersection over union of at most `threshold` with every better one that was kept. The
-/// scratch has [`nms_scratch`] bytes or more.
+/// scratch has [`nms_scratch`] bytes or more. After an error about an invalid shape or a score that is NaN, those kept
+/// of the others are written, and -1 ends them.
 pub fn nms<'a, T: Scalar>(
     shapes: impl Into<Shapes<'a, T>>,
     scores: &[T],
@@ -196,8 +205,8 @@ pub fn nms<'a, T: Scalar>(
     room(keep, shapes.len())?;
     room(scratch, nms_scratch(shapes.len())?)?;
     let mut kept = 0;
-    let (room, keep) = (scratch.len() as i64, keep.as_mut_ptr());
+    let (room, to) = (scratch.len() as i64, keep.as_mut_ptr());
     let scratch = scratch.as_mut_ptr().cast();
-    answer(|| unsafe { T::nms(&shapes.view, scores.as_ptr(), threshold, scratch, room, keep, &mut kept) })?;
-    Ok(kept as usize)
+    let result = answer(|| unsafe { T::nms(&shapes.view, scores.as_ptr(), threshold, scratch, room, to, &mut kept) });
+    ended(result, kept, keep)
 }

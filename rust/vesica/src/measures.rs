@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //! Ratios of shared area, suppression by them, and arrays of boxes by centre, size and angle.
-use crate::batch::{in_step, nms_scratch, room};
+use crate::batch::{ended, in_step, nms_scratch, room};
 use crate::error::{answer, filled};
 use crate::{Aabb, Ellipse, Error, Rect, Scalar, Shape, Shapes};
 use core::ptr;
@@ -87,7 +87,9 @@ impl<T> Suppression<'_, T> {
 
 /// Greedy suppression: writes the indices of the shapes kept, best score first, and returns how many they are.
 ///
-/// The scratch has [`nms_scratch`] bytes or more, and keep room for all shapes, or for as many as are kept at most.
+/// The scratch has [`nms_scratch`] bytes or more, and keep room for all shapes, or for as many as are kept at most. After
+/// an error about an invalid shape or a score that is NaN, those kept of the others are written, and -1 ends them unless
+/// they fill keep.
 pub fn suppress<'a, T: Scalar + From<f32>>(
     shapes: impl Into<Shapes<'a, T>>,
     scores: &[T],
@@ -111,10 +113,10 @@ pub fn suppress<'a, T: Scalar + From<f32>>(
     let (size, to, mut kept) = (scratch.len() as i64, keep.as_mut_ptr(), 0);
     let (scores, with) = (scores.as_ptr(), scratch.as_mut_ptr().cast());
     let (ratio, threshold, most) = (how.ratio as i32, how.threshold, most as i64);
-    answer(|| unsafe {
+    let result = answer(|| unsafe {
         T::suppress(&shapes.view, scores, labels, ratio, threshold, least, most, with, size, to, &mut kept)
-    })?;
-    Ok(kept as usize)
+    });
+    ended(result, kept, keep)
 }
 
 /// How the angle of a box is told: in radians, degrees or quarter turns, from +x towards +y or the other way.

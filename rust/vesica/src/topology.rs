@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //! Within a distance, signed distances, nine-intersection matrices, shared regions, and soft suppression.
-use crate::batch::{in_step, room};
+use crate::batch::{ended, in_step, room};
 use crate::error::answer;
 use crate::{Error, Ratio, Scalar, Shape, Shapes};
 use core::ptr;
@@ -148,6 +148,9 @@ pub fn suppress_soft_scratch(count: usize) -> Result<usize, Error> {
 }
 
 /// Soft suppression: writes the indices as they are taken, and the scores that were left then. Returns how many.
+///
+/// After an error about an invalid shape or a score that is NaN, those taken of the others are written, and -1 ends them
+/// unless they fill keep.
 pub fn suppress_soft<'a, T: Scalar>(
     shapes: impl Into<Shapes<'a, T>>,
     scores: &[T],
@@ -176,8 +179,8 @@ pub fn suppress_soft<'a, T: Scalar>(
     let (to, left, mut kept) = (keep.as_mut_ptr(), decayed.as_mut_ptr(), 0);
     let (ratio, least, most, scores) = (how.ratio as i32, how.least_score, most as i64, scores.as_ptr());
     let view = &shapes.view;
-    answer(|| unsafe {
+    let result = answer(|| unsafe {
         T::suppress_soft(view, scores, labels, ratio, decay, parameter, least, most, with, size, to, left, &mut kept)
-    })?;
-    Ok(kept as usize)
+    });
+    ended(result, kept, keep)
 }

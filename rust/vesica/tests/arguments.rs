@@ -18,6 +18,34 @@ fn invalid_shapes() {
     assert_eq!(hits, [true, false, false, false]);
 }
 
+/// After an error -1 tells how many are kept of the valid shapes.
+#[test]
+fn kept_beside_invalid_shapes() {
+    let (discs, scores) =
+        ([disc(0.0, 1.0), disc(0.0, -1.0), disc(9.0, 1.0), disc(20.0, 1.0)], [1.0, 4.0, 2.0, f64::NAN]);
+    let mut scratch = vec![0; nms_scratch(4).unwrap()];
+    let mut keep = [7; 5];
+    assert_eq!(nms(&discs, &scores, 0.5, &mut scratch, &mut keep), Err(Error::Shape));
+    assert_eq!(keep, [2, 0, -1, 7, 7]);
+    let by_iou = Suppression::by_iou(0.5);
+    let mut keep = [7; 4];
+    assert_eq!(suppress(&discs, &scores, by_iou, &mut scratch, &mut keep), Err(Error::Shape));
+    assert_eq!(keep, [2, 0, -1, 7]);
+    let (mut keep, two) = ([7; 2], Suppression { most: 2, ..by_iou });
+    assert_eq!(suppress(&discs, &scores, two, &mut scratch, &mut keep), Err(Error::Shape));
+    assert_eq!(keep, [2, 0]);
+    // After another error nothing is written.
+    let (mut keep, wrong) = ([7; 4], Suppression::by_iou(2.0));
+    assert_eq!(suppress(&discs, &scores, wrong, &mut scratch, &mut keep), Err(Error::Argument));
+    assert_eq!(keep, [7; 4]);
+    let (decay, ratio) = (Decay::Linear(0.5), Ratio::OverUnion);
+    let how = SoftSuppression { decay, ratio, labels: &[], least_score: 0.0, most: 4 };
+    let mut scratch = vec![0; suppress_soft_scratch(4).unwrap()];
+    let (mut keep, mut left) = ([7; 4], [0.5; 4]);
+    assert_eq!(suppress_soft(&discs, &scores, how, &mut scratch, &mut keep, &mut left), Err(Error::Shape));
+    assert_eq!((keep, left[..2].to_vec()), ([2, 0, -1, 7], vec![2.0, 1.0]));
+}
+
 #[test]
 fn counts_and_room() {
     let three = [disc(0.0, 1.0); 3];

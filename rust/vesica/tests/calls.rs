@@ -287,11 +287,17 @@ fn softly<T: Number>(call: &Call) -> Outcome {
     let (least_score, most) = (how[3], how[4].into() as usize);
     let how = SoftSuppression { decay, ratio: Ratio::OverUnion, labels: &labels, least_score, most };
     let mut scratch = vec![0; suppress_soft_scratch(shapes.len()).unwrap()];
-    let (mut keep, mut left) = (vec![-1; shapes.len()], vec![T::of(0.0); shapes.len()]);
+    let (mut keep, mut left) = (vec![0; shapes.len()], vec![T::of(0.0); shapes.len()]);
     let result = suppress_soft(shapes, &scores, how, &mut scratch, &mut keep, &mut left);
-    let kept: Vec<f64> = keep.iter().take_while(|&&i| i >= 0).map(|&i| i as f64).collect();
+    let kept = kept(result, &keep);
     let left = values(&left[..kept.len()]);
     written(result.map(|_| 0), kept.into_iter().chain(left).collect())
+}
+
+/// The indices kept: as many as the result is, after an error up to -1.
+fn kept(result: Result<usize, Error>, keep: &[i64]) -> Vec<f64> {
+    let count = result.unwrap_or_else(|_| keep.iter().position(|&i| i < 0).unwrap_or(keep.len()));
+    keep[..count].iter().map(|&i| i as f64).collect()
 }
 
 fn suppressed<T: Number>(call: &Call) -> Outcome {
@@ -308,10 +314,9 @@ fn suppressed<T: Number>(call: &Call) -> Outcome {
         labels: &labels,
     };
     let mut scratch = vec![0; nms_scratch(shapes.len()).unwrap()];
-    let mut keep = vec![-1; shapes.len()];
+    let mut keep = vec![0; shapes.len()];
     let result = suppress(shapes, &scores, how, &mut scratch, &mut keep);
-    let kept = keep.iter().take_while(|&&i| i >= 0).map(|&i| i as f64).collect();
-    written(result.map(|_| 0), kept)
+    written(result.map(|_| 0), kept(result, &keep))
 }
 
 fn of_one_or_two<T: Number>(call: &Call) -> Option<Outcome> {
@@ -415,10 +420,9 @@ fn suppression<T: Number>(call: &Call) -> Outcome {
     let sets = Sets::<T>::of(&call.arguments[..1]);
     let (shapes, scores) = (sets.shapes()[0], numbers::<T>(call.arguments[1]));
     let mut scratch = vec![0; nms_scratch(shapes.len()).unwrap()];
-    let mut keep = vec![-1; shapes.len()];
+    let mut keep = vec![0; shapes.len()];
     let result = nms(shapes, &scores, numbers(call.arguments[2])[0], &mut scratch, &mut keep);
-    let kept = keep.iter().take_while(|&&i| i >= 0).map(|&i| i as f64).collect();
-    written(result.map(|_| 0), kept)
+    written(result.map(|_| 0), kept(result, &keep))
 }
 
 fn k_and_within<T: Number>(text: &str) -> (usize, T) {
