@@ -115,7 +115,8 @@ impl<'a, T: Scalar> Shapes<'a, T> {
 
     /// Records of `step` numbers each, of which the first are a shape's.
     pub fn records(kind: Kind, numbers: &'a [T], step: usize) -> Result<Self, Error> {
-        if step < kind.fields() || numbers.len() % step != 0 {
+        let longest = isize::MAX as usize / core::mem::size_of::<T>();
+        if step < kind.fields() || step > longest || numbers.len() % step != 0 {
             return Err(Error::Room { needed: kind.fields().max(step), given: numbers.len() });
         }
         Ok(Self::at(kind, numbers.as_ptr(), numbers.len() / step, step))

@@ -58,6 +58,9 @@ fn counts_and_room() {
     assert_eq!(error.to_string(), "an output of 3 elements, where 9 are needed");
     assert!(Shapes::packed(Kind::Circle, &[1.0, 2.0]).is_err());
     assert!(Shapes::columns(Kind::Point, &[&[1.0], &[1.0, 2.0]]).is_err());
+    let steps = [usize::MAX, usize::MAX / 2, isize::MAX as usize / 8 + 1, isize::MAX as usize / 8, 3, 2];
+    let none = steps.map(|step| Shapes::<f64>::records(Kind::Circle, &[], step).map(|shapes| shapes.len()).ok());
+    assert_eq!(none, [None, None, None, Some(0), Some(0), None]);
     assert!(AnyShape::new(Kind::Point, &[1.0]).is_err());
     assert!(nearest_many(&three, &three, ClosestPointsColumns::default()).is_err());
     assert_eq!(nms(&three, &[1.0], 0.5, &mut [], &mut []), Err(Error::Counts(3, 1)));
