@@ -36,6 +36,20 @@ members = ["vesica-0*", "vesica-sys-*"]
 [patch.crates-io]
 vesica-sys = { path = "$(echo vesica-sys-*)" }
 END
+
+# Only a build for this machine takes a library that is installed on it.
+rustc --edition 2021 -o "$work/build_script" vesica-sys-*/build.rs
+mkdir -p "$work/tools" "$work/out/cmake/capi"
+touch "$work/out/cmake/capi/libvesica.a"
+for tool in pkg-config cmake; do printf '#!/bin/sh\n' >"$work/tools/$tool"; done
+chmod +x "$work"/tools/*
+linked() {
+  env -u VESICA_LIBRARY -u VESICA_STATIC PATH="$work/tools:$PATH" HOST=here TARGET="$1" OUT_DIR="$work/out" \
+    CARGO_MANIFEST_DIR="$(echo vesica-sys-*)" "$work/build_script" | sed -n 's/^cargo:rustc-link-lib=//p'
+}
+[ "$(linked here)" = vesica ] || { echo "rust: the library that is installed is not linked" >&2; exit 1; }
+[ "$(linked there)" = $'static=vesica\nm' ] || { echo "rust: for another machine, this one's is linked" >&2; exit 1; }
+
 export VESICA_CALLS_FILE=$here/../tests/ffi/calls.txt
 cargo test --quiet --offline --release -p vesica
 cargo build --quiet --offline --release -p vesica --no-default-features

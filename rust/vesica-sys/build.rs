@@ -28,7 +28,11 @@ fn link_statically(folder: &Path) {
     println!("cargo:rustc-link-lib=m");
 }
 
+/// What pkg-config finds is for the machine that builds.
 fn link_what_is_installed() -> bool {
+    if env::var_os("HOST") != env::var_os("TARGET") {
+        return false;
+    }
     let answer = Command::new("pkg-config").args(["--libs-only-L", &format!("vesica >= {VERSION}")]).output();
     let directories = match answer {
         Ok(answer) if answer.status.success() => String::from_utf8_lossy(&answer.stdout).into_owned(),
