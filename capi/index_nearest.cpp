@@ -31,9 +31,10 @@ struct CSets {
 template <class T>
 int32_t check_nearest(const void* from, const CSets<T>& sets, const CSets<T>& asked, int64_t k, T within,
                       const void* out, const void* distance, index::Sets& view, index::Sets& asked_view) noexcept {
-  if (k > 0 && (out == nullptr || distance == nullptr)) return VESICA_E_NULL;
   const int32_t of_shapes =
       first_error(view_sets<T>(asked.sets, asked.count, asked_view), view_sets<T>(sets.sets, sets.count, view));
+  const bool writes = k > 0 && (of_shapes != 0 || asked_view.items > 0);
+  if (writes && (out == nullptr || distance == nullptr)) return VESICA_E_NULL;
   const int32_t error = first_error(check_index(from), of_shapes);
   if (error != 0) return error;
   return k >= 0 && within >= 0 && view.items == index::View(from).items() ? 0 : VESICA_E_ARGUMENT;

@@ -228,8 +228,8 @@ VESICA_API int64_t vesica_index_nearest_f64(const void *index, const vesica_shap
  * distance infinity. If a set is asked for its own neighbours, each item finds itself too, at distance 0. If an item of
  * sets_a is invalid, its row holds -1, all other rows are right, and the call returns VESICA_E_SHAPE. Each part takes
  * about the same number of items, and writes only their rows.
- * Requires: sets_b are those of index_b. k >= 1, and out and distance have room for k items a row. 0 <= part < parts.
- * within, the largest distance to look for, >= 0 or infinity.
+ * Requires: sets_b are those of index_b. k >= 1, and out and distance have room for k items a row. If sets_a have no
+ * items, they may be NULL. 0 <= part < parts. within, the largest distance to look for, >= 0 or infinity.
  * Returns: how many items were found in all rows of the part.
  * Accuracy: distances are those of vesica_nearest_f64, bit for bit.
  * Cost: that of vesica_index_nearest_f64 for each item.

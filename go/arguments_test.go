@@ -85,6 +85,10 @@ func TestNearestOfVeryMany(t *testing.T) {
 	if err != nil || len(items) != 24 || items[4] != -1 || distances[4] != math.Inf(1) {
 		t.Error(items, distances, err)
 	}
+	items, distances, err = index.NearestOfEach(6, 0, Circles([]Circle[float64]{}))
+	if err != nil || len(items) != 0 || len(distances) != 0 {
+		t.Error(items, distances, err)
+	}
 	if product := times(math.MaxInt/4+1, 4); product != math.MaxInt {
 		t.Error(product)
 	}

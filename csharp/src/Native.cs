@@ -1692,8 +1692,9 @@ namespace Vesica
         /// -1 with distance infinity. If a set is asked for its own neighbours, each item finds itself too, at distance
         /// 0. If an item of sets_a is invalid, its row holds -1, all other rows are right, and the call returns
         /// VESICA_E_SHAPE. Each part takes about the same number of items, and writes only their rows.</para>
-        /// <para>Requires: sets_b are those of index_b. k &gt;= 1, and out and distance have room for k items a row. 0
-        /// &lt;= part &lt; parts. within, the largest distance to look for, &gt;= 0 or infinity.</para>
+        /// <para>Requires: sets_b are those of index_b. k &gt;= 1, and out and distance have room for k items a row. If
+        /// sets_a have no items, they may be NULL. 0 &lt;= part &lt; parts. within, the largest distance to look for,
+        /// &gt;= 0 or infinity.</para>
         /// <para>Returns: how many items were found in all rows of the part.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid),
         /// VESICA_E_ARGUMENT (a number or a size is out of range, a pointer is not aligned, sets are not the index's,
@@ -1813,8 +1814,9 @@ namespace Vesica
         /// -1 with distance infinity. If a set is asked for its own neighbours, each item finds itself too, at distance
         /// 0. If an item of sets_a is invalid, its row holds -1, all other rows are right, and the call returns
         /// VESICA_E_SHAPE. Each part takes about the same number of items, and writes only their rows.</para>
-        /// <para>Requires: sets_b are those of index_b. k &gt;= 1, and out and distance have room for k items a row. 0
-        /// &lt;= part &lt; parts. within, the largest distance to look for, &gt;= 0 or infinity.</para>
+        /// <para>Requires: sets_b are those of index_b. k &gt;= 1, and out and distance have room for k items a row. If
+        /// sets_a have no items, they may be NULL. 0 &lt;= part &lt; parts. within, the largest distance to look for,
+        /// &gt;= 0 or infinity.</para>
         /// <para>Returns: how many items were found in all rows of the part.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid),
         /// VESICA_E_ARGUMENT (a number or a size is out of range, a pointer is not aligned, sets are not the index's,

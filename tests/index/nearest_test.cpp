@@ -221,5 +221,20 @@ TEST(NearestArguments, Refused) {
             VESICA_E_NULL);
 }
 
+/// Rows of no items take no room.
+TEST(Nearest, OfEachOfNone) {
+  const Indexed<double> many(mixed<double>("uniform", 3, 1));
+  vesica_shapes_f64 none;
+  vesica_shapes_from_records_f64(VESICA_POINT, 0, nullptr, 0, &none);
+  const auto call = [&](const vesica_shapes_f64* sets, std::int64_t k) {
+    return vesica_join_nearest_f64(sets, 1, many.index.get(), many.sets.data(), many.sets.count(), k, 1, 0, 1, nullptr,
+                                   nullptr);
+  };
+  EXPECT_EQ(call(&none, 3), 0);
+  EXPECT_EQ(call(&none, 0), VESICA_E_ARGUMENT);
+  EXPECT_EQ(call(many.sets.data(), 3), VESICA_E_NULL);
+  EXPECT_EQ(call(nullptr, 3), VESICA_E_NULL);
+}
+
 }  // namespace
 }  // namespace index_tests

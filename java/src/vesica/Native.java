@@ -2020,8 +2020,9 @@ final class Native {
    * of sets_a is invalid, its row holds -1, all other rows are right, and the call returns VESICA_E_SHAPE. Each part
    * takes about the same number of items, and writes only their rows.
    *
-   * <p>Requires: sets_b are those of index_b. k &gt;= 1, and out and distance have room for k items a row. 0 &lt;= part
-   * &lt; parts. within, the largest distance to look for, &gt;= 0 or infinity.
+   * <p>Requires: sets_b are those of index_b. k &gt;= 1, and out and distance have room for k items a row. If sets_a
+   * have no items, they may be NULL. 0 &lt;= part &lt; parts. within, the largest distance to look for, &gt;= 0 or
+   * infinity.
    *
    * <p>Returns: how many items were found in all rows of the part.
    *
@@ -2171,8 +2172,9 @@ final class Native {
    * of sets_a is invalid, its row holds -1, all other rows are right, and the call returns VESICA_E_SHAPE. Each part
    * takes about the same number of items, and writes only their rows.
    *
-   * <p>Requires: sets_b are those of index_b. k &gt;= 1, and out and distance have room for k items a row. 0 &lt;= part
-   * &lt; parts. within, the largest distance to look for, &gt;= 0 or infinity.
+   * <p>Requires: sets_b are those of index_b. k &gt;= 1, and out and distance have room for k items a row. If sets_a
+   * have no items, they may be NULL. 0 &lt;= part &lt; parts. within, the largest distance to look for, &gt;= 0 or
+   * infinity.
    *
    * <p>Returns: how many items were found in all rows of the part.
    *

@@ -2576,8 +2576,8 @@ extern "C" {
     /// item of sets_a is invalid, its row holds -1, all other rows are right, and the call returns VESICA_E_SHAPE. Each
     /// part takes about the same number of items, and writes only their rows.
     ///
-    /// Requires: sets_b are those of index_b. k \>= 1, and out and distance have room for k items a row. 0 \<= part \<
-    /// parts. within, the largest distance to look for, \>= 0 or infinity.
+    /// Requires: sets_b are those of index_b. k \>= 1, and out and distance have room for k items a row. If sets_a have
+    /// no items, they may be NULL. 0 \<= part \< parts. within, the largest distance to look for, \>= 0 or infinity.
     ///
     /// Returns: how many items were found in all rows of the part.
     ///
@@ -2726,8 +2726,8 @@ extern "C" {
     /// item of sets_a is invalid, its row holds -1, all other rows are right, and the call returns VESICA_E_SHAPE. Each
     /// part takes about the same number of items, and writes only their rows.
     ///
-    /// Requires: sets_b are those of index_b. k \>= 1, and out and distance have room for k items a row. 0 \<= part \<
-    /// parts. within, the largest distance to look for, \>= 0 or infinity.
+    /// Requires: sets_b are those of index_b. k \>= 1, and out and distance have room for k items a row. If sets_a have
+    /// no items, they may be NULL. 0 \<= part \< parts. within, the largest distance to look for, \>= 0 or infinity.
     ///
     /// Returns: how many items were found in all rows of the part.
     ///
