@@ -151,6 +151,16 @@ class Known(unittest.TestCase):
             with self.assertRaises(vesica.VesicaError):
                 vesica.nms(boxes, scores, ratio=ratio)
 
+    def test_how_many_are_kept(self):
+        boxes = vesica.aabbs([[i, 0, i + 0.5, 1] for i in range(4)])
+        for call in (vesica.nms, lambda *given, **how: vesica.nms_soft(*given, **how)[0]):
+            for most, kept in ((0, 0), (3, 3), (4, 4), (2**70, 4), (2**64 + 1, 4), (numpy.uint8(2), 2)):
+                self.assertEqual(len(call(boxes, [4, 3, 2, 1], most=most)), kept)
+            for most in (-1, -(2**63), -(2**64) + 4, -(2**70)):
+                with self.assertRaisesRegex(vesica.VesicaError, f"most is {most}, not 0 or more") as caught:
+                    call(boxes, [4, 3, 2, 1], most=most)
+                self.assertEqual(caught.exception.code, vesica._declarations.E_ARGUMENT)
+
     def test_labels_of_any_size(self):
         boxes = vesica.aabbs([[0, 0, 2, 2]] * 3)
         unlike = (

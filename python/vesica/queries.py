@@ -423,8 +423,8 @@ def nms(boxes, scores, threshold=0.5, *, labels=None, ratio=Ratio.OVER_UNION, le
     """
     labels = _labels(labels, boxes)
     scores, least_score = _in_order(_scores(scores, boxes), boxes.dtype, least_score)
-    room = len(boxes) if most is None else min(operator.index(most), len(boxes))
-    keep, kept = numpy.empty(max(room, 0), numpy.int64), ctypes.c_int64()
+    room = _room(most, boxes)
+    keep, kept = numpy.empty(room, numpy.int64), ctypes.c_int64()
     scratch = numpy.empty(checked(library.vesica_nms_scratch(len(boxes))), numpy.uint8)
     code = _SUPPRESS[boxes.letter](
         ctypes.byref(boxes.view),
@@ -454,7 +454,7 @@ def nms_soft(boxes, scores, parameter=0.5, *, decay="linear", labels=None, ratio
     scores = _as_type(_scores(scores, boxes), boxes.dtype)
     if decay not in _DECAYS:
         raise ValueError(f"decay is one of {', '.join(_DECAYS)}, not {decay!r}")
-    room = max(len(boxes) if most is None else min(operator.index(most), len(boxes)), 0)
+    room = _room(most, boxes)
     keep, left, kept = numpy.empty(room, numpy.int64), numpy.empty(room, boxes.dtype), ctypes.c_int64()
     scratch = numpy.empty(checked(library.vesica_suppress_soft_scratch(len(boxes))) // 8 + 1, numpy.int64)
     code = _SOFT[boxes.letter](
@@ -463,6 +463,16 @@ def nms_soft(boxes, scores, parameter=0.5, *, decay="linear", labels=None, ratio
         *(keep.ctypes.data, left.ctypes.data, ctypes.byref(kept)),
     )
     return finish(code, (keep[: kept.value], left[: kept.value]), boxes=boxes)
+
+
+def _room(most, boxes):
+    """How many boxes may be kept. ctypes would wrap a number that has no place in 64 bits."""
+    if most is None:
+        return len(boxes)
+    most = operator.index(most)
+    if most < 0:
+        raise VesicaError(_declarations.E_ARGUMENT, f"most is {most}, not 0 or more")
+    return min(most, len(boxes))
 
 
 def _one_each(name, values, boxes):
