@@ -28,6 +28,14 @@ def spread(shapes, generator):
     return numbers
 
 
+def _aligned_copy(data):
+    """A writable copy at an address that needs no other."""
+    room = numpy.empty(len(data) + 64, numpy.uint8)
+    start = -room.ctypes.data % 64
+    room[start : start + len(data)] = data
+    return room[start : start + len(data)]
+
+
 class Index(unittest.TestCase):
     def pairs_by_matrix(self, matrix, a, b):
         rows = [numpy.concatenate([matrix(x, y) for y in b], axis=1) for x in a]
@@ -96,6 +104,27 @@ class Index(unittest.TestCase):
                 vesica.Index.from_bytes(wrong, shapes)
         with self.assertRaisesRegex(ValueError, "index of 3000 shapes cannot be that of 10"):
             vesica.Index.from_bytes(index.bytes, shapes[:10])
+
+    def test_bytes_cannot_be_changed(self):
+        shapes = vesica.circles(numpy.random.default_rng(5).random((3000, 3)) * [100, 100, 1])
+        index = vesica.Index(shapes)
+        expected, saved = index.join_count(), _aligned_copy(index.bytes)
+        writable, frozen = saved.copy(), saved.view()
+        frozen.flags.writeable = False
+        indexes = [index, *(vesica.Index.from_bytes(data, shapes) for data in (saved, bytearray(writable), frozen))]
+        for each in indexes:
+            with self.assertRaises(ValueError):
+                each.bytes[:] = 255
+            with self.assertRaises(ValueError):
+                each.bytes.flags.writeable = True
+            for name, value in (("bytes", saved), ("sets", (shapes, shapes))):
+                with self.assertRaises(AttributeError):
+                    setattr(each, name, value)
+        in_place = [numpy.may_share_memory(each.bytes, saved) for each in indexes]
+        self.assertEqual(in_place, [False, False, False, True])
+        saved[:] = 255
+        for each in indexes[:3]:
+            self.assertEqual(each.join_count(), expected)
 
     def test_what_it_is(self):
         shapes = vesica.circles([[0, 0, 1], [5, 5, -1], [3, 0, 1]])

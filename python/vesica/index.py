@@ -41,6 +41,13 @@ def _aligned(size):
     return room[start : start + size]
 
 
+def _copied(data):
+    """The same bytes at an address that the library takes."""
+    copy = _aligned(len(data))
+    copy[:] = data
+    return copy
+
+
 def _pairs(ask):
     """All pairs that a join writes in as many calls as it takes."""
     firsts, seconds, state = [], [], numpy.zeros(4, numpy.int64)
@@ -70,21 +77,21 @@ class Index:
         if not self.incomplete:
             checked(code)
         used = checked(library.vesica_index_bytes(room.ctypes.data))
-        self.bytes = room[:used].copy() if used < len(room) // 2 else room[:used]
-        if self.bytes.ctypes.data % _ALIGNMENT:
-            self._own(self.bytes)
+        self._own(_copied(room[:used]) if used < len(room) // 2 else room[:used])
 
     @classmethod
     def from_bytes(cls, data, *sets):
-        """The index whose `bytes` were saved, over the same shapes. A mapped file is read in place.
+        """The index whose `bytes` were saved, over the same shapes. Damaged or foreign bytes are a VesicaError.
 
-        Damaged or foreign bytes are a VesicaError. Bytes that are not at a multiple of 64 are copied.
+        Read-only bytes at a multiple of 64, as a file has that is mapped for reading, are read in place. They are
+        checked once: the file, or what else they show, may not change as long as the index is used. Others are copied.
         """
         self = cls.__new__(cls)
         self._take(sets)
-        self._own(numpy.frombuffer(data, numpy.uint8))
-        checked(library.vesica_index_check(self.bytes.ctypes.data, len(self.bytes)))
-        built_of = checked(library.vesica_index_count(self.bytes.ctypes.data))
+        data = numpy.frombuffer(data, numpy.uint8)
+        self._own(_copied(data) if data.flags.writeable or data.ctypes.data % _ALIGNMENT else data)
+        checked(library.vesica_index_check(self._address(), len(self.bytes)))
+        built_of = checked(library.vesica_index_count(self._address()))
         if built_of != self.count:
             raise ValueError(f"an index of {built_of} shapes cannot be that of {self.count}")
         self.incomplete = None  # bytes do not tell
@@ -95,21 +102,27 @@ class Index:
             raise ValueError("an index is of one set of shapes or more; a set may be empty")
         for i, shapes in enumerate(sets):
             same_scalar(the_shapes(sets[0], "sets[0]"), shapes, "sets[0]", f"sets[{i}]")
-        self.sets = sets
+        self._shapes = sets
         self._letter = sets[0].letter
         self._sets = (type(sets[0].view) * len(sets))(*(shapes.view for shapes in sets))
         self.count = sum(len(shapes.columns[0]) for shapes in sets)
 
     def _own(self, data):
-        """Keeps bytes, at an address that the library takes."""
-        if data.ctypes.data % _ALIGNMENT:
-            copy = _aligned(len(data))
-            copy[:] = data
-            data = copy
-        self.bytes = data
+        """Keeps bytes, so that none can be changed by way of the index: the library trusts them."""
+        self._bytes = numpy.frombuffer(memoryview(data).toreadonly(), numpy.uint8)
 
     def _address(self):
-        return self.bytes.ctypes.data
+        return self._bytes.ctypes.data
+
+    @property
+    def bytes(self):
+        """What `from_bytes` takes, as a read-only array."""
+        return self._bytes
+
+    @property
+    def sets(self):
+        """The sets of shapes."""
+        return self._shapes
 
     def __len__(self):
         return self.count
@@ -139,7 +152,7 @@ class Index:
     def join_within(self, distance, other=None, part=0, parts=1):
         """All pairs at most `distance` apart, as join gives them. Of ellipses also those too near to tell."""
         other = self._joined(other)
-        indexes = self._address(), self._sets, len(self.sets), other._address(), other._sets, len(other.sets)
+        indexes = self._address(), self._sets, len(self._sets), other._address(), other._sets, len(other._sets)
         ask, parts = _JOIN_WITHIN[self._letter], _part_of(part, parts)
         return _pairs(lambda *output: checked(ask(*indexes, float(distance), *parts, *output)))
 
@@ -162,8 +175,8 @@ class Index:
         return checked(
             _JOIN[self._letter](
                 _QUERIES[query],
-                *(self._address(), self._sets, len(self.sets)),
-                *(other._address(), other._sets, len(other.sets)),
+                *(self._address(), self._sets, len(self._sets)),
+                *(other._address(), other._sets, len(other._sets)),
                 *(*_part_of(part, parts), scratch.ctypes.data, len(scratch)),
                 *output,
             )
@@ -176,7 +189,7 @@ class Index:
 
     def _items(self, function, *asked):
         """All items of a question, which is put twice: how many, and which."""
-        arguments = (self._address(), self._sets, len(self.sets), *asked)
+        arguments = (self._address(), self._sets, len(self._sets), *asked)
         count = checked(function(*arguments, None, 0, None))
         out, state = numpy.empty(count, numpy.int64), numpy.zeros(4, numpy.int64)
         if count:
@@ -194,7 +207,7 @@ class Index:
         record = new_impact(self._letter)
         item = checked(
             _CAST_FIRST[self._letter](
-                *(self._address(), self._sets, len(self.sets), ctypes.byref(shape.view)),
+                *(self._address(), self._sets, len(self._sets), ctypes.byref(shape.view)),
                 *(*pair(velocity), float(t_end), ctypes.byref(record)),
             )
         )
@@ -207,7 +220,7 @@ class Index:
         out, distance = numpy.empty(k, numpy.int64), numpy.empty(k, shape.dtype)
         found = checked(
             _NEAREST[self._letter](
-                *(self._address(), self._sets, len(self.sets), ctypes.byref(shape.view)),
+                *(self._address(), self._sets, len(self._sets), ctypes.byref(shape.view)),
                 *(k, float(within), out.ctypes.data, distance.ctypes.data),
             )
         )
@@ -221,7 +234,7 @@ class Index:
         count, k = sum(len(shapes.columns[0]) for shapes in sets), operator.index(k)
         out, distance = numpy.empty((count, k), numpy.int64), numpy.empty((count, k), self.sets[0].dtype)
         code = _JOIN_NEAREST[self._letter](
-            *(asked, len(sets), self._address(), self._sets, len(self.sets)),
+            *(asked, len(sets), self._address(), self._sets, len(self._sets)),
             *(k, float(within), 0, 1, out.ctypes.data, distance.ctypes.data),
         )
         if code < 0:
