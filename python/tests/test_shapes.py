@@ -267,6 +267,18 @@ class Refused(unittest.TestCase):
         records["y"][1] = numpy.ma.masked
         self.refused(ValueError, "masked", vesica.shapes, Kind.POINT, records)
 
+    def test_construction_and_attributes(self):
+        x = numpy.zeros(2)
+        for columns in ([x], [x, x[:1]], [x, x.astype("f4")], [x, x[::-1]], [x, numpy.zeros((2, 2))], []):
+            self.refused(TypeError, "made by points", vesica.Shapes, Kind.POINT, columns)
+        discs = vesica.circles([[0, 0, 1]] * 3)
+        self.refused(TypeError, "made by points", discs.__init__, Kind.RECT, discs.columns)
+        for shape in (discs, discs[0]):
+            for name in ("kind", "single", "dtype", "columns", "letter", "view", "record", "other"):
+                self.refused(AttributeError, f"{name} of shapes cannot be changed", setattr, shape, name, Kind.RECT)
+                self.refused(AttributeError, f"{name} of shapes cannot be deleted", delattr, shape, name)
+            self.assertIsInstance(shape.columns, tuple)
+
     def test_operands(self):
         discs = vesica.circles([[0, 0, 1]] * 3)
         self.refused(TypeError, "a is list: say which shapes it holds", vesica.overlap, [1, 2, 3], discs)

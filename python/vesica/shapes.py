@@ -66,19 +66,14 @@ class Shapes:
 
     __slots__ = ("kind", "single", "columns", "dtype", "letter", "view", "record")
 
-    def __init__(self, kind, columns, single=False):
-        self.kind = Kind(kind)
-        self.columns = columns
-        self.single = single
-        self.dtype = columns[0].dtype
-        self.letter = self.dtype.char
-        stride = columns[0].strides[0] if len(columns[0]) > 1 else self.dtype.itemsize
-        addresses = [column.ctypes.data for column in columns]
-        #: The C library's view of the array.
-        self.view = _VIEWS[self.letter](int(kind), 0, len(columns[0]), stride, (ctypes.c_void_p * 6)(*addresses))
-        scalar = ctypes.c_double if self.letter == "d" else ctypes.c_float
-        #: What the functions of two shapes take for a single shape.
-        self.record = _record(scalar, addresses) if single else None
+    def __init__(self, *numbers, **more):
+        raise TypeError("shapes are made by points, rects and the like, or shapes(kind, numbers)")
+
+    def __setattr__(self, name, value):
+        raise AttributeError(f"{name} of shapes cannot be changed")
+
+    def __delattr__(self, name):
+        raise AttributeError(f"{name} of shapes cannot be deleted")
 
     def __len__(self):
         if self.single:
@@ -92,10 +87,10 @@ class Shapes:
             (index,) = index  # as numpy.nonzero() gives
         number = _one_number(index)
         if number is None:
-            return Shapes(self.kind, _alike([column[index] for column in self.columns]))
+            return _shapes_of(self.kind, _alike([column[index] for column in self.columns]))
         if not -len(self) <= number < len(self):
             raise IndexError(f"shape {number} of {len(self)}")
-        return Shapes(self.kind, [column[number : number + 1 or None] for column in self.columns], True)
+        return _shapes_of(self.kind, [column[number : number + 1 or None] for column in self.columns], True)
 
     def __iter__(self):
         return (self[i] for i in range(len(self)))
@@ -123,6 +118,25 @@ class Shapes:
         rows = numpy.atleast_2d(numpy.ascontiguousarray(self.numbers))
         check, start, step = _CHECK[self.letter], rows.ctypes.data, rows.shape[1] * self.dtype.itemsize
         return numpy.array([i for i in range(len(rows)) if check(self.kind, start + i * step) < 0], numpy.int64)
+
+
+def _shapes_of(kind, columns, single=False):
+    """Shapes of columns that fit: as many as the kind has numbers, of one dimension, type, length and stride.
+
+    The library reads where they say, so nobody else makes any.
+    """
+    dtype = columns[0].dtype
+    letter = dtype.char
+    stride = columns[0].strides[0] if len(columns[0]) > 1 else dtype.itemsize
+    addresses = [column.ctypes.data for column in columns]
+    view = _VIEWS[letter](int(kind), 0, len(columns[0]), stride, (ctypes.c_void_p * 6)(*addresses))
+    scalar = ctypes.c_double if letter == "d" else ctypes.c_float
+    # view is the C library's of the array; record what the functions of two shapes take for a single shape.
+    record = _record(scalar, addresses) if single else None
+    made = Shapes.__new__(Shapes)
+    for name, value in zip(Shapes.__slots__, (kind, single, tuple(columns), dtype, letter, view, record)):
+        object.__setattr__(made, name, value)
+    return made
 
 
 def the_shapes(value, name):
@@ -223,7 +237,7 @@ def shapes(kind, array):
     names = getattr(getattr(array, "dtype", None), "names", None)
     if names is None:
         rows, single = _rows(array, f"{kind.name.lower()} shapes", *FIELDS[kind])
-        return Shapes(kind, [rows[:, i] for i in range(rows.shape[1])], single)
+        return _shapes_of(kind, [rows[:, i] for i in range(rows.shape[1])], single)
     missing = [name for name in FIELDS[kind] if name not in names]
     if missing:
         wanted = f"{kind.name.lower()} shapes need fields {' '.join(FIELDS[kind])}"
@@ -231,7 +245,7 @@ def shapes(kind, array):
     columns = [_floats(numpy.atleast_1d(array)[name]) for name in FIELDS[kind]]
     if len({column.dtype for column in columns}) > 1:
         raise TypeError("the fields of shapes are all float64 or all float32")
-    return Shapes(kind, _alike(columns), array.ndim == 0)
+    return _shapes_of(kind, _alike(columns), array.ndim == 0)
 
 
 def points(xy):
