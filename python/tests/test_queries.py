@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Every question, every pair of kinds, both types: arrays say what single shapes say, and known answers are right."""
+import fractions
 import itertools
 import math
 import pathlib
@@ -207,6 +208,41 @@ class Known(unittest.TestCase):
             self.assertEqual(vesica.nms(narrow, exact).tolist(), [1])
         with self.assertRaises(TypeError):
             vesica.nms(boxes, scores, most=0.9)
+
+    def test_least_scores_are_compared_as_they_are(self):
+        wide = vesica.aabbs([[i, 0, i + 0.5, 1] for i in range(2)])
+        tenth, large = float(numpy.float32(0.1)), 2**53
+        # The number of boxes kept: each for itself, so it is that of the scores that are not below the least.
+        for scores, least in (
+            ([tenth, 0.75], tenth + 5e-10),
+            ([tenth, 0.75], tenth - 5e-10),
+            (numpy.array([tenth, 0.75], "f4"), tenth + 5e-10),
+            ([large + 3, large + 1], large + 4),
+            ([large + 3, large + 1], float(large + 4)),
+            ([large + 3, large + 1], large + 3),
+            ([float(large), float(large + 2)], large + 1),
+            ([float(large), 2.0], numpy.int64(large + 1)),
+            (numpy.array([2**64 - 1, 2**64 - 2], "u8"), 2**64 - 1),
+            (numpy.array([2**64 - 1, 0], "u8"), -1),
+            ([1, 2], 2**70),
+            ([1, 2], -(2**70)),
+            ([1, 2], 1e300),
+            ([1, 2], fractions.Fraction(3, 2)),
+            ([1, 2], math.inf),
+            ([1, math.inf], math.inf),
+            ([-math.inf, 2], -math.inf),
+            ([True, False], 0.1),
+            ([1, 2], numpy.array(2.0)),
+        ):
+            kept = sum(not score < numpy.asarray(least).item() for score in numpy.asarray(scores).tolist())
+            for boxes in (wide, wide.astype("f4")):
+                self.assertEqual(len(vesica.nms(boxes, scores, least_score=least)), kept, (scores, least))
+        for boxes in (wide, wide.astype("f4")):
+            for scores in ([1, 2], [0.1, 1e-50], [large + 3, large + 1]):
+                with self.assertRaisesRegex(vesica.VesicaError, "least_score is not a number"):
+                    vesica.nms(boxes, scores, least_score=math.nan)
+            with self.assertRaisesRegex(TypeError, "least_score is a number, not str"):
+                vesica.nms(boxes, [1, 2], least_score="1")
 
     def test_scores_that_are_not_aligned(self):
         boxes, bytes_of_scores = vesica.aabbs([[0, 0, 2, 2]] * 2), numpy.zeros(17, numpy.uint8)

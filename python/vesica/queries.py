@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Questions about shapes. Two single shapes give a number, arrays in step an array; `_matrix` asks of every pair."""
+import bisect
 import ctypes
 import enum
+import math
 import operator
+from numbers import Real
 from typing import NamedTuple
 
 import numpy
@@ -418,8 +421,8 @@ def nms(boxes, scores, threshold=0.5, *, labels=None, ratio=Ratio.OVER_UNION, le
 
     Each box kept has a ratio of at most `threshold` with every better one that was kept, and has the same label. boxes:
     circles, aabbs, rects or ellipses; scores: a number each, which are compared as they are; labels: a whole number
-    each; ratio: any but OVER_FIRST and OVER_SECOND; least_score: boxes below it are left out; most: how many are kept
-    at most.
+    each; ratio: any but OVER_FIRST and OVER_SECOND; least_score: boxes with a score below it are left out; it is compared
+    as it is too; most: how many are kept at most.
     """
     labels = _labels(labels, boxes)
     scores, least_score = _in_order(_scores(scores, boxes), boxes.dtype, least_score)
@@ -496,16 +499,24 @@ def _as_type(scores, dtype):
 
 
 def _in_order(scores, dtype, least):
-    """Scores and the least one as the library takes them, in the boxes' type. Where this would round them, their ranks:
-    so unequal scores stay unequal. Scores below the least one become minus infinity, below all ranks."""
-    least = -numpy.inf if least is None else float(least)
+    """Scores and the least one as the library takes them, in the boxes' type. Where this would round any of them, their
+    ranks: so unequal scores stay unequal. Scores below the least one become minus infinity, below all ranks."""
+    least = -math.inf if least is None else numpy.asarray(least).item()
+    if not isinstance(least, Real):
+        raise TypeError(f"least_score is a number, not {type(least).__name__}")
+    if least != least:
+        raise VesicaError(_declarations.E_ARGUMENT, "least_score is not a number")
     exact = exactly(scores, dtype)
-    if exact is None:
-        rank = numpy.unique(scores, return_inverse=True)[1].astype(float)
+    with numpy.errstate(over="ignore"):
+        rounds = dtype.type(least).item() != least
+    if exact is None or rounds:
+        # Python compares integers and floats as they are; numpy would round some.
+        values, rank = numpy.unique(scores, return_inverse=True)
+        below, rank = rank < bisect.bisect_left(values.tolist(), least), rank.astype(float)
         rank[numpy.isnan(scores)] = numpy.nan
-        rank[scores < least] = -numpy.inf
+        rank[below] = -numpy.inf
         exact, least = rank, -1.0
-    return _as_type(exact, dtype), least
+    return _as_type(exact, dtype), float(least)
 
 
 def _labels(labels, boxes):
