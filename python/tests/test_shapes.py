@@ -251,6 +251,18 @@ class Refused(unittest.TestCase):
             self.refused(ValueError, "above 2..53", vesica.points, wrong)
         for right in ([2**53, 0], [-(2**63), 2**62], numpy.array([2**63, 2**60 + 2**9], "u8"), [True, False]):
             self.assertEqual([int(x) for x in vesica.points(right).numbers], [int(x) for x in right])
+        for wrong in (
+            [2**53 + 1, 0.5],
+            [0.5, -(2**53) - 1],
+            [[1, 2], (2**53 + 1, 0.5)],
+            [[0.5, 1], numpy.array([2**53 + 1, 1])],
+            [numpy.int64(2**53 + 1), 0.5],
+            [2**63 + 1, -1],
+        ):
+            self.refused(ValueError, "above 2..53", vesica.points, wrong)
+        self.refused(ValueError, "scores: .*above 2..53", vesica.nms, vesica.circles([[0, 0, 1]] * 2), [2**53 + 1, 0.5])
+        for right in ([2**53, 0.5], [2**53 + 2, 1e300], [2.0**60, 0.5], [2**70 + 0.0, math.inf], [math.nan, 2**53]):
+            numpy.testing.assert_array_equal(vesica.points(right).numbers, right)
         points = vesica.points([0.5, 2])
         for dtype in (int, "f2", complex, bool, "U9"):
             self.refused(TypeError, "float64 or float32", points.astype, dtype)
@@ -261,6 +273,10 @@ class Refused(unittest.TestCase):
         self.refused(ValueError, "masked", vesica.points, hidden)
         self.refused(ValueError, "masked", vesica.rects_from_corners, numpy.ma.masked_less(numpy.zeros((4, 2)), 1))
         self.assertEqual(vesica.points(hidden[1]).numbers.tolist(), [1, 2])
+        for listed in (list(hidden), tuple(hidden), list(hidden[0]), [[1, 2], hidden[0]], [[0.0, numpy.ma.masked]]):
+            self.refused(ValueError, "masked", vesica.points, listed)
+        self.refused(ValueError, "masked", vesica.rects_from_corners, [[hidden[0]] * 4, [hidden[1]] * 4])
+        self.assertEqual(vesica.points([hidden[1], [3, 4]]).numbers.tolist(), [[1, 2], [3, 4]])
         records = numpy.ma.zeros(2, [("x", "f8"), ("y", "f8"), ("z", "f8")])
         records["z"][1] = numpy.ma.masked
         self.assertEqual(len(vesica.shapes(Kind.POINT, records)), 2)

@@ -2,7 +2,9 @@
 """Shapes: one, or an array of one kind, as numpy holds them. Nothing is copied that numpy can show in place."""
 import ctypes
 import enum
+import itertools
 import operator
+from numbers import Integral
 
 import numpy
 
@@ -169,10 +171,38 @@ def _one_number(index):
 
 
 def plain(values, name):
-    """Values as an array. Those that a mask hides would come to light, so there may be none."""
-    if numpy.ma.is_masked(values):
+    """Values as an array that has them all. Those that a mask hides would come to light, so there may be none."""
+    kinds, masked = _elements(values) if isinstance(values, (list, tuple)) else (set(), numpy.ma.is_masked(values))
+    if masked:
         raise ValueError(f"{name}: some of the numbers are masked, and masks are not looked at; take the others alone")
-    return numpy.asarray(values)
+    array = numpy.asarray(values)
+    if kinds - {float, list, tuple} and array.dtype.kind == "f" and _rounded(values, array):
+        raise ValueError(f"{name}: {array.dtype} lacks some of these whole numbers: above 2**53 it has not all")
+    return array
+
+
+def _elements(values):
+    """The types in a list and in the lists within, and whether any are masked. No deeper list is taken than three."""
+    types = set()
+    for _ in range(3):
+        kinds = set(map(type, values))
+        types |= kinds
+        if any(issubclass(kind, numpy.ma.MaskedArray) for kind in kinds) and any(map(numpy.ma.is_masked, values)):
+            return types, True
+        lists = {kind for kind in kinds if issubclass(kind, (list, tuple))}
+        if not lists:
+            break
+        within = values if lists == kinds else [each for each in values if isinstance(each, (list, tuple))]
+        values = list(itertools.chain.from_iterable(within))
+    return types, False
+
+
+def _rounded(values, array):
+    """Whether a list had whole numbers, beside others, that its array of floats has not. Smaller ones it always has."""
+    if not (numpy.abs(array) >= 2.0**53).any():
+        return False
+    given = numpy.array(values, object).ravel().tolist()
+    return any(isinstance(a, Integral) and int(a) != b for a, b in zip(given, array.ravel().tolist()))
 
 
 def exactly(values, dtype):
