@@ -105,6 +105,19 @@ class Index(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "index of 3000 shapes cannot be that of 10"):
             vesica.Index.from_bytes(index.bytes, shapes[:10])
 
+    def test_joins_with_the_same_bytes(self):
+        discs, moved = vesica.circles(numpy.ones((40, 3))), vesica.circles(numpy.ones((40, 3)) * [1, 100, 1])
+        index = vesica.Index(discs)
+        in_place = vesica.Index.from_bytes(index.bytes, discs)
+        self.assertTrue(numpy.may_share_memory(in_place.bytes, index.bytes))
+        for other in (in_place, vesica.Index.from_bytes(index.bytes.tobytes(), discs), vesica.Index(discs)):
+            self.assertEqual((len(index.join(other)[0]), index.join_count(other)), (1600, 1600))
+            self.assertEqual(len(index.join_within(1, other)[0]), 1600)
+        for other in (None, index):
+            self.assertEqual((len(index.join(other)[0]), index.join_count(other)), (780, 780))
+            self.assertEqual(len(index.join_within(1, other)[0]), 780)
+        self.assertEqual(len(index.join(vesica.Index.from_bytes(index.bytes, moved))[0]), 0)
+
     def test_bytes_cannot_be_changed(self):
         shapes = vesica.circles(numpy.random.default_rng(5).random((3000, 3)) * [100, 100, 1])
         index = vesica.Index(shapes)

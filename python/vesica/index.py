@@ -144,9 +144,10 @@ class Index:
     def join(self, other=None, query="overlap", part=0, parts=1):
         """All pairs of an item of this index and one of another: two arrays of item numbers, each pair once.
 
-        other: an index, or None for the pairs a < b of this one. query: "overlap", "contains" (the first item contains
+        other: an index; None, or this index itself, for the pairs a < b of this one. query: "overlap", "contains" (the first item contains
         the second), "inside", or "bounds" for candidates. Parts may be asked by several threads or processes.
         """
+        other = self._joined(other)
         return _pairs(lambda *output: self._join(other, query, part, parts, output))
 
     def join_within(self, distance, other=None, part=0, parts=1):
@@ -158,17 +159,19 @@ class Index:
 
     def join_count(self, other=None, query="overlap", part=0, parts=1):
         """How many pairs `join` would give."""
-        return self._join(other, query, part, parts, _NO_OUTPUT)
+        return self._join(self._joined(other), query, part, parts, _NO_OUTPUT)
 
     def _joined(self, other):
         other = self if other is None else other
         if not isinstance(other, Index):
             raise TypeError(f"other is {type(other).__name__}, not an index")
         same_scalar(self.sets[0], other.sets[0], "this index", "the other")
+        if other is not self and other._address() == self._address():
+            # Both were read in place from the same bytes. The library would take them for one index.
+            other = Index.from_bytes(bytearray(other._bytes), *other.sets)
         return other
 
     def _join(self, other, query, part, parts, output):
-        other = self._joined(other)
         if query not in _QUERIES:
             raise ValueError(f"query is one of {', '.join(_QUERIES)}, not {query!r}")
         scratch = _aligned(checked(library.vesica_join_scratch()))
