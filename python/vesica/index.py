@@ -144,14 +144,18 @@ class Index:
     def join(self, other=None, query="overlap", part=0, parts=1):
         """All pairs of an item of this index and one of another: two arrays of item numbers, each pair once.
 
-        other: an index; None, or this index itself, for the pairs a < b of this one. query: "overlap", "contains" (the first item contains
-        the second), "inside", or "bounds" for candidates. Parts may be asked by several threads or processes.
+        other: an index; None, or this index itself, for the pairs a < b of this one. query: "overlap", "contains" (the
+        first item contains the second), "inside", or "bounds" for candidates. Parts may be asked by several threads or
+        processes.
         """
         other = self._joined(other)
         return _pairs(lambda *output: self._join(other, query, part, parts, output))
 
     def join_within(self, distance, other=None, part=0, parts=1):
-        """All pairs at most `distance` apart, as join gives them. Of ellipses also those too near to tell."""
+        """All pairs at most `distance` apart, as join gives them. Of ellipses also those too near to tell.
+
+        The distance is first rounded to the shapes' type.
+        """
         other = self._joined(other)
         indexes = self._address(), self._sets, len(self._sets), other._address(), other._sets, len(other._sets)
         ask, parts = _JOIN_WITHIN[self._letter], _part_of(part, parts)
@@ -200,12 +204,15 @@ class Index:
         return out
 
     def cast(self, shape, velocity, t_end=math.inf):
-        """The items that a single shape, moved by t * velocity from t = 0 to t_end, touches."""
+        """The items that a single shape, moved by t * velocity from t = 0 to t_end, touches.
+
+        velocity and t_end are first rounded to the shapes' type.
+        """
         same_scalar(self.sets[0], shape, "the index", "shape")
         return self._items(_CAST[self._letter], ctypes.byref(shape.view), *pair(velocity), float(t_end))
 
     def cast_first(self, shape, velocity, t_end=math.inf):
-        """The item that a moving shape touches first, the lowest of several: (item, Impact), or None."""
+        """The item that a moving shape touches first, the lowest of several: (item, Impact), or None; as cast."""
         same_scalar(self.sets[0], shape, "the index", "shape")
         record = new_impact(self._letter)
         item = checked(
@@ -217,7 +224,10 @@ class Index:
         return first_of(item, self.count, record)
 
     def nearest(self, shape, k=1, within=math.inf):
-        """The k items nearest to a single shape, and their distances, nearest first; at equal distances by number."""
+        """The k items nearest to a single shape, and their distances, nearest first; at equal distances by number.
+
+        within, the largest distance, is first rounded to the shapes' type.
+        """
         same_scalar(self.sets[0], shape, "the index", "shape")
         k = operator.index(k)
         out, distance = numpy.empty(k, numpy.int64), numpy.empty(k, shape.dtype)
@@ -230,7 +240,10 @@ class Index:
         return (out[:found], distance[:found]) if k else (out, distance)
 
     def nearest_of_each(self, *sets, k=1, within=math.inf):
-        """Of each shape of some sets, the k nearest items: two arrays (n, k), filled up by -1 at distance infinity."""
+        """Of each shape of some sets, the k nearest items: two arrays (n, k), filled up by -1 at distance infinity.
+
+        within is as of nearest.
+        """
         for i, shapes in enumerate(sets):
             same_scalar(self.sets[0], shapes, "the index", f"sets[{i}]")
         asked = (type(self.sets[0].view) * len(sets))(*(shapes.view for shapes in sets))

@@ -85,6 +85,7 @@ def cast(a, b, velocity, t_end=math.inf, out=None):
 
     Two single shapes give (Cast, Impact), and whether there is contact is exact. Arrays in step, or one shape and an
     array, give an Impact of arrays; velocity is then (2,), or (n, 2) with one for each pair; out has five arrays.
+    velocity and t_end are first rounded to the shapes' type.
     """
     letter = same_scalar(a, b)
     if a.single and b.single:
@@ -123,7 +124,8 @@ def _velocities(velocity, count, dtype):
 def cast_first(one, many, velocity, t_end=math.inf):
     """Which of many shapes at rest does one moving shape touch first: (index, Impact), or None.
 
-    The normal points to `one`. Of several at one time it is the one with the lowest index.
+    The normal points to `one`. Of several at one time it is the one with the lowest index. velocity and t_end are first
+    rounded to the shapes' type.
     """
     letter = same_scalar(one, many, "one", "many")
     record, count = new_impact(letter), len(many.columns[0])
@@ -132,7 +134,7 @@ def cast_first(one, many, velocity, t_end=math.inf):
 
 
 def sweep_bounds(shape, velocity, t_end):
-    """A box, as aabbs, that holds a single shape throughout its motion."""
+    """A box, as aabbs, that holds a single shape throughout its motion, velocity and t_end rounded to its type."""
     if not the_shapes(shape, "shape").single:
         raise TypeError("sweep_bounds takes a single shape")
     out = numpy.empty(4, shape.dtype)
@@ -145,9 +147,10 @@ def impact_time(a, turn_a, b, turn_b, tolerance):
     are and however fast they turn.
 
     turn_a and turn_b are a Turn, or (vx, vy, angle): what centre and axis have done when t is 1; at t they have done
-    t times that. Angles are at most 2**20 radians. The answer is (Cast, Impact, gap), the impact being the place at t:
-    the point of a nearest to b, and the normal that separates them. They are at most gap apart there, which is at most
-    the tolerance, a length above 0, but for rounding and very long searches (see vesica.c.vesica_impact_time_f64).
+    t times that. Angles are at most 2**20 radians. Turns and tolerance are first rounded to the shapes' type. The
+    answer is (Cast, Impact, gap), the impact being the place at t: the point of a nearest to b, and the normal that
+    separates them. They are at most gap apart there, which is at most the tolerance, a length above 0, but for rounding
+    and very long searches (see vesica.c.vesica_impact_time_f64).
 
     Cast.MISS: proved, no contact from 0 to 1; t is infinity, the rest NaN. HIT: proved, contact after t. NEAR: they
     come as near as the gap; there may be contact after t. START: they overlap at t = 0, exactly; the gap is 0.

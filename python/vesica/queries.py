@@ -317,13 +317,14 @@ def signed_distance_matrix(a, b, out=None):
 def within(a, b, distance, out=None):
     """Are a and b at most `distance` apart? Exactly so far counts. A Within, or an array of uint8 with their numbers.
 
-    Exact; with an ellipse it is Within.NEARLY where the distance is too near the one asked for to tell.
+    Exact for the distance as rounded to the shapes' type; with an ellipse it is Within.NEARLY where the distance is too
+    near the one asked for to tell.
     """
     return _Query("within", (numpy.uint8,), Within, last=(_distance(distance),))(a, b, out)
 
 
 def within_matrix(a, b, distance, out=None):
-    """(len(a), len(b)) of uint8: is each of a at most `distance` from each of b? The numbers of Within."""
+    """(len(a), len(b)) of uint8: is each of a at most `distance` from each of b? The numbers of Within; as within."""
     return _Matrix("within", (numpy.uint8,), last=(_distance(distance),))(a, b, out)
 
 
@@ -421,8 +422,8 @@ def nms(boxes, scores, threshold=0.5, *, labels=None, ratio=Ratio.OVER_UNION, le
 
     Each box kept has a ratio of at most `threshold` with every better one that was kept, and has the same label. boxes:
     circles, aabbs, rects or ellipses; scores: a number each, which are compared as they are; labels: a whole number
-    each; ratio: any but OVER_FIRST and OVER_SECOND; least_score: boxes with a score below it are left out; it is compared
-    as it is too; most: how many are kept at most.
+    each; ratio: any but OVER_FIRST and OVER_SECOND; least_score, compared as it is: boxes below it are left out; most:
+    how many are kept at most. The threshold is first rounded to the boxes' type.
     """
     labels = _labels(labels, boxes)
     scores, least_score = _in_order(_scores(scores, boxes), boxes.dtype, least_score)
@@ -450,8 +451,8 @@ def nms_soft(boxes, scores, parameter=0.5, *, decay="linear", labels=None, ratio
     """Soft suppression: (indices, scores), as they are taken, with the scores that were left then.
 
     The best is taken again and again, and lowers those that it has a ratio r with: "linear", times 1 - r where r is
-    above the parameter; "gaussian", times exp(-r^2 / parameter). Scores are rounded to the boxes' type. The rest as
-    nms.
+    above the parameter; "gaussian", times exp(-r^2 / parameter). Scores, parameter and least_score are rounded to the
+    boxes' type. The rest as nms.
     """
     labels = _labels(labels, boxes)
     scores = _as_type(_scores(scores, boxes), boxes.dtype)
