@@ -106,6 +106,7 @@ class Known(unittest.TestCase):
         self.assertEqual(vesica.boundary_distance(self.a, self.inner).distance, 0.5)
         self.assertEqual(vesica.depth(self.a, self.b).depth, 1)
         self.assertEqual(vesica.shape_area(self.a), 4)
+        self.assertIs(type(vesica.shape_area(self.a.astype("f4"))), float)
         self.assertEqual(vesica.bounds(self.away).numbers.tolist(), [5, 0, 7, 2])
 
     def test_crossings(self):

@@ -191,6 +191,7 @@ class Constructors(unittest.TestCase):
         corners = [[0, 0], [2, 0], [2, 1], [0, 1]]
         self.assertEqual(vesica.rects_from_corners(corners).numbers.tolist(), [1, 0.5, 1, 0, 1, 0.5])
         self.assertEqual(len(vesica.rects_from_corners([corners] * 3)), 3)
+        self.assertEqual(len(vesica.rects_from_corners([])), 0)
         with self.assertRaisesRegex(ValueError, r"\(n, 4, 2\)"):
             vesica.rects_from_corners([0] * 8)
         with self.assertRaisesRegex(vesica.VesicaError, "rect 1"):
@@ -301,6 +302,31 @@ class Refused(unittest.TestCase):
         self.refused(TypeError, "b is ndarray", vesica.overlap, discs, numpy.zeros((3, 3)))
         self.refused(TypeError, "float64 numbers and b float32", vesica.overlap, discs, discs.astype("f4"))
         self.refused(ValueError, "a has 3 shapes and b 2", vesica.overlap, discs, discs[:2])
+        self.refused(ValueError, "a has 3 shapes and b 0", vesica.overlap, discs, discs[:0])
+        self.refused(ValueError, "a has 0 shapes and b 3", vesica.cast, discs[:0], discs, (1, 0))
+
+    def test_single_shapes(self):
+        discs = vesica.circles([[0, 0, 1]] * 3)
+        index, of_three = vesica.Index(discs), "has 3 shapes, not a single one"
+        self.refused(vesica.VesicaError, f"one {of_three}", vesica.overlap_select, discs, discs[:0])
+        self.refused(vesica.VesicaError, "one has 0 shapes", vesica.overlap_select, discs[:0], discs)
+        self.refused(vesica.VesicaError, f"one {of_three}", vesica.cast_first, discs, discs, (1, 0))
+        self.refused(vesica.VesicaError, f"shape {of_three}", index.select, discs)
+        self.refused(vesica.VesicaError, f"shape {of_three}", index.nearest, discs)
+        self.refused(vesica.VesicaError, f"shape {of_three}", index.cast, discs, (1, 0))
+        self.refused(vesica.VesicaError, f"shape {of_three}", index.cast_first, discs, (1, 0))
+        self.assertEqual(vesica.overlap_select(discs[:1], discs).tolist(), [0, 1, 2])
+
+    def test_kinds(self):
+        points, discs = vesica.points([[0, 0]]), vesica.circles([[0, 0, 1]])
+        for call, arguments in (
+            (vesica.corners, [points]),
+            (vesica.boxes, [points]),
+            (vesica.nms, [points, [1]]),
+            (vesica.nms_soft, [points, [1]]),
+            (vesica.intersection, [discs[0], discs[0]]),
+        ):
+            self.refused(vesica.VesicaError, "not for this kind of shape", call, *arguments)
 
     def test_outputs(self):
         discs = vesica.circles(numpy.ones((3, 3)))
@@ -330,6 +356,13 @@ class Refused(unittest.TestCase):
         vesica.nearest(discs, discs, [room[i : i + 3] for i in (12, 0, 3, 9, 6)])
         rows = numpy.lib.stride_tricks.as_strided(room, (3, 3), (16, 8))
         self.refused(ValueError, "rows of out overlap", vesica.iou_matrix, discs, discs, rows)
+        wide = numpy.zeros((3, 5))
+        for column in (wide[:, ::2][:, :1], numpy.zeros((3, 1), order="F"), wide[::-1, 4:]):
+            vesica.iou_matrix(discs, discs[:1], column)
+            self.assertEqual(column.tolist(), [[1], [1], [1]])
+        room[:] = 0
+        vesica.iou(discs[:1], discs[:1], room[::3][:1])
+        self.assertEqual((room[0], room[1:].any()), (1, False))
 
     def test_copies_of_errors(self):
         with self.assertRaises(vesica.VesicaError) as caught:
@@ -357,6 +390,11 @@ class Refused(unittest.TestCase):
         with self.assertRaises(vesica.VesicaError) as caught:
             vesica.nms(discs, [1, 2, 3, 4], 0.5)
         self.assertEqual(caught.exception.result.tolist(), [2, 0])
+        for call in (vesica.nms, vesica.nms_soft):
+            with self.assertRaisesRegex(vesica.VesicaError, "^2 scores that are NaN, the first is number 1$"):
+                call(discs[[0, 2, 0]], [1, math.nan, math.nan])
+            with self.assertRaisesRegex(vesica.VesicaError, "1 invalid shapes in boxes, .* 1; 1 scores .* number 0"):
+                call(discs[:2], [math.nan, 1])
         with self.assertRaisesRegex(vesica.VesicaError, "negative"):
             vesica.check(discs[1])
         vesica.check(discs[0])

@@ -25,6 +25,8 @@ class VesicaError(ValueError):
     """
 
     def __init__(self, code, message=None, result=None):
+        if code == _declarations.E_KIND:
+            message = message or "not for this kind of shape"  # C also says so of unknown kinds, which no Kind is
         super().__init__(message or library.vesica_strerror(code).decode())
         self.code = code
         self.result = result

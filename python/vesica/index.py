@@ -9,7 +9,7 @@ import numpy
 from . import _declarations
 from ._library import VesicaError, by_scalar, checked, library
 from .motion import first_of, new_impact, pair
-from .shapes import same_scalar, the_shapes
+from .shapes import one_shape, same_scalar, the_shapes
 
 _QUERIES = {
     "overlap": _declarations.JOIN_OVERLAP,
@@ -191,7 +191,7 @@ class Index:
 
     def select(self, shape):
         """The items that a single shape overlaps. For many shapes, index and join them."""
-        same_scalar(self.sets[0], shape, "the index", "shape")
+        same_scalar(self.sets[0], one_shape(shape, "shape"), "the index", "shape")
         return self._items(_SELECT[self._letter], ctypes.byref(shape.view))
 
     def _items(self, function, *asked):
@@ -208,12 +208,12 @@ class Index:
 
         velocity and t_end are first rounded to the shapes' type.
         """
-        same_scalar(self.sets[0], shape, "the index", "shape")
+        same_scalar(self.sets[0], one_shape(shape, "shape"), "the index", "shape")
         return self._items(_CAST[self._letter], ctypes.byref(shape.view), *pair(velocity), float(t_end))
 
     def cast_first(self, shape, velocity, t_end=math.inf):
         """The item that a moving shape touches first, the lowest of several: (item, Impact), or None; as cast."""
-        same_scalar(self.sets[0], shape, "the index", "shape")
+        same_scalar(self.sets[0], one_shape(shape, "shape"), "the index", "shape")
         record = new_impact(self._letter)
         item = checked(
             _CAST_FIRST[self._letter](
@@ -228,7 +228,7 @@ class Index:
 
         within, the largest distance, is first rounded to the shapes' type.
         """
-        same_scalar(self.sets[0], shape, "the index", "shape")
+        same_scalar(self.sets[0], one_shape(shape, "shape"), "the index", "shape")
         k = operator.index(k)
         out, distance = numpy.empty(k, numpy.int64), numpy.empty(k, shape.dtype)
         found = checked(

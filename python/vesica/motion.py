@@ -10,7 +10,7 @@ import numpy
 from . import _declarations
 from ._library import VesicaError, by_scalar, checked
 from .queries import columns_of, finish, in_step
-from .shapes import Kind, plain, same_scalar, shapes, the_shapes
+from .shapes import Kind, one_shape, plain, same_scalar, shapes, the_shapes
 
 
 class Cast(enum.IntEnum):
@@ -127,7 +127,7 @@ def cast_first(one, many, velocity, t_end=math.inf):
     The normal points to `one`. Of several at one time it is the one with the lowest index. velocity and t_end are first
     rounded to the shapes' type.
     """
-    letter = same_scalar(one, many, "one", "many")
+    letter = same_scalar(one_shape(one, "one"), many, "one", "many")
     record, count = new_impact(letter), len(many.columns[0])
     arguments = (ctypes.byref(one.view), ctypes.byref(many.view), *pair(velocity), float(t_end), ctypes.byref(record))
     return first_of(checked(_CAST_FIRST[letter](*arguments)), count, record)

@@ -12,7 +12,7 @@ import numpy
 
 from . import _declarations
 from ._library import VesicaError, by_scalar, checked, library
-from .shapes import Kind, exactly, plain, same_scalar, shapes, the_shapes
+from .shapes import Kind, exactly, one_shape, plain, same_scalar, shapes, the_shapes
 
 
 class Relation(enum.IntEnum):
@@ -86,7 +86,8 @@ def _output(out, shape, dtypes, inputs):
         raise ValueError("out cannot be written to")
     if not out.flags.aligned:
         raise ValueError("out is not aligned: its numbers must lie at multiples of their size")
-    if out.size and (out.strides[-1] != out.itemsize or (out.ndim == 2 and out.strides[0] % out.itemsize != 0)):
+    contiguous = out.shape[-1] == 1 or out.strides[-1] == out.itemsize
+    if out.size and (not contiguous or (out.ndim == 2 and out.strides[0] % out.itemsize != 0)):
         raise ValueError("the last axis of out must be contiguous")
     if out.ndim == 2 and len(out) > 1 and abs(out.strides[0]) < out.shape[1] * out.itemsize:
         raise ValueError("the rows of out overlap one another")
@@ -98,8 +99,6 @@ def _output(out, shape, dtypes, inputs):
 def in_step(a, b):
     """How many answers two operands in step have."""
     counts = {len(shape.columns[0]) for shape in (a, b)}
-    if 0 in counts:
-        return 0
     counts.discard(1)
     if len(counts) > 1:
         raise ValueError(f"a has {len(a.columns[0])} shapes and b {len(b.columns[0])}: as many, or one of either")
@@ -110,20 +109,20 @@ def in_step(a, b):
 _WRITTEN = (_declarations.E_SHAPE, _declarations.E_RANGE)
 
 
-def finish(code, result, partial=False, **operands):
+def finish(code, result, partial=False, scores=(), **operands):
     """The result, or the error with it; operands: what may be invalid, by the names of the parameters.
 
-    partial: whether E_ARGUMENT is an error of single elements too; else nothing was written.
+    partial: whether E_ARGUMENT is an error of single elements too; else nothing was written. scores: which make a shape
+    invalid where they are NaN.
     """
     if code >= 0:
         return result
     message, written = None, code in _WRITTEN or (partial and code == _declarations.E_ARGUMENT)
     if code == _declarations.E_SHAPE:
-        wrong = [(name, shape.invalid()) for name, shape in operands.items()]
+        wrong = [(f"invalid shapes in {name}", shape.invalid()) for name, shape in operands.items()]
+        wrong.append(("scores that are NaN", numpy.flatnonzero(numpy.isnan(scores))))
         message = "; ".join(
-            f"{len(which)} invalid shapes in {name}, the first is number {which[0]}"
-            for name, which in wrong
-            if len(which)
+            f"{len(which)} {what}, the first is number {which[0]}" for what, which in wrong if len(which)
         )
     raise VesicaError(code, message, result if written else None)
 
@@ -246,7 +245,7 @@ def overlap_matrix(a, b, out=None):
 
 def overlap_select(one, many):
     """The indices of those of `many` that overlap a single shape, ascending."""
-    letter = same_scalar(one, many, "one", "many")
+    letter = same_scalar(one_shape(one, "one"), many, "one", "many")
     out = numpy.zeros(len(many.columns[0]), numpy.int64)
     code = _SELECT[letter](ctypes.byref(one.view), ctypes.byref(many.view), out.ctypes.data, len(out))
     # With an invalid shape, which is never selected, -1 follows the others.
@@ -381,7 +380,15 @@ def crossings(a, b):
 
 def shape_area(shape):
     """The area of a single shape, or of each of an array."""
-    return _each(shape, _SHAPE_AREA, 1)
+    function = _SHAPE_AREA[the_shapes(shape, "shape").letter]
+    rows = numpy.atleast_2d(numpy.ascontiguousarray(shape.numbers))
+    out = numpy.empty(len(rows), shape.dtype)
+    row_from, row_to = rows.ctypes.data, out.ctypes.data
+    for i in range(len(rows)):
+        code = function(shape.kind, row_from + i * rows.strides[0], row_to + i * out.itemsize)
+        if code < 0:
+            raise VesicaError(code, f"shape {i}: {VesicaError(code)}")
+    return out[0].item() if shape.single else out
 
 
 def bounds(shape):
@@ -401,20 +408,6 @@ def _numbers_of(shape, functions, numbers):
     out = numpy.empty((len(shape.columns[0]), numbers), shape.dtype)
     result = out[0] if shape.single else out
     return finish(functions[shape.letter](ctypes.byref(shape.view), out.ctypes.data), result, shape=shape)
-
-
-def _each(shape, functions, numbers):
-    """What a C function of a single shape gives for each: one call a shape."""
-    function = functions[the_shapes(shape, "shape").letter]
-    rows = numpy.atleast_2d(numpy.ascontiguousarray(shape.numbers))
-    out = numpy.empty((len(rows), numbers), shape.dtype)
-    row_from, row_to = rows.ctypes.data, out.ctypes.data
-    for i in range(len(rows)):
-        code = function(shape.kind, row_from + i * rows.strides[0], row_to + i * out.strides[0])
-        if code < 0:
-            raise VesicaError(code, f"shape {i}: {VesicaError(code)}")
-    out = out[:, 0] if numbers == 1 else out
-    return out[0] if shape.single else out
 
 
 def nms(boxes, scores, threshold=0.5, *, labels=None, ratio=Ratio.OVER_UNION, least_score=None, most=None):
@@ -443,7 +436,7 @@ def nms(boxes, scores, threshold=0.5, *, labels=None, ratio=Ratio.OVER_UNION, le
         keep.ctypes.data,
         ctypes.byref(kept),
     )
-    return finish(code, keep[: kept.value], boxes=boxes)
+    return finish(code, keep[: kept.value], scores=scores, boxes=boxes)
 
 
 def nms_soft(boxes, scores, parameter=0.5, *, decay="linear", labels=None, ratio=Ratio.OVER_UNION, least_score=0.0,
@@ -466,7 +459,7 @@ def nms_soft(boxes, scores, parameter=0.5, *, decay="linear", labels=None, ratio
         *(_DECAYS[decay], float(parameter), float(least_score), room, scratch.ctypes.data, scratch.nbytes),
         *(keep.ctypes.data, left.ctypes.data, ctypes.byref(kept)),
     )
-    return finish(code, (keep[: kept.value], left[: kept.value]), boxes=boxes)
+    return finish(code, (keep[: kept.value], left[: kept.value]), scores=scores, boxes=boxes)
 
 
 def _room(most, boxes):

@@ -151,6 +151,14 @@ def the_shapes(value, name):
     )
 
 
+def one_shape(value, name):
+    """value, if it is a single shape, or an array of one."""
+    count = len(the_shapes(value, name).columns[0])
+    if count != 1:
+        raise VesicaError(_declarations.E_ARGUMENT, f"{name} has {count} shapes, not a single one: take {name}[i]")
+    return value
+
+
 def same_scalar(a, b, name_a="a", name_b="b"):
     """The letter of the type that the numbers of both have."""
     if the_shapes(a, name_a).letter != the_shapes(b, name_b).letter:
@@ -368,6 +376,8 @@ def rects_from_corners(corners):
     Corners that are not exactly a rectangle's give one near them. Costs about 2 us each.
     """
     corners = _floats(corners)
+    if corners.shape == (0,):
+        corners = corners.reshape(0, 4, 2)
     if corners.shape[-2:] != (4, 2) or corners.ndim > 3:
         raise ValueError(f"corners have the shape (n, 4, 2) or (4, 2), not {corners.shape}")
     rows = numpy.ascontiguousarray(corners.reshape(-1, 8))
