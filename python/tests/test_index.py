@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Index and join against every pair."""
+import copy
 import math
 import mmap
+import pickle
 import tempfile
 import unittest
 
@@ -138,6 +140,14 @@ class Index(unittest.TestCase):
         saved[:] = 255
         for each in indexes[:3]:
             self.assertEqual(each.join_count(), expected)
+
+    def test_copies(self):
+        for dtype in ("f8", "f4"):
+            index = vesica.Index(*mixed(40, numpy.random.default_rng(9), dtype))
+            for again in (pickle.loads(pickle.dumps(index)), copy.copy(index), copy.deepcopy(index)):
+                self.assertEqual((len(again), again.incomplete), (len(index), False))
+                numpy.testing.assert_array_equal(again.join(), index.join())
+                self.assertFalse(again.bytes.flags.writeable)
 
     def test_what_it_is(self):
         shapes = vesica.circles([[0, 0, 1], [5, 5, -1], [3, 0, 1]])

@@ -364,6 +364,14 @@ class Refused(unittest.TestCase):
         vesica.iou(discs[:1], discs[:1], room[::3][:1])
         self.assertEqual((room[0], room[1:].any()), (1, False))
 
+    def test_copies_of_shapes(self):
+        rects = vesica.shapes(Kind.RECT, RECTS)
+        for shape in (rects, rects[1], rects[:0], rects[::-2], rects.astype("f4")):
+            for again in (pickle.loads(pickle.dumps(shape)), copy.copy(shape), copy.deepcopy(shape)):
+                about = [(each.kind, each.single, each.dtype, each.numbers.tolist()) for each in (shape, again)]
+                self.assertEqual(*about)
+                self.assertFalse(numpy.may_share_memory(again.columns[0], shape.columns[0]))
+
     def test_copies_of_errors(self):
         with self.assertRaises(vesica.VesicaError) as caught:
             vesica.rects([[1, 2, -6, 4, 0]])

@@ -124,6 +124,9 @@ class Index:
         """The sets of shapes."""
         return self._shapes
 
+    def __reduce__(self):
+        return type(self).from_bytes, (self._bytes.tobytes(), *self.sets), {"incomplete": self.incomplete}
+
     def __len__(self):
         return self.count
 

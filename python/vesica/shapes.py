@@ -63,7 +63,7 @@ class Shapes:
 
     kind: a Kind. single: whether it is one shape, whose answers are numbers and not arrays. dtype: float64 or float32.
     `len`, indexing, slices and masks work as with arrays. The numbers may be changed through the array they came from,
-    and those of a shape c[i] or a slice too.
+    and those of a shape c[i] or a slice too. Copies, and what pickle makes, have numbers of their own.
     """
 
     __slots__ = ("kind", "single", "columns", "dtype", "letter", "view", "record")
@@ -76,6 +76,9 @@ class Shapes:
 
     def __delattr__(self, name):
         raise AttributeError(f"{name} of shapes cannot be deleted")
+
+    def __reduce__(self):
+        return shapes, (self.kind, self.numbers)
 
     def __len__(self):
         if self.single:
