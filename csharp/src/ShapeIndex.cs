@@ -36,35 +36,58 @@ namespace Vesica
 
         private readonly Shapes[] sets;
         private readonly bool wide;
-        private Memory memory;
+        private readonly Memory memory;
 
-        /// <summary>Memory at an address that the library takes.</summary>
-        private sealed class Memory : IDisposable
+        // The handle itself takes further calls until the last one is over.
+        private volatile bool disposed;
+
+        /// <summary>Memory at an address that the library takes. It is freed once, and not while a call holds
+        /// it.</summary>
+        private sealed class Memory : SafeHandle
         {
-            private IntPtr block;
             internal readonly long Size;
 
-            internal Memory(long size)
+            internal Memory(long size) : base(IntPtr.Zero, true)
             {
                 Size = size;
-                block = Marshal.AllocHGlobal((IntPtr)(size + Alignment));
+                SetHandle(Marshal.AllocHGlobal((IntPtr)(size + Alignment)));
             }
 
-            ~Memory()
+            public override bool IsInvalid
             {
-                Dispose();
+                get { return handle == IntPtr.Zero; }
             }
 
             internal byte* Address
             {
-                get { return (byte*)(((long)block + Alignment - 1) & -Alignment); }
+                get { return (byte*)(((long)handle + Alignment - 1) & -Alignment); }
+            }
+
+            protected override bool ReleaseHandle()
+            {
+                Marshal.FreeHGlobal(handle);
+                return true;
+            }
+        }
+
+        /// <summary>An index's memory, which stays for the time of a call.</summary>
+        private struct Held : IDisposable
+        {
+            private readonly Memory memory;
+            internal readonly byte* Address;
+
+            internal Held(ShapeIndex index)
+            {
+                bool held = false;
+                if (index.disposed) throw new ObjectDisposedException("ShapeIndex");
+                memory = index.memory;
+                memory.DangerousAddRef(ref held);
+                Address = memory.Address;
             }
 
             public void Dispose()
             {
-                Marshal.FreeHGlobal(block);
-                block = IntPtr.Zero;
-                GC.SuppressFinalize(this);
+                memory.DangerousRelease();
             }
         }
 
@@ -76,11 +99,12 @@ namespace Vesica
             Count = sets.Sum(set => set.Count);
             memory = new Memory(Native.Checked(Native.vesica_index_size(Count)));
             using (var scratch = new Memory(Native.Checked(Native.vesica_index_scratch(Count))))
+            using (var held = new Held(this))
             using (var pinned = new Pinned(sets))
                 fixed (View* views = pinned.Views)
                 {
                     long code = Native.IndexBuild(
-                        wide, views, sets.Length, memory.Address, memory.Size, scratch.Address, scratch.Size);
+                        wide, views, sets.Length, held.Address, memory.Size, scratch.Address, scratch.Size);
                     Incomplete = code == (long)ErrorCode.Shape;
                     if (!Incomplete) Native.Checked(code);
                 }
@@ -93,11 +117,14 @@ namespace Vesica
             wide = sets[0].IsDouble;
             Count = sets.Sum(set => set.Count);
             memory = new Memory(bytes.Length);
-            Marshal.Copy(bytes, 0, (IntPtr)memory.Address, bytes.Length);
-            Native.Checked(Native.vesica_index_check(memory.Address, bytes.Length));
-            long builtOf = Native.Checked(Native.vesica_index_count(memory.Address));
-            if (builtOf != Count)
-                throw new ArgumentException("an index of " + builtOf + " shapes cannot be that of " + Count);
+            using (var held = new Held(this))
+            {
+                Marshal.Copy(bytes, 0, (IntPtr)held.Address, bytes.Length);
+                Native.Checked(Native.vesica_index_check(held.Address, bytes.Length));
+                long builtOf = Native.Checked(Native.vesica_index_count(held.Address));
+                if (builtOf != Count)
+                    throw new ArgumentException("an index of " + builtOf + " shapes cannot be that of " + Count);
+            }
         }
 
         /// <summary>The index whose bytes were saved, over the same shapes. They are checked.</summary>
@@ -118,20 +145,12 @@ namespace Vesica
             return (Shapes[])sets.Clone();
         }
 
-        private byte* Address
-        {
-            get
-            {
-                if (memory == null) throw new ObjectDisposedException("ShapeIndex");
-                return memory.Address;
-            }
-        }
-
-        /// <summary>Gives the memory back now, not when it is collected.</summary>
+        /// <summary>Gives the memory back now, not when it is collected; after calls of other threads that use
+        /// it.</summary>
         public void Dispose()
         {
-            if (memory != null) memory.Dispose();
-            memory = null;
+            disposed = true;
+            memory.Dispose();
         }
 
         /// <summary>How many items there are, invalid shapes included.</summary>
@@ -143,18 +162,19 @@ namespace Vesica
         /// <summary>A copy of the bytes, to be saved.</summary>
         public byte[] ToBytes()
         {
-            var bytes = new byte[Native.Checked(Native.vesica_index_bytes(Address))];
-            Marshal.Copy((IntPtr)Address, bytes, 0, bytes.Length);
-            GC.KeepAlive(this);
-            return bytes;
+            using (var held = new Held(this))
+            {
+                var bytes = new byte[Native.Checked(Native.vesica_index_bytes(held.Address))];
+                Marshal.Copy((IntPtr)held.Address, bytes, 0, bytes.Length);
+                return bytes;
+            }
         }
 
         /// <summary>A box around all valid shapes, a little larger than the smallest one.</summary>
         public Aabb Bounds()
         {
             Aabb box;
-            Native.Checked(Native.vesica_index_bounds(Address, &box));
-            GC.KeepAlive(this);
+            using (var held = new Held(this)) Native.Checked(Native.vesica_index_bounds(held.Address, &box));
             return box;
         }
 
@@ -163,9 +183,10 @@ namespace Vesica
         {
             var items = new long[Count];
             long valid;
-            fixed (long* p = items) valid = Native.Checked(Native.vesica_index_order(Address, p, items.Length));
+            using (var held = new Held(this))
+                fixed (long* p = items)
+                    valid = Native.Checked(Native.vesica_index_order(held.Address, p, items.Length));
             Array.Resize(ref items, (int)valid);
-            GC.KeepAlive(this);
             return items;
         }
 
@@ -177,16 +198,16 @@ namespace Vesica
             View view = Query.ViewOf(one, numbers);
             long* state = stackalloc long[4];
             for (int i = 0; i < 4; ++i) state[i] = 0;
+            using (var held = new Held(this))
             using (var pinned = new Pinned(sets))
                 fixed (View* views = pinned.Views)
                 {
                     var items = new long[Native.Checked(
-                        Native.IndexSelect(wide, Address, views, sets.Length, &view, null, 0, null))];
+                        Native.IndexSelect(wide, held.Address, views, sets.Length, &view, null, 0, null))];
                     fixed (long* p = items)
                         if (items.Length > 0)
                             Native.Checked(Native.IndexSelect(
-                                wide, Address, views, sets.Length, &view, p, items.Length, state));
-                    GC.KeepAlive(this);
+                                wide, held.Address, views, sets.Length, &view, p, items.Length, state));
                     return items;
                 }
         }
@@ -197,13 +218,10 @@ namespace Vesica
             Query.Alike(wide, one.IsDouble);
             double* numbers = stackalloc double[6];
             View view = Query.ViewOf(one, numbers);
+            using (var held = new Held(this))
             using (var pinned = new Pinned(sets))
                 fixed (View* views = pinned.Views)
-                {
-                    long[] items = motion.CastAt(wide, &view, Address, views, sets.Length);
-                    GC.KeepAlive(this);
-                    return items;
-                }
+                    return motion.CastAt(wide, &view, held.Address, views, sets.Length);
         }
 
         /// <summary>The item that a single moving shape touches first, the lowest of several, or -1.</summary>
@@ -212,11 +230,11 @@ namespace Vesica
             Query.Alike(wide, one.IsDouble);
             double* numbers = stackalloc double[6];
             View view = Query.ViewOf(one, numbers);
+            using (var held = new Held(this))
             using (var pinned = new Pinned(sets))
                 fixed (View* views = pinned.Views)
                 {
-                    long item = motion.CastFirstAt(wide, &view, Address, views, sets.Length, out impact);
-                    GC.KeepAlive(this);
+                    long item = motion.CastFirstAt(wide, &view, held.Address, views, sets.Length, out impact);
                     return item == Count ? -1 : item;
                 }
         }
@@ -231,14 +249,14 @@ namespace Vesica
             View view = Query.ViewOf(one, numbers);
             long[] items = new long[k];
             double[] distances = new double[k];
+            using (var held = new Held(this))
             using (var pinned = new Pinned(sets))
                 fixed (View* views = pinned.Views)
                 fixed (long* p = items)
                 fixed (double* d = distances)
                 {
                     long found = Native.Checked(
-                        Native.IndexNearest(wide, Address, views, sets.Length, &view, k, within, p, d));
-                    GC.KeepAlive(this);
+                        Native.IndexNearest(wide, held.Address, views, sets.Length, &view, k, within, p, d));
                     return Neighbours(p, d, (int)Math.Min(found, k));
                 }
         }
@@ -261,15 +279,15 @@ namespace Vesica
             int rows = checked((int)(asked.Sum(set => set.Count) * k));
             var items = new long[rows];
             var distances = new double[rows];
+            using (var held = new Held(this))
             using (Pinned pinned = new Pinned(sets), pinnedAsked = new Pinned(asked))
                 fixed (View* views = pinned.Views)
                 fixed (View* viewsAsked = pinnedAsked.Views)
                 fixed (long* p = items)
                 fixed (double* d = distances)
                 {
-                    long code = Native.JoinNearest(wide, viewsAsked, asked.Length, Address, views, sets.Length, k,
+                    long code = Native.JoinNearest(wide, viewsAsked, asked.Length, held.Address, views, sets.Length, k,
                         within, 0, 1, p, d);
-                    GC.KeepAlive(this);
                     if (code < 0 && code != (long)ErrorCode.Shape) Native.Checked(code);
                     Neighbour[] found = Neighbours(p, d, rows);
                     if (code < 0) throw new VesicaException((int)code, found);
@@ -317,16 +335,12 @@ namespace Vesica
         {
             if (other == null) throw new ArgumentNullException("other");
             Query.Alike(wide, other.wide);
+            using (Held held = new Held(this), heldOther = new Held(other))
             using (Pinned pinned = new Pinned(sets), pinnedOther = new Pinned(other.sets))
                 fixed (View* views = pinned.Views)
                 fixed (View* viewsOther = pinnedOther.Views)
-                {
-                    long found = Native.Checked(Native.JoinWithin(wide, Address, views, sets.Length, other.Address,
+                    return Native.Checked(Native.JoinWithin(wide, held.Address, views, sets.Length, heldOther.Address,
                         viewsOther, other.sets.Length, distance, 0, 1, a, b, PairsACall, state));
-                    GC.KeepAlive(this);
-                    GC.KeepAlive(other);
-                    return found;
-                }
         }
 
         private long Ask(ShapeIndex other, JoinQuery query, long part, long parts, long* a, long* b, long room,
@@ -335,17 +349,13 @@ namespace Vesica
             if (other == null) throw new ArgumentNullException("other");
             Query.Alike(wide, other.wide);
             using (var scratch = new Memory(Native.Checked(Native.vesica_join_scratch())))
+            using (Held held = new Held(this), heldOther = new Held(other))
             using (Pinned pinned = new Pinned(sets), pinnedOther = new Pinned(other.sets))
                 fixed (View* views = pinned.Views)
                 fixed (View* viewsOther = pinnedOther.Views)
-                {
-                    long found = Native.Checked(Native.Join(wide, (int)query, Address, views, sets.Length,
-                        other.Address, viewsOther, other.sets.Length, part, parts, scratch.Address, scratch.Size,
+                    return Native.Checked(Native.Join(wide, (int)query, held.Address, views, sets.Length,
+                        heldOther.Address, viewsOther, other.sets.Length, part, parts, scratch.Address, scratch.Size,
                         a, b, room, state));
-                    GC.KeepAlive(this);
-                    GC.KeepAlive(other);
-                    return found;
-                }
         }
     }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 using System;
 using System.Linq;
+using System.Threading;
 using Vesica;
 
 /// <summary>What is refused, what memory is taken, that nothing is copied, and that any arguments are
@@ -78,6 +79,42 @@ internal static unsafe class Arguments
         Shapes none = Shapes.Of(new Rect[0]);
         Check(Query.OverlapMany(none, none, default(Span<bool>)) == 0, "empty arrays");
         Check(new ShapeIndex(none).Join(new ShapeIndex(none)).Length == 0, "empty indexes");
+    }
+
+    /// <summary>An index that is disposed of while a thread is inside a call, and twice at the same time.</summary>
+    private static void DisposedDuringCalls()
+    {
+        const int Many = 30000;
+        Circle[] near = Enumerable.Range(0, Many).Select(i => new Circle(i, 0, 1000)).ToArray();
+        Circle[] far = Enumerable.Range(0, Many).Select(i => new Circle(3 * i, 0, 1)).ToArray();
+        long expected, found = -1;
+        using (var whole = new ShapeIndex(Shapes.Of(near))) expected = whole.JoinCount(whole);
+        for (int i = 0; i < 3; ++i)
+        {
+            var index = new ShapeIndex(Shapes.Of(near));
+            var asks = new Thread(() =>
+            {
+                try
+                {
+                    found = index.JoinCount(index);
+                }
+                catch (ObjectDisposedException)
+                {
+                    found = expected; // it has asked too late
+                }
+            });
+            var disposes = new Thread(index.Dispose);
+            asks.Start();
+            Thread.Sleep(20);
+            disposes.Start();
+            index.Dispose();
+            Refused<ObjectDisposedException>("ShapeIndex", () => index.Bounds());
+            disposes.Join();
+            // Others that would get its memory, had it been freed.
+            for (int k = 0; k < 4; ++k) GC.KeepAlive(new ShapeIndex(Shapes.Of(far)));
+            asks.Join();
+            Check(found == expected, "a call that was not over has " + found + " pairs, not " + expected);
+        }
     }
 
     /// <summary>One shape of it is as good as any, but an array has too few numbers.</summary>
@@ -471,6 +508,7 @@ internal static unsafe class Arguments
         }
         Calls.Test(arguments[0]);
         Refusals();
+        DisposedDuringCalls();
         OwnStructs();
         ColumnsOfOneArray();
         OverMemory();
