@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 using System;
+using System.Runtime.InteropServices;
 using static System.Runtime.InteropServices.MemoryMarshal;
 
 namespace Vesica
@@ -65,10 +66,10 @@ namespace Vesica
         internal static long Ask(Bytes function, Shapes a, Shapes b, void* output)
         {
             View viewA, viewB;
-            var pinA = a.Pin(out viewA);
-            var pinB = b.Pin(out viewB);
+            GCHandle pinA = a.Pin(out viewA), pinB = default(GCHandle);
             try
             {
+                pinB = b.Pin(out viewB);
                 return Native.Checked(function(a.IsDouble, &viewA, &viewB, output));
             }
             finally
@@ -366,8 +367,8 @@ namespace Vesica
                 long code;
                 fixed (long* p = indices)
                     code = Native.OverlapSelect(one.IsDouble, &viewOne, &viewMany, p, indices.Length);
-                int count = Array.IndexOf(indices, -1);
-                Array.Resize(ref indices, code >= 0 ? (int)code : Math.Max(count, 0));
+                if (code < 0 && code != (long)ErrorCode.Shape) Native.Checked(code);
+                Array.Resize(ref indices, (int)(code < 0 ? Array.IndexOf(indices, -1) : code));
                 if (code < 0) throw new VesicaException((int)code, indices);
                 return indices;
             }

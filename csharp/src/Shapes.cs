@@ -30,7 +30,7 @@ namespace Vesica
                 throw new ArgumentException(kind + " has " + Shapes.Fields(kind) + " numbers, not " + numbers.Length);
             Kind = kind;
             IsDouble = isDouble;
-            this.numbers = numbers;
+            this.numbers = (double[])numbers.Clone();
         }
 
         /// <inheritdoc/>
@@ -227,7 +227,15 @@ namespace Vesica
         {
             handles = new GCHandle[shapes.Length];
             Views = new View[shapes.Length];
-            for (int i = 0; i < shapes.Length; ++i) handles[i] = shapes[i].Pin(out Views[i]);
+            try
+            {
+                for (int i = 0; i < shapes.Length; ++i) handles[i] = shapes[i].Pin(out Views[i]);
+            }
+            catch
+            {
+                Dispose();
+                throw;
+            }
         }
 
         public void Dispose()

@@ -81,6 +81,51 @@ internal static unsafe class Arguments
         Check(new ShapeIndex(none).Join(new ShapeIndex(none)).Length == 0, "empty indexes");
     }
 
+    /// <summary>What is computed of all others comes with the exception, but nothing if nothing was.</summary>
+    private static void Results()
+    {
+        Shapes vast = Shapes.At(Kind.Circle, true, (IntPtr)8, 3, long.MaxValue);
+        var some = Shapes.Of(new[] { Disc, new Circle(0, 0, -1), Disc });
+        foreach (Shapes many in new[] { vast, some })
+            try
+            {
+                Query.OverlapSelect(Disc, many);
+                throw new InvalidOperationException("nothing is wrong");
+            }
+            catch (VesicaException e)
+            {
+                var found = (long[])e.Result;
+                Check(many == some ? found.SequenceEqual(new long[] { 0, 2 }) : found == null, "a result");
+            }
+        Refused<VesicaException>("a shape is invalid", () => Query.OverlapSelect(new Circle(0, 0, -1), Three));
+        double[] numbers = { 0, 0, 1 };
+        var any = new AnyShape(Kind.Circle, true, numbers);
+        numbers[0] = 9;
+        Check(Query.Overlap(any, Disc), "a shape follows its caller's array");
+    }
+
+    /// <summary>An array that is pinned, and in vain: the next one cannot be.</summary>
+    private static WeakReference PinnedInVain(bool isAsked)
+    {
+        var circles = new Circle[1000];
+        Shapes shapes = Shapes.Of(circles);
+        Refused<NullReferenceException>("", () =>
+        {
+            if (isAsked) Query.Ask((wide, a, b, output) => 0, shapes, null, null);
+            else new Pinned(shapes, null).Dispose();
+        });
+        return new WeakReference(circles);
+    }
+
+    /// <summary>Arrays do not stay pinned.</summary>
+    private static void PinsAreReleased()
+    {
+        WeakReference[] all = Enumerable.Range(0, 200).Select(i => PinnedInVain(i % 2 == 0)).ToArray();
+        GC.Collect();
+        // The collector takes some numbers on the stack for references.
+        Check(all.Count(each => each.IsAlive) < 50, "arrays that stay pinned");
+    }
+
     /// <summary>An index that is disposed of while a thread is inside a call, and twice at the same time.</summary>
     private static void DisposedDuringCalls()
     {
@@ -508,6 +553,8 @@ internal static unsafe class Arguments
         }
         Calls.Test(arguments[0]);
         Refusals();
+        Results();
+        PinsAreReleased();
         DisposedDuringCalls();
         OwnStructs();
         ColumnsOfOneArray();
