@@ -276,7 +276,10 @@ namespace Vesica
             asked = Sets(asked);
             Query.Alike(wide, asked[0].IsDouble);
             if (k < 1) throw new ArgumentException("k is " + k + ", not 1 or more");
-            int rows = checked((int)(asked.Sum(set => set.Count) * k));
+            long count = asked.Sum(set => set.Count);
+            if (count > int.MaxValue / k)
+                throw new ArgumentException("rows of " + k + " for " + count + " shapes are more than an array has");
+            int rows = (int)count * k;
             var items = new long[rows];
             var distances = new double[rows];
             using (var held = new Held(this))

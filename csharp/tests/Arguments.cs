@@ -73,6 +73,8 @@ internal static unsafe class Arguments
             ShapeIndex.FromBytes(index.ToBytes(), Three, Three));
         Refused<VesicaException>("", () => index.Join(index, JoinQuery.Overlap, 2, 2));
         Refused<ArgumentException>("k is 0", () => index.NearestOfEach(0, 1, Three));
+        Refused<ArgumentException>("rows of 2147483647 for 3 shapes", () =>
+            index.NearestOfEach(int.MaxValue, 1, Three));
         index.Dispose();
         Refused<ObjectDisposedException>("ShapeIndex", () => index.Join(index));
         index.Dispose();
