@@ -15,6 +15,10 @@ public final class Index {
   private static final int ALIGNMENT = 64;
   private static final int PAIRS_A_CALL = 1 << 14;
 
+  /** Each thread's, as large for any join: direct memory takes far longer to get than to use. */
+  private static final ThreadLocal<ByteBuffer> JOIN_SCRATCH =
+      ThreadLocal.withInitial(() -> aligned(checked(Native.joinScratch())));
+
   private final Sets sets;
   private final ByteBuffer memory;
   private final boolean incomplete;
@@ -204,7 +208,7 @@ public final class Index {
 
   private long ask(Index other, JoinQuery query, long part, long parts, long[] a, long[] b, long[] state) {
     Vesica.alike(sets.wide, other.sets.wide);
-    ByteBuffer scratch = aligned(checked(Native.joinScratch()));
+    ByteBuffer scratch = JOIN_SCRATCH.get();
     int room = a == null ? 0 : a.length;
     return checked(
         Native.join(sets.wide, query.value, memory, sets, other.memory, other.sets, part, parts, scratch,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package vesica;
 
+import java.lang.management.BufferPoolMXBean;
+import java.lang.management.ManagementFactory;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.DoubleBuffer;
@@ -252,6 +254,20 @@ final class Arguments {
     check(Vesica.overlapMany(shapes, shapes, out) == count, "all");
   }
 
+  /** Joins take direct memory once, not in each call: the collector does not know how much that is. */
+  private static void joinsTakeNoMemory() {
+    Index index = new Index(THREE);
+    check(index.joinCount(index, JoinQuery.OVERLAP) == 3, "pairs");
+    long before = directMemory();
+    for (int i = 0; i < 10; i++) index.join(index, JoinQuery.OVERLAP);
+    check(directMemory() <= before, "direct memory of a join");
+  }
+
+  private static long directMemory() {
+    return ManagementFactory.getPlatformMXBeans(BufferPoolMXBean.class).stream()
+        .filter(pool -> pool.getName().equals("direct")).mapToLong(BufferPoolMXBean::getMemoryUsed).sum();
+  }
+
   private static final int QUESTIONS = 23;
 
   private static void anyArguments(int calls) {
@@ -343,6 +359,7 @@ final class Arguments {
     turns();
     topology();
     nothingIsCopied();
+    joinsTakeNoMemory();
     anyArguments(arguments.length > 0 ? Integer.parseInt(arguments[0]) : 5000);
     System.out.println("arguments: as they should be");
   }
