@@ -42,7 +42,9 @@ javac -Xlint:all -Werror -cp "$directory/vesica-$version.jar" -d . "$here"/tests
 javac -cp "$directory/vesica-$version.jar" -d . Example.java
 java -cp "$directory/vesica-$version.jar:." Example | grep -Fx '[true, true][[0, 1], [2, 3]]'
 java -Xcheck:jni -cp "$directory/vesica-$version.jar:." vesica.Calls "$here/../tests/ffi/calls.txt"
-java -Xcheck:jni -Xmx150m -cp "$directory/vesica-$version.jar:." vesica.Arguments "${VESICA_CALLS:-5000}"
+java -Xcheck:jni -Xmx150m -cp "$directory/vesica-$version.jar:." vesica.Arguments "${VESICA_CALLS:-5000}" |
+  tee arguments.out
+grep 'WARNING.*JNI' arguments.out && exit 1
 
 if [ -n "${VESICA_OLDER:-}" ]; then
   native older.so -L "$VESICA_OLDER" -lvesica "-Wl,-rpath,$VESICA_OLDER"

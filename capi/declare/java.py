@@ -167,7 +167,7 @@ class Body:
         if declaration.is_sets:
             lent = f"lent_to[{self.sets}]"
             parts = ", ".join(name + part for _, part in SETS)
-            self.prepare.append(f"  ok = prepare_sets(env, {parts}, &{lent}) && ok;\n")
+            self.prepare.append(f"  if (!prepare_sets(env, {parts}, &{lent})) return NOT_LENT;\n")
             self.views.append(f"    vesica_shapes_{scalar} {name}[MAX_SETS];\n    SETS({name}, {lent}, {number});\n")
             self.passed += [name, f"{lent}.count"]
             self.sets += 1
@@ -193,12 +193,12 @@ class Body:
         """What sets lend is taken first and given back last."""
         sets = [f"env, lent_to[{i}].held, lent_to[{i}].count" for i in range(self.sets)]
         all_lent = sets + [f"env, held, {self.held}"] * (self.held > 0)
-        lend = "\n      && ".join(["ok"] * (self.sets > 0) + [f"lend({each})" for each in all_lent])
+        lend = "\n      && ".join(f"lend({each})" for each in all_lent)
         back = "".join(f"  give_back({each});\n" for each in all_lent[self.sets :] + sets)
         asked = broken(f"    answer = {call};")
         return (
             f"  lent held[{self.held}];\n" * (self.held > 0)
-            + f"  lent_sets lent_to[{self.sets}];\n  int ok = 1;\n" * (self.sets > 0)
+            + f"  lent_sets lent_to[{self.sets}];\n" * (self.sets > 0)
             + f"  {returns} answer = NOT_LENT;\n  (void)type;\n"
             + "".join(self.prepare)
             + f"  if ({lend}) {{\n{''.join(self.views)}{asked}\n  }}\n{back}  return answer;\n"

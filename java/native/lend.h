@@ -10,6 +10,8 @@
 /* What is answered where the machine cannot lend an array: it has thrown an OutOfMemoryError. */
 #define NOT_LENT VESICA_E_NULL
 #define MAX_SETS 64
+/* Local references to the bases of two indexes, and to the 16 objects that the machine has room for unasked. */
+#define MAX_REFERENCES (2 * MAX_SETS + 16)
 
 typedef struct {
   jobject array; /* or NULL */
@@ -22,7 +24,7 @@ typedef struct {
   lent held[MAX_SETS];
 } lent_sets;
 
-/* First for all: while arrays are lent, nothing else may be asked of Java. */
+/* First for all: while arrays are lent, nothing else may be asked of Java. Nor after a failure, which has thrown. */
 static inline void prepare(JNIEnv* env, jobject object, lent* held) {
   held->address = object == NULL ? NULL : (*env)->GetDirectBufferAddress(env, object);
   held->array = held->address == NULL ? object : NULL;
@@ -31,8 +33,7 @@ static inline void prepare(JNIEnv* env, jobject object, lent* held) {
 static inline int prepare_sets(JNIEnv* env, jintArray kinds, jlongArray counts, jlongArray strides, jlongArray steps,
                                jobjectArray bases, lent_sets* sets) {
   const jint count = (*env)->GetArrayLength(env, kinds);
-  sets->count = 0;
-  if (count > MAX_SETS) return 0;
+  if (count > MAX_SETS || (*env)->EnsureLocalCapacity(env, MAX_REFERENCES) != 0) return 0;
   (*env)->GetIntArrayRegion(env, kinds, 0, count, sets->kinds);
   (*env)->GetLongArrayRegion(env, counts, 0, count, sets->counts);
   (*env)->GetLongArrayRegion(env, strides, 0, count, sets->strides);

@@ -1425,14 +1425,12 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_indexBuildF64(JNIEnv* env, jclass typ
     jlong indexSize, jobject scratch, jlong scratchSize) {
   lent held[2];
   lent_sets lent_to[1];
-  int ok = 1;
   int64_t answer = NOT_LENT;
   (void)type;
-  ok = prepare_sets(env, setsKinds, setsCounts, setsStrides, setsSteps, setsBases, &lent_to[0]) && ok;
+  if (!prepare_sets(env, setsKinds, setsCounts, setsStrides, setsSteps, setsBases, &lent_to[0])) return NOT_LENT;
   prepare(env, index, &held[0]);
   prepare(env, scratch, &held[1]);
-  if (ok
-      && lend(env, lent_to[0].held, lent_to[0].count)
+  if (lend(env, lent_to[0].held, lent_to[0].count)
       && lend(env, held, 2)) {
     vesica_shapes_f64 sets[MAX_SETS];
     SETS(sets, lent_to[0], double);
@@ -1448,16 +1446,14 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_indexSelectF64(JNIEnv* env, jclass ty
     jlong oneCount, jlong oneStride, jlong oneStep, jobject oneBase, jobject out, jlong capacity, jobject state) {
   lent held[4];
   lent_sets lent_to[1];
-  int ok = 1;
   int64_t answer = NOT_LENT;
   (void)type;
   prepare(env, index, &held[0]);
-  ok = prepare_sets(env, setsKinds, setsCounts, setsStrides, setsSteps, setsBases, &lent_to[0]) && ok;
+  if (!prepare_sets(env, setsKinds, setsCounts, setsStrides, setsSteps, setsBases, &lent_to[0])) return NOT_LENT;
   prepare(env, oneBase, &held[1]);
   prepare(env, out, &held[2]);
   prepare(env, state, &held[3]);
-  if (ok
-      && lend(env, lent_to[0].held, lent_to[0].count)
+  if (lend(env, lent_to[0].held, lent_to[0].count)
       && lend(env, held, 4)) {
     vesica_shapes_f64 sets[MAX_SETS];
     SETS(sets, lent_to[0], double);
@@ -1478,19 +1474,17 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_joinF64(JNIEnv* env, jclass type, jin
     jobject outA, jobject outB, jlong capacity, jobject state) {
   lent held[6];
   lent_sets lent_to[2];
-  int ok = 1;
   int64_t answer = NOT_LENT;
   (void)type;
   prepare(env, indexA, &held[0]);
-  ok = prepare_sets(env, setsAKinds, setsACounts, setsAStrides, setsASteps, setsABases, &lent_to[0]) && ok;
+  if (!prepare_sets(env, setsAKinds, setsACounts, setsAStrides, setsASteps, setsABases, &lent_to[0])) return NOT_LENT;
   prepare(env, indexB, &held[1]);
-  ok = prepare_sets(env, setsBKinds, setsBCounts, setsBStrides, setsBSteps, setsBBases, &lent_to[1]) && ok;
+  if (!prepare_sets(env, setsBKinds, setsBCounts, setsBStrides, setsBSteps, setsBBases, &lent_to[1])) return NOT_LENT;
   prepare(env, scratch, &held[2]);
   prepare(env, outA, &held[3]);
   prepare(env, outB, &held[4]);
   prepare(env, state, &held[5]);
-  if (ok
-      && lend(env, lent_to[0].held, lent_to[0].count)
+  if (lend(env, lent_to[0].held, lent_to[0].count)
       && lend(env, lent_to[1].held, lent_to[1].count)
       && lend(env, held, 6)) {
     vesica_shapes_f64 setsA[MAX_SETS];
@@ -1513,18 +1507,16 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_joinWithinF64(JNIEnv* env, jclass typ
     jobject state) {
   lent held[5];
   lent_sets lent_to[2];
-  int ok = 1;
   int64_t answer = NOT_LENT;
   (void)type;
   prepare(env, indexA, &held[0]);
-  ok = prepare_sets(env, setsAKinds, setsACounts, setsAStrides, setsASteps, setsABases, &lent_to[0]) && ok;
+  if (!prepare_sets(env, setsAKinds, setsACounts, setsAStrides, setsASteps, setsABases, &lent_to[0])) return NOT_LENT;
   prepare(env, indexB, &held[1]);
-  ok = prepare_sets(env, setsBKinds, setsBCounts, setsBStrides, setsBSteps, setsBBases, &lent_to[1]) && ok;
+  if (!prepare_sets(env, setsBKinds, setsBCounts, setsBStrides, setsBSteps, setsBBases, &lent_to[1])) return NOT_LENT;
   prepare(env, outA, &held[2]);
   prepare(env, outB, &held[3]);
   prepare(env, state, &held[4]);
-  if (ok
-      && lend(env, lent_to[0].held, lent_to[0].count)
+  if (lend(env, lent_to[0].held, lent_to[0].count)
       && lend(env, lent_to[1].held, lent_to[1].count)
       && lend(env, held, 5)) {
     vesica_shapes_f64 setsA[MAX_SETS];
@@ -1546,16 +1538,14 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_indexNearestF64(JNIEnv* env, jclass t
     jobject distance) {
   lent held[4];
   lent_sets lent_to[1];
-  int ok = 1;
   int64_t answer = NOT_LENT;
   (void)type;
   prepare(env, index, &held[0]);
-  ok = prepare_sets(env, setsKinds, setsCounts, setsStrides, setsSteps, setsBases, &lent_to[0]) && ok;
+  if (!prepare_sets(env, setsKinds, setsCounts, setsStrides, setsSteps, setsBases, &lent_to[0])) return NOT_LENT;
   prepare(env, oneBase, &held[1]);
   prepare(env, out, &held[2]);
   prepare(env, distance, &held[3]);
-  if (ok
-      && lend(env, lent_to[0].held, lent_to[0].count)
+  if (lend(env, lent_to[0].held, lent_to[0].count)
       && lend(env, held, 4)) {
     vesica_shapes_f64 sets[MAX_SETS];
     SETS(sets, lent_to[0], double);
@@ -1575,16 +1565,14 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_joinNearestF64(JNIEnv* env, jclass ty
     jobjectArray setsBBases, jlong k, jdouble within, jlong part, jlong parts, jobject out, jobject distance) {
   lent held[3];
   lent_sets lent_to[2];
-  int ok = 1;
   int64_t answer = NOT_LENT;
   (void)type;
-  ok = prepare_sets(env, setsAKinds, setsACounts, setsAStrides, setsASteps, setsABases, &lent_to[0]) && ok;
+  if (!prepare_sets(env, setsAKinds, setsACounts, setsAStrides, setsASteps, setsABases, &lent_to[0])) return NOT_LENT;
   prepare(env, indexB, &held[0]);
-  ok = prepare_sets(env, setsBKinds, setsBCounts, setsBStrides, setsBSteps, setsBBases, &lent_to[1]) && ok;
+  if (!prepare_sets(env, setsBKinds, setsBCounts, setsBStrides, setsBSteps, setsBBases, &lent_to[1])) return NOT_LENT;
   prepare(env, out, &held[1]);
   prepare(env, distance, &held[2]);
-  if (ok
-      && lend(env, lent_to[0].held, lent_to[0].count)
+  if (lend(env, lent_to[0].held, lent_to[0].count)
       && lend(env, lent_to[1].held, lent_to[1].count)
       && lend(env, held, 3)) {
     vesica_shapes_f64 setsA[MAX_SETS];
@@ -1605,14 +1593,12 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_indexBuildF32(JNIEnv* env, jclass typ
     jlong indexSize, jobject scratch, jlong scratchSize) {
   lent held[2];
   lent_sets lent_to[1];
-  int ok = 1;
   int64_t answer = NOT_LENT;
   (void)type;
-  ok = prepare_sets(env, setsKinds, setsCounts, setsStrides, setsSteps, setsBases, &lent_to[0]) && ok;
+  if (!prepare_sets(env, setsKinds, setsCounts, setsStrides, setsSteps, setsBases, &lent_to[0])) return NOT_LENT;
   prepare(env, index, &held[0]);
   prepare(env, scratch, &held[1]);
-  if (ok
-      && lend(env, lent_to[0].held, lent_to[0].count)
+  if (lend(env, lent_to[0].held, lent_to[0].count)
       && lend(env, held, 2)) {
     vesica_shapes_f32 sets[MAX_SETS];
     SETS(sets, lent_to[0], float);
@@ -1628,16 +1614,14 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_indexSelectF32(JNIEnv* env, jclass ty
     jlong oneCount, jlong oneStride, jlong oneStep, jobject oneBase, jobject out, jlong capacity, jobject state) {
   lent held[4];
   lent_sets lent_to[1];
-  int ok = 1;
   int64_t answer = NOT_LENT;
   (void)type;
   prepare(env, index, &held[0]);
-  ok = prepare_sets(env, setsKinds, setsCounts, setsStrides, setsSteps, setsBases, &lent_to[0]) && ok;
+  if (!prepare_sets(env, setsKinds, setsCounts, setsStrides, setsSteps, setsBases, &lent_to[0])) return NOT_LENT;
   prepare(env, oneBase, &held[1]);
   prepare(env, out, &held[2]);
   prepare(env, state, &held[3]);
-  if (ok
-      && lend(env, lent_to[0].held, lent_to[0].count)
+  if (lend(env, lent_to[0].held, lent_to[0].count)
       && lend(env, held, 4)) {
     vesica_shapes_f32 sets[MAX_SETS];
     SETS(sets, lent_to[0], float);
@@ -1658,19 +1642,17 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_joinF32(JNIEnv* env, jclass type, jin
     jobject outA, jobject outB, jlong capacity, jobject state) {
   lent held[6];
   lent_sets lent_to[2];
-  int ok = 1;
   int64_t answer = NOT_LENT;
   (void)type;
   prepare(env, indexA, &held[0]);
-  ok = prepare_sets(env, setsAKinds, setsACounts, setsAStrides, setsASteps, setsABases, &lent_to[0]) && ok;
+  if (!prepare_sets(env, setsAKinds, setsACounts, setsAStrides, setsASteps, setsABases, &lent_to[0])) return NOT_LENT;
   prepare(env, indexB, &held[1]);
-  ok = prepare_sets(env, setsBKinds, setsBCounts, setsBStrides, setsBSteps, setsBBases, &lent_to[1]) && ok;
+  if (!prepare_sets(env, setsBKinds, setsBCounts, setsBStrides, setsBSteps, setsBBases, &lent_to[1])) return NOT_LENT;
   prepare(env, scratch, &held[2]);
   prepare(env, outA, &held[3]);
   prepare(env, outB, &held[4]);
   prepare(env, state, &held[5]);
-  if (ok
-      && lend(env, lent_to[0].held, lent_to[0].count)
+  if (lend(env, lent_to[0].held, lent_to[0].count)
       && lend(env, lent_to[1].held, lent_to[1].count)
       && lend(env, held, 6)) {
     vesica_shapes_f32 setsA[MAX_SETS];
@@ -1693,18 +1675,16 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_joinWithinF32(JNIEnv* env, jclass typ
     jobject state) {
   lent held[5];
   lent_sets lent_to[2];
-  int ok = 1;
   int64_t answer = NOT_LENT;
   (void)type;
   prepare(env, indexA, &held[0]);
-  ok = prepare_sets(env, setsAKinds, setsACounts, setsAStrides, setsASteps, setsABases, &lent_to[0]) && ok;
+  if (!prepare_sets(env, setsAKinds, setsACounts, setsAStrides, setsASteps, setsABases, &lent_to[0])) return NOT_LENT;
   prepare(env, indexB, &held[1]);
-  ok = prepare_sets(env, setsBKinds, setsBCounts, setsBStrides, setsBSteps, setsBBases, &lent_to[1]) && ok;
+  if (!prepare_sets(env, setsBKinds, setsBCounts, setsBStrides, setsBSteps, setsBBases, &lent_to[1])) return NOT_LENT;
   prepare(env, outA, &held[2]);
   prepare(env, outB, &held[3]);
   prepare(env, state, &held[4]);
-  if (ok
-      && lend(env, lent_to[0].held, lent_to[0].count)
+  if (lend(env, lent_to[0].held, lent_to[0].count)
       && lend(env, lent_to[1].held, lent_to[1].count)
       && lend(env, held, 5)) {
     vesica_shapes_f32 setsA[MAX_SETS];
@@ -1726,16 +1706,14 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_indexNearestF32(JNIEnv* env, jclass t
     jobject distance) {
   lent held[4];
   lent_sets lent_to[1];
-  int ok = 1;
   int64_t answer = NOT_LENT;
   (void)type;
   prepare(env, index, &held[0]);
-  ok = prepare_sets(env, setsKinds, setsCounts, setsStrides, setsSteps, setsBases, &lent_to[0]) && ok;
+  if (!prepare_sets(env, setsKinds, setsCounts, setsStrides, setsSteps, setsBases, &lent_to[0])) return NOT_LENT;
   prepare(env, oneBase, &held[1]);
   prepare(env, out, &held[2]);
   prepare(env, distance, &held[3]);
-  if (ok
-      && lend(env, lent_to[0].held, lent_to[0].count)
+  if (lend(env, lent_to[0].held, lent_to[0].count)
       && lend(env, held, 4)) {
     vesica_shapes_f32 sets[MAX_SETS];
     SETS(sets, lent_to[0], float);
@@ -1755,16 +1733,14 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_joinNearestF32(JNIEnv* env, jclass ty
     jobjectArray setsBBases, jlong k, jfloat within, jlong part, jlong parts, jobject out, jobject distance) {
   lent held[3];
   lent_sets lent_to[2];
-  int ok = 1;
   int64_t answer = NOT_LENT;
   (void)type;
-  ok = prepare_sets(env, setsAKinds, setsACounts, setsAStrides, setsASteps, setsABases, &lent_to[0]) && ok;
+  if (!prepare_sets(env, setsAKinds, setsACounts, setsAStrides, setsASteps, setsABases, &lent_to[0])) return NOT_LENT;
   prepare(env, indexB, &held[0]);
-  ok = prepare_sets(env, setsBKinds, setsBCounts, setsBStrides, setsBSteps, setsBBases, &lent_to[1]) && ok;
+  if (!prepare_sets(env, setsBKinds, setsBCounts, setsBStrides, setsBSteps, setsBBases, &lent_to[1])) return NOT_LENT;
   prepare(env, out, &held[1]);
   prepare(env, distance, &held[2]);
-  if (ok
-      && lend(env, lent_to[0].held, lent_to[0].count)
+  if (lend(env, lent_to[0].held, lent_to[0].count)
       && lend(env, lent_to[1].held, lent_to[1].count)
       && lend(env, held, 3)) {
     vesica_shapes_f32 setsA[MAX_SETS];
@@ -2407,16 +2383,14 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_indexCastF64(JNIEnv* env, jclass type
     jlong capacity, jobject state) {
   lent held[4];
   lent_sets lent_to[1];
-  int ok = 1;
   int64_t answer = NOT_LENT;
   (void)type;
   prepare(env, index, &held[0]);
-  ok = prepare_sets(env, setsKinds, setsCounts, setsStrides, setsSteps, setsBases, &lent_to[0]) && ok;
+  if (!prepare_sets(env, setsKinds, setsCounts, setsStrides, setsSteps, setsBases, &lent_to[0])) return NOT_LENT;
   prepare(env, oneBase, &held[1]);
   prepare(env, out, &held[2]);
   prepare(env, state, &held[3]);
-  if (ok
-      && lend(env, lent_to[0].held, lent_to[0].count)
+  if (lend(env, lent_to[0].held, lent_to[0].count)
       && lend(env, held, 4)) {
     vesica_shapes_f64 sets[MAX_SETS];
     SETS(sets, lent_to[0], double);
@@ -2436,15 +2410,13 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_indexCastFirstF64(JNIEnv* env, jclass
     jobject out) {
   lent held[3];
   lent_sets lent_to[1];
-  int ok = 1;
   int64_t answer = NOT_LENT;
   (void)type;
   prepare(env, index, &held[0]);
-  ok = prepare_sets(env, setsKinds, setsCounts, setsStrides, setsSteps, setsBases, &lent_to[0]) && ok;
+  if (!prepare_sets(env, setsKinds, setsCounts, setsStrides, setsSteps, setsBases, &lent_to[0])) return NOT_LENT;
   prepare(env, oneBase, &held[1]);
   prepare(env, out, &held[2]);
-  if (ok
-      && lend(env, lent_to[0].held, lent_to[0].count)
+  if (lend(env, lent_to[0].held, lent_to[0].count)
       && lend(env, held, 3)) {
     vesica_shapes_f64 sets[MAX_SETS];
     SETS(sets, lent_to[0], double);
@@ -2678,16 +2650,14 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_indexCastF32(JNIEnv* env, jclass type
     jlong capacity, jobject state) {
   lent held[4];
   lent_sets lent_to[1];
-  int ok = 1;
   int64_t answer = NOT_LENT;
   (void)type;
   prepare(env, index, &held[0]);
-  ok = prepare_sets(env, setsKinds, setsCounts, setsStrides, setsSteps, setsBases, &lent_to[0]) && ok;
+  if (!prepare_sets(env, setsKinds, setsCounts, setsStrides, setsSteps, setsBases, &lent_to[0])) return NOT_LENT;
   prepare(env, oneBase, &held[1]);
   prepare(env, out, &held[2]);
   prepare(env, state, &held[3]);
-  if (ok
-      && lend(env, lent_to[0].held, lent_to[0].count)
+  if (lend(env, lent_to[0].held, lent_to[0].count)
       && lend(env, held, 4)) {
     vesica_shapes_f32 sets[MAX_SETS];
     SETS(sets, lent_to[0], float);
@@ -2707,15 +2677,13 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_indexCastFirstF32(JNIEnv* env, jclass
     jobject out) {
   lent held[3];
   lent_sets lent_to[1];
-  int ok = 1;
   int64_t answer = NOT_LENT;
   (void)type;
   prepare(env, index, &held[0]);
-  ok = prepare_sets(env, setsKinds, setsCounts, setsStrides, setsSteps, setsBases, &lent_to[0]) && ok;
+  if (!prepare_sets(env, setsKinds, setsCounts, setsStrides, setsSteps, setsBases, &lent_to[0])) return NOT_LENT;
   prepare(env, oneBase, &held[1]);
   prepare(env, out, &held[2]);
-  if (ok
-      && lend(env, lent_to[0].held, lent_to[0].count)
+  if (lend(env, lent_to[0].held, lent_to[0].count)
       && lend(env, held, 3)) {
     vesica_shapes_f32 sets[MAX_SETS];
     SETS(sets, lent_to[0], float);

@@ -254,6 +254,14 @@ final class Arguments {
     check(Vesica.overlapMany(shapes, shapes, out) == count, "all");
   }
 
+  /** As many arrays as there may be, of two indexes: more local references than there is room for unasked. */
+  private static void manyArrays() {
+    Shapes[] all = new Shapes[64];
+    Arrays.fill(all, THREE);
+    Index index = new Index(all), other = new Index(all);
+    check(index.joinCount(other, JoinQuery.OVERLAP) == 192 * 192, "pairs of many arrays");
+  }
+
   /** Joins take direct memory once, not in each call: the collector does not know how much that is. */
   private static void joinsTakeNoMemory() {
     Index index = new Index(THREE);
@@ -359,6 +367,7 @@ final class Arguments {
     turns();
     topology();
     nothingIsCopied();
+    manyArrays();
     joinsTakeNoMemory();
     anyArguments(arguments.length > 0 ? Integer.parseInt(arguments[0]) : 5000);
     System.out.println("arguments: as they should be");
