@@ -55,7 +55,8 @@ public final class Index {
   }
 
   private static ByteBuffer aligned(long size) {
-    int room = Math.toIntExact(Math.max(size, 1));
+    Vesica.room("a buffer of Java's", Integer.MAX_VALUE - 2 * ALIGNMENT, size);
+    int room = (int) Math.max(size, 1);
     return ByteBuffer.allocateDirect(room + 2 * ALIGNMENT).alignedSlice(ALIGNMENT).slice(0, room);
   }
 
@@ -137,7 +138,7 @@ public final class Index {
     Sets asked = new Sets(shapes);
     Vesica.alike(sets.wide, asked.wide);
     if (k < 1) throw new IllegalArgumentException("k is " + k + ", not 1 or more");
-    int rows = Math.toIntExact(Math.multiplyExact(asked.count, (long) k));
+    int rows = Vesica.length((long) Vesica.length(asked.count) * k);
     long[] items = new long[rows];
     Object distances = numbers(rows);
     long code = Native.joinNearest(sets.wide, asked, memory, sets, k, within, 0, 1, items, distances);

@@ -59,7 +59,7 @@ public final class Measures {
     if (how.labels != null && how.labels.length != count) {
       throw new IllegalArgumentException(count + " shapes need as many labels, not " + how.labels.length);
     }
-    byte[] scratch = new byte[Math.toIntExact(checked(Native.nmsScratch(count)))];
+    byte[] scratch = new byte[Vesica.length(checked(Native.nmsScratch(count)))];
     long[] keep = new long[(int) count], kept = new long[1];
     int code =
         Native.suppress(shapes.wide, shapes, scores, how.labels, how.ratio.value, how.threshold, how.leastScore,
@@ -100,7 +100,7 @@ public final class Measures {
     if (how.labels != null && how.labels.length != count) {
       throw new IllegalArgumentException(count + " shapes need as many labels, not " + how.labels.length);
     }
-    long[] scratch = new long[Math.toIntExact(checked(Native.suppressSoftScratch(count)) / 8)];
+    long[] scratch = new long[Vesica.length(checked(Native.suppressSoftScratch(count)) / 8)];
     long[] keep = new long[(int) count], kept = new long[1];
     Object left = shapes.wide ? new double[(int) count] : new float[(int) count];
     int code =

@@ -273,7 +273,7 @@ public final class Vesica {
    */
   public static long[] nms(Shapes shapes, Object scores, double threshold) {
     long count = scores(shapes, scores);
-    byte[] scratch = new byte[Math.toIntExact(checked(Native.nmsScratch(count)))];
+    byte[] scratch = new byte[length(checked(Native.nmsScratch(count)))];
     long[] keep = new long[(int) count], kept = new long[1];
     int code = Native.nms(shapes.wide, shapes, scores, threshold, scratch, scratch.length, keep, kept);
     return VesicaException.finished(code, Arrays.copyOf(keep, (int) kept[0]));
@@ -312,6 +312,12 @@ public final class Vesica {
   static void room(String name, long given, long needed) {
     if (given >= needed) return;
     throw new IllegalArgumentException(name + " has " + given + " elements, where " + needed + " are needed");
+  }
+
+  /** How long an array of so many elements is. */
+  static int length(long needed) {
+    room("the longest array of Java's", Integer.MAX_VALUE - 8, needed);
+    return (int) needed;
   }
 
   /** An array or buffer of so many numbers of the shapes' type. */

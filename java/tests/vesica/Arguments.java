@@ -61,6 +61,14 @@ final class Arguments {
     refused(argument, "an index of 3 shapes cannot be that of 6", () -> Index.fromBytes(saved, THREE, THREE));
     refused(VesicaException.class, "", () -> new Index(THREE).join(new Index(THREE), JoinQuery.OVERLAP, 2, 2));
     refused(argument, "k is 0", () -> new Index(THREE).nearestOfEach(0, 1, THREE));
+    refused(argument, "array of Java's has 2147483639 elements, where 6442450941", () ->
+        new Index(THREE).nearestOfEach(Integer.MAX_VALUE, 1, THREE));
+    refused(NullPointerException.class, "array of shapes 0 is null", () -> new Index((Shapes) null));
+    refused(NullPointerException.class, "array of shapes 1 is null", () -> new Index(THREE, null));
+    refused(NullPointerException.class, "the arrays of shapes are null", () -> new Index((Shapes[]) null));
+    Shapes[] vast = new Shapes[64];
+    Arrays.fill(vast, Shapes.of(Kind.POINT, new float[1 << 22]));
+    refused(argument, "a buffer of Java's has 2147483519 elements, where", () -> new Index(vast));
     double[] one = {1}, all = new double[15], three = new double[3];
     refused(argument, "1 or 3 velocities", () -> cast(new double[2], one, all));
     refused(argument, "overlaps the velocities", () -> cast(three, three, three));
