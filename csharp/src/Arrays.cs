@@ -264,7 +264,7 @@ namespace Vesica
             fixed (double* p = &scores.GetPinnableReference()) return Nms(shapes, p, scores.Length, true, threshold);
         }
 
-        /// <summary>The same in float.</summary>
+        /// <summary>The same in float, to which the threshold is rounded first.</summary>
         public static long[] Nms(Shapes shapes, ReadOnlySpan<float> scores, double threshold)
         {
             fixed (float* p = &scores.GetPinnableReference()) return Nms(shapes, p, scores.Length, false, threshold);

@@ -4,8 +4,8 @@ using static System.Runtime.InteropServices.MemoryMarshal;
 
 namespace Vesica
 {
-    /// <summary>How Measures.Suppress chooses. Made by its constructor, it is by intersection over union
-    /// alone.</summary>
+    /// <summary>How Measures.Suppress chooses. Made by its constructor, it is by intersection over union alone. With
+    /// float shapes threshold and least score are rounded to float first.</summary>
     public sealed class Suppression
     {
         /// <summary>Each shape kept has at most this ratio with every better one that was kept.</summary>

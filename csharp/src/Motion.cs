@@ -5,7 +5,8 @@ using static System.Runtime.InteropServices.MemoryMarshal;
 namespace Vesica
 {
     /// <summary>How a shape moves: by t times a velocity, t from 0 to an end. A ray is a point that moves. Whether
-    /// there is contact is exact, and times are rounded down.</summary>
+    /// there is contact is exact, and times are rounded down. With float shapes velocity and end are rounded to float
+    /// first, in all calls that take a motion.</summary>
     public unsafe struct Motion
     {
         /// <summary>The velocity's x.</summary>
@@ -46,7 +47,8 @@ namespace Vesica
         }
 
         /// <summary>When do two shapes that move and turn touch first, t from 0 to 1? Proved: there is no contact
-        /// before the impact's time t, however thin they are and however fast they turn.</summary>
+        /// before the impact's time t, however thin they are and however fast they turn. With float shapes turns and
+        /// tolerance are rounded to float first.</summary>
         /// <param name="a">The first shape, in double or in float as the second.</param>
         /// <param name="turnA">What a does until t is 1: how far its centre moves, and by how much it turns about that,
         /// at most 2^20 radians; at t it has done t times that.</param>
@@ -142,7 +144,7 @@ namespace Vesica
                 AsBytes(ny));
         }
 
-        /// <summary>The same in float.</summary>
+        /// <summary>The same in float, to which the end is rounded first.</summary>
         public static long CastMany(Shapes a, Shapes b, ReadOnlySpan<float> vx, ReadOnlySpan<float> vy, double end,
             Span<float> t, Span<float> x, Span<float> y, Span<float> nx, Span<float> ny)
         {

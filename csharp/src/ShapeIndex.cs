@@ -212,7 +212,8 @@ namespace Vesica
                 }
         }
 
-        /// <summary>The items that a single shape touches while it moves, in the index's order.</summary>
+        /// <summary>The items that a single shape touches while it moves, in the index's order. With float shapes the
+        /// motion is rounded to float first.</summary>
         public long[] Cast<S>(S one, Motion motion) where S : IShape
         {
             Query.Alike(wide, one.IsDouble);
@@ -224,7 +225,8 @@ namespace Vesica
                     return motion.CastAt(wide, &view, held.Address, views, sets.Length);
         }
 
-        /// <summary>The item that a single moving shape touches first, the lowest of several, or -1.</summary>
+        /// <summary>The item that a single moving shape touches first, the lowest of several, or -1. With float shapes
+        /// the motion is rounded to float first.</summary>
         public long CastFirst<S>(S one, Motion motion, out Impact impact) where S : IShape
         {
             Query.Alike(wide, one.IsDouble);
@@ -239,7 +241,8 @@ namespace Vesica
                 }
         }
 
-        /// <summary>The k items nearest to a single shape, at most within away; infinity asks for any.</summary>
+        /// <summary>The k items nearest to a single shape, at most within away; infinity asks for any. With float
+        /// shapes within is rounded to float first.</summary>
         public Neighbour[] Nearest<S>(S one, int k, double within) where S : IShape
         {
             Query.Alike(wide, one.IsDouble);
@@ -270,7 +273,8 @@ namespace Vesica
         }
 
         /// <summary>Of each shape of some arrays, the k nearest items: rows of k, one after the other, filled up by -1
-        /// at distance infinity. Where a shape is invalid its row holds -1, and the exception has the result.</summary>
+        /// at distance infinity. Where a shape is invalid its row holds -1, and the exception has the result. With
+        /// float shapes within is rounded to float first.</summary>
         public Neighbour[] NearestOfEach(int k, double within, params Shapes[] asked)
         {
             asked = Sets(asked);
@@ -306,7 +310,8 @@ namespace Vesica
         }
 
         /// <summary>All pairs of an item of this index and one of another that are at most so far apart, as Join gives
-        /// them. Of ellipses also those too near to it to tell.</summary>
+        /// them. Of ellipses also those too near to it to tell. With float shapes the distance is rounded to float
+        /// first.</summary>
         public Pair[] JoinWithin(ShapeIndex other, double distance)
         {
             return Pairs((p, q, s) => AskWithin(other, distance, p, q, s));

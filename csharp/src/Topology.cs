@@ -88,7 +88,8 @@ namespace Vesica
             return Query.Matrix(signedMatrix, a, b, AsBytes(output), false);
         }
 
-        /// <summary>Are two shapes at most so far apart? Exactly so far counts, and exact, but for ellipses.</summary>
+        /// <summary>Are two shapes at most so far apart? Exactly so far counts, and exact, but for ellipses. With float
+        /// shapes the distance is rounded to float first: 0.1 is then 0.1f.</summary>
         public static Within Within<A, B>(A a, B b, double distance) where A : IShape where B : IShape
         {
             int found = 0;
@@ -98,7 +99,8 @@ namespace Vesica
             return (Within)found;
         }
 
-        /// <summary>Are a[i] and b[i] at most so far apart? Returns how many are, or nearly.</summary>
+        /// <summary>Are a[i] and b[i] at most so far apart? Returns how many are, or nearly. With float shapes the
+        /// distance is rounded to float first.</summary>
         public static long WithinMany(Shapes a, Shapes b, double distance, Span<Within> output)
         {
             fixed (Within* p = &output.GetPinnableReference())
@@ -106,7 +108,8 @@ namespace Vesica
                     output.Length, 1);
         }
 
-        /// <summary>Is each of a at most so far from each of b? Element i * b.Count + j is of a[i] and b[j].</summary>
+        /// <summary>Is each of a at most so far from each of b? Element i * b.Count + j is of a[i] and b[j]. With float
+        /// shapes the distance is rounded to float first.</summary>
         public static long WithinMatrix(Shapes a, Shapes b, double distance, Span<Within> output)
         {
             Query.Matrices call = (wide, x, y, to, row) => Native.WithinMatrix(wide, x, y, distance, to, row);
@@ -114,7 +117,8 @@ namespace Vesica
         }
     }
 
-    /// <summary>How Soft.Suppress chooses. Made by its constructor, it is by intersection over union alone.</summary>
+    /// <summary>How Soft.Suppress chooses. Made by its constructor, it is by intersection over union alone. With float
+    /// shapes parameter and least score are rounded to float first.</summary>
     public sealed class SoftSuppression
     {
         /// <summary>Linear: what has a ratio r above the parameter keeps 1 - r; Gaussian: exp(-r^2 /

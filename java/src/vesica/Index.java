@@ -99,7 +99,10 @@ public final class Index {
     return out;
   }
 
-  /** The items that a single shape touches while it moves, in the index's order. */
+  /**
+   * The items that a single shape touches while it moves, in the index's order. With float shapes the motion is rounded
+   * to float first.
+   */
   public long[] cast(Shapes one, Motion how) {
     Vesica.alike(sets.wide, one.wide);
     double vx = how.vx(), vy = how.vy(), end = how.end();
@@ -109,7 +112,10 @@ public final class Index {
     return out;
   }
 
-  /** The item that a single moving shape touches first, the lowest of several. */
+  /**
+   * The item that a single moving shape touches first, the lowest of several. With float shapes the motion is rounded
+   * to float first.
+   */
   public Optional<Motion.First> castFirst(Shapes one, Motion how) {
     Vesica.alike(sets.wide, one.wide);
     Object out = numbers(5);
@@ -118,7 +124,10 @@ public final class Index {
         checked(Native.indexCastFirst(sets.wide, memory, sets, one, vx, vy, end, out)), sets.count, out);
   }
 
-  /** The k items nearest to a single shape, at most {@code within} away; infinity asks for any. */
+  /**
+   * The k items nearest to a single shape, at most {@code within} away; infinity asks for any. With float shapes {@code
+   * within} is rounded to float first.
+   */
   public Neighbours nearest(Shapes one, int k, double within) {
     Vesica.alike(sets.wide, one.wide);
     if (k < 0) throw new IllegalArgumentException("k is " + k + ", not a count");
@@ -132,7 +141,8 @@ public final class Index {
 
   /**
    * Of each shape of some arrays, the k nearest items: rows of k, one after the other, filled up by -1 at distance
-   * infinity. Where a shape is invalid its row holds -1, and the exception has the result.
+   * infinity. Where a shape is invalid its row holds -1, and the exception has the result. With float shapes {@code
+   * within} is rounded to float first.
    */
   public Neighbours nearestOfEach(int k, double within, Shapes... shapes) {
     Sets asked = new Sets(shapes);
@@ -174,7 +184,8 @@ public final class Index {
 
   /**
    * All pairs of an item of this index and one of another that are at most {@code distance} apart, as {@link #join}
-   * gives them. Of ellipses also those too near to it to tell.
+   * gives them. Of ellipses also those too near to it to tell. With float shapes {@code distance} is rounded to float
+   * first.
    */
   public long[][] joinWithin(Index other, double distance) {
     Vesica.alike(sets.wide, other.sets.wide);

@@ -34,7 +34,7 @@ public final class Measures {
   }
 
   /**
-   * How {@link #suppress} chooses.
+   * How {@link #suppress} chooses. With float shapes threshold and least score are rounded to float first.
    *
    * @param threshold each shape kept has at most this ratio with every better one that was kept
    * @param ratio any but OVER_FIRST and OVER_SECOND
@@ -68,7 +68,7 @@ public final class Measures {
   }
 
   /**
-   * How {@link #suppressSoft} chooses.
+   * How {@link #suppressSoft} chooses. With float shapes parameter and least score are rounded to float first.
    *
    * @param decay LINEAR: what has a ratio r above the parameter keeps its score times 1 - r; GAUSSIAN: times exp(-r^2 /
    *     parameter)
@@ -138,13 +138,19 @@ public final class Measures {
     return Within.of((int) checked(Native.withinF64(kindA, a.numbers(), kindB, b.numbers(), distance)));
   }
 
-  /** Are a[i] and b[i] so near? The values of {@link Within}. Returns how many are, or nearly. */
+  /**
+   * Are a[i] and b[i] so near? The values of {@link Within}. Returns how many are, or nearly. With float shapes {@code
+   * distance} is rounded to float first: 0.1 is then 0.1f.
+   */
   public static long withinMany(Shapes a, Shapes b, double distance, byte[] out) {
     Vesica.room("out", out.length, Vesica.inStep(a, b));
     return checked(Native.withinMany(a.wide, a, b, distance, out));
   }
 
-  /** Is each of a so near to each of b? Element i * b.count() + j is of a[i] and b[j]. */
+  /**
+   * Is each of a so near to each of b? Element i * b.count() + j is of a[i] and b[j]. With float shapes {@code
+   * distance} is rounded to float first.
+   */
   public static long withinMatrix(Shapes a, Shapes b, double distance, byte[] out) {
     Vesica.room("out", out.length, Vesica.pairs(a, b));
     return checked(Native.withinMatrix(a.wide, a, b, distance, out, b.count));

@@ -7,7 +7,7 @@ import java.util.Optional;
 
 /**
  * How a shape moves: by t times a velocity, t from 0 to an end. A ray is a point that moves. Whether there is contact
- * is exact, and times are rounded down.
+ * is exact, and times are rounded down. With float shapes velocity and end are rounded to float first.
  *
  * @param vx the velocity's x
  * @param vy the velocity's y
@@ -68,7 +68,10 @@ public record Motion(double vx, double vy, double end) {
     return new Contact(Cast.of((int) code), Impact.of(out));
   }
 
-  /** Which of many shapes at rest does a single moving one touch first? The lowest of several. */
+  /**
+   * Which of many shapes at rest does a single moving one touch first? The lowest of several. With float shapes the
+   * motion is rounded to float first.
+   */
   public Optional<First> castFirst(Shapes one, Shapes many) {
     Vesica.alike(one.wide, many.wide);
     Object out = one.wide ? new double[5] : new float[5];
@@ -91,7 +94,7 @@ public record Motion(double vx, double vy, double end) {
   /**
    * When, and where, does b[i] touch a[i]? There are as many velocities as shapes in step, or one. Columns may be null,
    * but not all. Of an invalid shape or velocity the numbers are NaN, all others are written, and there is an
-   * exception.
+   * exception. With float shapes {@code end} is rounded to float first.
    *
    * @return how many touch
    */

@@ -267,7 +267,8 @@ public final class Vesica {
 
   /**
    * Greedy suppression: the indices of the shapes kept, best score first. Each has an intersection over union of at
-   * most {@code threshold} with every better one that was kept.
+   * most {@code threshold} with every better one that was kept. With float shapes the threshold is rounded to float
+   * first.
    *
    * @param scores a double[], float[] or direct buffer, as the shapes' numbers
    */
