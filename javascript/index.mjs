@@ -2,7 +2,7 @@
 // All pairs among millions: an index of shapes, joins, windows and nearest shapes.
 import * as constants from './constants.mjs';
 import { indexCastFirst, motionOf } from './motion.mjs';
-import { aabb, scalars, ShapeArray, shapesSize } from './shapes.mjs';
+import { aabb, checkRoom, distanceFor, numbersOf, scalars, ShapeArray, shapesSize } from './shapes.mjs';
 
 const queries = {
   overlap: constants.JOIN_OVERLAP,
@@ -11,6 +11,14 @@ const queries = {
   inside: constants.JOIN_INSIDE,
 };
 const pairsACall = 1 << 14;
+
+/** A part of a join, as C takes it: BigInt would wrap a number that has no place in 64 bits. */
+function partOf(part, parts) {
+  for (const number of [part, parts]) {
+    if (!Number.isSafeInteger(number)) throw new RangeError(`part and parts are whole numbers, not ${String(number)}`);
+  }
+  return [BigInt(part), BigInt(parts)];
+}
 
 function checkSets(sets, scalar, memory) {
   for (const set of sets) {
@@ -27,6 +35,7 @@ export class Index {
   #struct; // the sets' structs, side by side
   #index;
   #size;
+  #builds = 0;
   #blocks = [];
 
   constructor(vesica, sets, bytes = undefined) {
@@ -102,6 +111,7 @@ export class Index {
   /** The index of the arrays as they are now, in the place of this one: from the second time on no memory is taken. */
   rebuild() {
     this.#operands();
+    ++this.#builds;
     const vesica = this.#vesica, size = vesica.check(vesica.c.vesica_index_size(BigInt(this.length)));
     if (this.#size < size) {
       const [, block] = this.#blocks, place = vesica.memory.take(size);
@@ -164,33 +174,36 @@ export class Index {
   forEachPair(found, { with: other = this, query = 'overlap', part = 0, parts = 1 } = {}) {
     if (typeof found !== 'function') throw new TypeError('what is to be called for each pair is a function');
     this.#vesica.inRoom((room) => {
-      this.#eachPair(this.#joining(other, query, part, parts, room), room, found);
+      this.#eachPair(this.#joining(other, query, part, parts, room), room, found, other);
     });
   }
 
   joinWithin(distance, { with: other = this, part = 0, parts = 1 } = {}) {
-    if (typeof distance !== 'number') throw new TypeError('a distance is a number, which may be Infinity');
-    const pairs = { a: [], b: [] };
+    const pairs = { a: [], b: [] }, far = distanceFor(distance, this.scalar), asked = partOf(part, parts);
     this.#vesica.inRoom((room) => {
       const ask = this.#vesica.c[`vesica_join_within_${this.scalar}`];
-      const call = (...output) => ask(...this.#both(other), distance, BigInt(part), BigInt(parts), ...output);
-      this.#eachPair(call, room, (a, b) => {
+      const call = (...output) => ask(...this.#both(other), far, ...asked, ...output);
+      const add = (a, b) => {
         pairs.a.push(a);
         pairs.b.push(b);
-      });
+      };
+      this.#eachPair(call, room, add, other);
     });
     return pairs;
   }
 
   /**
-   * found(a, b) for each pair that a join writes in as many calls as it takes. As `found` may free what is joined, each
-   * call makes sure that it is there.
+   * found(a, b) for each pair that a join writes in as many calls as it takes. As `found` may free what is joined, or
+   * build it anew, each call makes sure that it is there and is what it was.
    */
-  #eachPair(call, room, found) {
-    const { memory } = this.#vesica;
+  #eachPair(call, room, found, other) {
+    const { memory } = this.#vesica, built = this.#builds, builtOther = other?.#builds;
     const [a, b, state] = [8 * pairsACall, 8 * pairsACall, 32].map((size) => room.take(size));
     new BigInt64Array(memory.buffer, state, 4).fill(0n);
     while (new BigInt64Array(memory.buffer, state, 1)[0] !== -1n) {
+      if (this.#builds !== built || other.#builds !== builtOther) {
+        throw new TypeError('an index was built anew while its pairs were handed out');
+      }
       const count = this.#vesica.check(call(a, b, BigInt(pairsACall), state));
       // Items are below 2^31, and WebAssembly is little-endian: the lower halves are the items. A copy, as `found` may
       // make the memory grow.
@@ -218,7 +231,7 @@ export class Index {
   #joining(other, query, part, parts, room) {
     if (!Object.hasOwn(queries, query)) throw new TypeError(`query is one of ${Object.keys(queries).join(', ')}`);
     const vesica = this.#vesica, size = vesica.check(vesica.c.vesica_join_scratch()), scratch = room.take(size);
-    const how = [BigInt(part), BigInt(parts), scratch, BigInt(size)];
+    const how = [...partOf(part, parts), scratch, BigInt(size)];
     const ask = vesica.c[`vesica_join_${this.scalar}`];
     return (...output) => ask(queries[query], ...this.#both(other), ...how, ...output);
   }
@@ -254,11 +267,12 @@ export class Index {
 
   nearest(shape, { k = 1, within = Infinity } = {}) {
     if (!(Number.isInteger(k) && k >= 0)) throw new RangeError(`k is a whole number, not ${k}`);
+    const far = distanceFor(within, this.scalar);
     return this.#ofShape(shape, (operands, room) => {
       if (k === 0) return { items: [], distances: [] };
       const Numbers = scalars[this.scalar], out = room.take(8 * k), distance = room.take(8 * k);
       const call = this.#vesica.c[`vesica_index_nearest_${this.scalar}`];
-      const found = this.#vesica.check(call(...operands, BigInt(k), within, out, distance));
+      const found = this.#vesica.check(call(...operands, BigInt(k), far, out, distance));
       return {
         items: Array.from(new BigInt64Array(this.#vesica.memory.buffer, out, found), Number),
         distances: Array.from(new Numbers(this.#vesica.memory.buffer, distance, found)),
@@ -269,13 +283,14 @@ export class Index {
   nearestOfEach(sets, { k = 1, within = Infinity } = {}) {
     if (!(Number.isInteger(k) && k >= 1)) throw new RangeError(`k is a whole number from 1 on, not ${k}`);
     checkSets(sets, this.scalar, this.#vesica.memory);
+    const far = distanceFor(within, this.scalar);
     return this.#vesica.inRoom((room) => {
       const Numbers = scalars[this.scalar], count = k * sets.reduce((sum, set) => sum + set.length, 0);
       const asked = room.take(sets.length * shapesSize), out = room.take(8 * count), distance = room.take(8 * count);
       this.#writeStructs(sets, asked);
       const code = this.#vesica.c[`vesica_join_nearest_${this.scalar}`](
         ...[asked, sets.length, ...this.#operands()],
-        ...[BigInt(k), within, 0n, 1n, out, distance],
+        ...[BigInt(k), far, 0n, 1n, out, distance],
       );
       return this.#vesica.finish(Number(code), {
         items: Array.from(new BigInt64Array(this.#vesica.memory.buffer, out, count), Number),
@@ -286,7 +301,8 @@ export class Index {
 
   /** call(arguments for the index and the shape, room). */
   #ofShape(shape, call) {
-    const one = this.#vesica.shapes(shape?.kind, [shape], { scalar: this.scalar });
+    checkRoom(numbersOf(shape, this.scalar), this.scalar);
+    const one = this.#vesica.shapes(shape.kind, [shape], { scalar: this.scalar });
     try {
       return this.#vesica.inRoom((room) => call([...this.#operands(), one.address], room));
     } finally {

@@ -78,13 +78,28 @@ export function labelNumbers(labels, boxes) {
   });
 }
 
+/**
+ * Scores and the least one, or where the boxes' type would round any of them, their ranks: so unequal scores stay
+ * unequal. What is below the least one comes below all ranks.
+ */
+function inOrder(scores, least, scalar) {
+  const values = Float64Array.from(scores), isKept = (x) => Number.isNaN(x) || Math.fround(x) === x;
+  if (scalar === 'f64' || Number.isNaN(least) || (isKept(least) && values.every(isKept))) return [values, least];
+  const sorted = Float64Array.from(new Set(values.filter((x) => !Number.isNaN(x)))).sort();
+  const rank = new Map(Array.from(sorted, (value, i) => [value, i]));
+  return [values.map((x) => (Number.isNaN(x) ? NaN : x < least ? -Infinity : rank.get(x))), -1];
+}
+
 export function nms(vesica, boxes, scores, threshold = 0.5, options = {}) {
   const { ratio = 'over_union', leastScore = -Infinity, most = boxes?.length } = options;
   if (!(boxes instanceof ShapeArray)) throw new TypeError('boxes are an array of shapes, as shapes() makes it');
   const n = boxes.length, Scores = scalars[boxes.scalar], which = ratioNumber(ratio);
   const shapes = boxes.addressIn(vesica.memory, 'the array of boxes');
   oneEach('scores', scores, boxes);
-  const given = vesica.memory.apart(scores), labels = labelNumbers(options.labels, boxes);
+  if (![threshold, leastScore].every((x) => typeof x === 'number')) {
+    throw new TypeError('threshold and leastScore are numbers');
+  }
+  const [given, least] = inOrder(scores, leastScore, boxes.scalar), labels = labelNumbers(options.labels, boxes);
   if (!(Number.isInteger(most) && most >= 0)) throw new RangeError(`most is a whole number, not ${String(most)}`);
   return vesica.inRoom((room) => {
     const size = vesica.check(vesica.c.vesica_nms_scratch(BigInt(n))), { memory } = vesica;
@@ -94,7 +109,7 @@ export function nms(vesica, boxes, scores, threshold = 0.5, options = {}) {
     if (labels !== undefined) new Int32Array(memory.buffer, labelsAt, n).set(labels);
     new BigInt64Array(memory.buffer, kept, 1)[0] = 0n;
     const code = vesica.c[`vesica_suppress_${boxes.scalar}`](
-      ...[shapes, at, labels === undefined ? 0 : labelsAt, which, threshold, leastScore],
+      ...[shapes, at, labels === undefined ? 0 : labelsAt, which, threshold, least],
       ...[BigInt(Math.min(most, n)), scratch, BigInt(size), keep, kept],
     );
     const count = Number(new BigInt64Array(memory.buffer, kept, 1)[0]);

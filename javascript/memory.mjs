@@ -16,10 +16,11 @@ export function bytesOf(given) {
   throw new TypeError('bytes are an ArrayBuffer or a Uint8Array');
 }
 
-/** Blocks of a module's memory: the first that is large enough, else new pages at the end. */
+/** Blocks of a module's memory: one that is large enough, from where the last was on, else new pages at the end. */
 export class Memory {
   #memory;
   #free = []; // [start, end) each, ascending, never side by side
+  #from = 0; // where in that list the last block was found
   #doubles = new Float64Array(0);
 
   #scratch = 0;
@@ -72,8 +73,9 @@ export class Memory {
   /** The address of `size` bytes. */
   take(size) {
     const wanted = rounded(size);
-    let i = this.#free.findIndex(([start, end]) => end - start >= wanted);
+    let i = this.#find(wanted);
     if (i < 0) i = this.#grow(wanted);
+    this.#from = i;
     const block = this.#free[i];
     const address = block[0];
     block[0] += wanted;
@@ -81,10 +83,29 @@ export class Memory {
     return address;
   }
 
+  /** The place in the list of a block of `wanted` bytes or more, or -1. */
+  #find(wanted) {
+    const { length } = this.#free;
+    for (let n = 0; n < length; ++n) {
+      const i = (this.#from + n) % length, [start, end] = this.#free[i];
+      if (end - start >= wanted) return i;
+    }
+    return -1;
+  }
+
+  /** How many free blocks begin below an address. */
+  #below(address) {
+    let low = 0, high = this.#free.length;
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (this.#free[middle][0] < address) low = middle + 1;
+      else high = middle;
+    }
+    return low;
+  }
+
   give(address, size) {
-    const end = address + rounded(size);
-    let i = this.#free.findIndex(([start]) => start > address);
-    if (i < 0) i = this.#free.length;
+    const end = address + rounded(size), i = this.#below(address);
     this.#free.splice(i, 0, [address, end]);
     this.#joinWithNext(i);
     if (i > 0) this.#joinWithNext(i - 1);

@@ -15,6 +15,13 @@ export const kinds = Object.freeze(Object.keys(fields));
 export const shapesSize = 48;
 export const scalars = Object.freeze({ f64: Float64Array, f32: Float32Array });
 
+/** Numbers that are rounded to the scalar type of an array: none may become infinite by that. */
+export function checkRoom(numbers, scalar) {
+  const far = scalar === 'f32' ? numbers.find((x) => Number.isFinite(x) && !Number.isFinite(Math.fround(x))) : undefined;
+  if (far !== undefined) throw new RangeError(`${far} is above the greatest float32, and the array is of f32`);
+  return numbers;
+}
+
 /** Cosine and sine of an angle; in degrees, whole quarter turns are taken out first, which is exact. */
 function axis(angle, degrees) {
   if (!degrees) return [Math.cos(angle), Math.sin(angle)];
@@ -73,6 +80,13 @@ export function numbersOf(shape, scalar = 'f64') {
   throw new TypeError(`a ${shape.kind} has numbers ${names.join(', ')}; missing: ${missing.join(', ')}`);
 }
 
+/** A distance beside shapes of a scalar type. */
+export function distanceFor(distance, scalar) {
+  if (typeof distance !== 'number') throw new TypeError('a distance is a number, which may be Infinity');
+  checkRoom([distance], scalar);
+  return distance;
+}
+
 /** All numbers of some shapes, one after the other, from any way to give them, for an array of a scalar type. */
 export function flat(kind, source, scalar) {
   const count = fields[kinds[kindNumber(kind)]].length;
@@ -94,6 +108,7 @@ export function flat(kind, source, scalar) {
  */
 export class ShapeArray {
   #memory;
+  #length;
   #free;
 
   /** Made by Vesica.shapes(). free: what gives the memory back. */
@@ -103,7 +118,7 @@ export class ShapeArray {
     this.#free = free;
     this.kind = kind;
     this.scalar = scalar;
-    this.length = count;
+    this.#length = count;
     this.address = address; // of the vesica_shapes struct
   }
 
@@ -113,6 +128,10 @@ export class ShapeArray {
     // In another module's memory the address would be that of something else.
     if (this.#memory !== memory) throw new TypeError(`${name} is of another load()`);
     return this.address;
+  }
+
+  get length() {
+    return this.#length;
   }
 
   get numbers() {
@@ -131,7 +150,7 @@ export class ShapeArray {
 
   /** Gives the memory back now, not when it is collected. Whatever uses it afterwards throws a TypeError. */
   free() {
-    this.length = 0;
+    this.#length = 0;
     this.address = 0;
     this.#free();
   }

@@ -3,7 +3,10 @@ import type { C } from './c.js';
 export type { C };
 
 export type Kind = 'point' | 'segment' | 'circle' | 'aabb' | 'rect' | 'ellipse';
-/** float64 or float32 numbers. Both are exact; float32 takes half the memory. */
+/**
+ * float64 or float32 numbers. Both are exact; float32 takes half the memory. Beside an array of float32, plain shapes,
+ * distances, times, velocities and thresholds are rounded to float32 first; what would become infinite is a RangeError.
+ */
 export type Scalar = 'f64' | 'f32';
 
 /** A location. */
@@ -155,7 +158,7 @@ export class Index {
   readonly bytes: Uint8Array;
   /** All pairs for which the query holds, each once. */
   join(options?: Joining): { a: number[]; b: number[] };
-  /** The same, pair by pair, without arrays of them. */
+  /** The same, pair by pair, without arrays of them. `found` may not rebuild an index of the two. */
   forEachPair(found: (a: number, b: number) => void, options?: Joining): void;
   joinCount(options?: Joining): number;
   /** All pairs at most `distance` apart. Of ellipses also those too near to it to tell. */

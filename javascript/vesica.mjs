@@ -5,8 +5,8 @@ import { Index } from './index.mjs';
 import * as measures from './measures.mjs';
 import { bytesOf, Memory, Room } from './memory.mjs';
 import * as motion from './motion.mjs';
-import { fields, flat, kindNumber, kinds, numbersOf, scalars, ShapeArray, shapesSize } from './shapes.mjs';
-import { aabb, circle, ellipse, point, rect, segment } from './shapes.mjs';
+import { checkRoom, distanceFor, fields, flat, kindNumber, kinds, numbersOf, scalars } from './shapes.mjs';
+import { aabb, circle, ellipse, point, rect, segment, ShapeArray, shapesSize } from './shapes.mjs';
 import * as topology from './topology.mjs';
 
 const { casts } = motion, { ratios } = measures, { withins } = topology;
@@ -72,6 +72,9 @@ export async function load({ only = undefined, module = undefined, simd = WebAss
 
 const isArray = (shapes) => shapes instanceof ShapeArray;
 
+/** The struct of an array is before its numbers, which begin where a block does. */
+const structSize = 64;
+
 /** Whether numbers of arrays are there. As counts agree, an argument is wrong only where there is no ratio, but NaN. */
 const isWritten = (name, code) =>
   code >= 0 || code === constants.E_SHAPE || ((name === 'iou' || name === 'ratio') && code === constants.E_ARGUMENT);
@@ -105,10 +108,8 @@ export class Vesica {
     const count = numbers === null ? source : numbers.length / width;
     if (!(Number.isInteger(count) && count >= 0)) throw new RangeError(`a count is a whole number, not ${source}`);
     const stride = width * scalars[scalar].BYTES_PER_ELEMENT;
-    const blocks = [[this.#memory.take(shapesSize), shapesSize]];
-    const [address] = blocks[0];
-    const base = this.#memory.take(count * stride);
-    blocks.push([base, count * stride]);
+    const size = structSize + count * stride, address = this.#memory.take(size), base = address + structSize;
+    const blocks = [[address, size]];
     this.check(this.c[`vesica_shapes_from_records_${scalar}`](kindNumber(kind), BigInt(count), base, stride, address));
     const free = () => this.release(made, blocks);
     const made = new ShapeArray(this.#memory, kind, scalar, count, address, base, free);
@@ -158,10 +159,11 @@ export class Vesica {
     return this.#numbers('iou', ['iou'], a, b);
   }
   within(a, b, distance, options) {
-    return this.#codes('within', a, b, options, (code) => topology.withins[code], this.#distance(distance));
+    const far = distanceFor(distance, [a, b].find(isArray)?.scalar);
+    return this.#codes('within', a, b, options, (code) => topology.withins[code], far);
   }
   withinMatrix(a, b, distance) {
-    return this.#matrix('within', Uint8Array, a, b, [], [this.#distance(distance)]);
+    return this.#matrix('within', Uint8Array, a, b, [], [distanceFor(distance, a?.scalar)]);
   }
   signedDistance(a, b) {
     return this.#numbers('signed_distance', ['distance'], a, b);
@@ -348,17 +350,12 @@ export class Vesica {
   }
 
   #struct(shape, scalar, room) {
-    const numbers = numbersOf(shape, scalar), Numbers = scalars[scalar];
+    const numbers = checkRoom(numbersOf(shape, scalar), scalar), Numbers = scalars[scalar];
     const base = room.take(8 * numbers.length), address = room.take(shapesSize);
     new Numbers(this.#memory.buffer, base, numbers.length).set(numbers);
     const stride = numbers.length * Numbers.BYTES_PER_ELEMENT;
     this.check(this.c[`vesica_shapes_from_records_${scalar}`](kindNumber(shape.kind), 1n, base, stride, address));
     return address;
-  }
-
-  #distance(distance) {
-    if (typeof distance === 'number') return distance;
-    throw new TypeError('a distance is a number, which may be Infinity');
   }
 
   /** How many results two operands in step have. */

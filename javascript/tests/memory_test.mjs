@@ -170,6 +170,34 @@ test('what is freed while pairs are handed out', () => {
   over('index');
 });
 
+test('an index that is built anew while pairs are handed out', () => {
+  const many = library.shapes('circle', Array.from({ length: 300 }, () => disc)), index = library.index(many);
+  const others = library.index(many);
+  for (const rebuilt of [index, others]) {
+    let pairs = 0;
+    assert.throws(() => index.forEachPair(() => ++pairs === 1 && rebuilt.rebuild(), { with: others }), /built anew/);
+    assert.ok(pairs > 1 && pairs < 300 * 300, `${pairs} pairs`);
+  }
+  assert.equal(index.joinCount(), (300 * 299) / 2);
+});
+
+test('what does not fit takes nothing, and small blocks are found again', async () => {
+  const vesica = await load();
+  vesica.shapes('point', 1);
+  const before = vesica.c.memory.buffer.byteLength;
+  for (let i = 0; i < 5000; ++i) assert.throws(() => vesica.shapes('point', 2 ** 40), /no room/);
+  assert.equal(vesica.c.memory.buffer.byteLength, before);
+  const many = Array.from({ length: 3000 }, (_, i) => vesica.shapes('point', 1 + (i % 7)));
+  many.forEach((array, i) => i % 2 === 0 && array.free());
+  const { byteLength } = vesica.c.memory.buffer;
+  const again = many.map((array, i) => (i % 2 === 0 ? vesica.shapes('point', 1 + (i % 7)) : array));
+  again.forEach((array, i) => array.numbers.fill(i));
+  again.forEach((array, i) => assert.ok(array.numbers.every((number) => number === i)));
+  assert.equal(vesica.c.memory.buffer.byteLength, byteLength);
+  again.forEach((array) => array.free());
+  assert.ok(byteLength < 40 * 65536, `${byteLength} bytes`);
+});
+
 test('an array or an index of another load()', () => {
   const foreign = other.shapes('rect', some);
   areRefused(usesOfArrays(library, live, liveIndex), live, foreign, /another load/);

@@ -3,7 +3,8 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { aabb, circle, ellipse, fields, kinds, load, point, rect, relations, segment, VesicaError } from 'vesica';
+import { aabb, circle, constants, ellipse, fields, kinds, load, point, rect, relations, segment } from 'vesica';
+import { VesicaError } from 'vesica';
 
 const vesica = await load();
 const a = aabb(0, 0, 2, 2), b = aabb(1, 1, 3, 3), inner = circle(1, 1, 0.5), away = circle(6, 1, 1);
@@ -322,4 +323,50 @@ test('the vectors that every host answers', () => {
     ++calls;
   }
   assert.ok(calls > 150);
+});
+
+test('scores of float32 boxes are ranked as they are', () => {
+  const boxes = [aabb(0, 0, 2, 2), aabb(0, 0, 2, 2), aabb(9, 0, 10, 1)];
+  for (const scalar of ['f64', 'f32']) {
+    const many = vesica.shapes('aabb', boxes, { scalar }), scores = [0.9, 0.9 + 1e-12, 0.1];
+    assert.deepEqual(vesica.nms(many, scores), [1, 2]);
+    assert.deepEqual(vesica.nms(many, scores, 0.5, { leastScore: 0.9 + 1e-13 }), [1]);
+    assert.deepEqual(vesica.nms(many, [0.5, 0.25, 0.5], 0.5, { leastScore: 0.5 + 1e-12 }), []);
+    assert.deepEqual(vesica.nms(many, [-0, 0, 1e-50]), [2, 0]);
+    for (const wrong of [{ leastScore: NaN }, { leastScore: null }]) {
+      assert.throws(() => vesica.nms(many, scores, 0.5, wrong), scalar);
+    }
+    assert.throws(() => vesica.nms(many, [0.9, NaN, 0.1]), { code: constants.E_SHAPE });
+    assert.throws(() => vesica.nms(many, scores, null), /numbers/);
+  }
+});
+
+test('what float32 has no number for, beside an array of it', () => {
+  const discs = vesica.shapes('circle', [circle(0, 0, 1)], { scalar: 'f32' }), index = vesica.index(discs);
+  const calls = [
+    () => vesica.overlap(discs, point(1e39, 0)),
+    () => vesica.within(discs, point(0, 0), 5e38),
+    () => vesica.withinMatrix(discs, discs, 5e38),
+    () => index.select(point(0, -1e39)),
+    () => index.nearest(point(0, 0), { within: 5e38 }),
+    () => index.nearestOfEach([discs], { within: 5e38 }),
+    () => index.joinWithin(5e38),
+  ];
+  for (const call of calls) assert.throws(call, { name: 'RangeError', message: /above the greatest float32/ });
+  assert.deepEqual([...vesica.within(discs, point(1e9, 0), Infinity)], [1]);
+  assert.throws(() => index.nearest(point(0, 0), { within: null }), TypeError);
+  assert.throws(() => index.select(null), TypeError);
+});
+
+test('parts that have no place in 64 bits', () => {
+  const index = vesica.index(vesica.shapes('circle', [circle(0, 0, 1), circle(1, 0, 1)]));
+  for (const how of [{ parts: 2 ** 64 + 4096 }, { part: 2 ** 64 }, { part: 0.5 }, { parts: null }]) {
+    for (const call of [() => index.join(how), () => index.joinCount(how), () => index.joinWithin(1, how)]) {
+      assert.throws(call, { name: 'RangeError', message: /whole numbers/ });
+    }
+  }
+  assert.throws(() => vesica.index(vesica.shapes('point', 1)).join({ part: 1 }), { code: constants.E_ARGUMENT });
+  const array = vesica.shapes('point', 3);
+  assert.throws(() => (array.length = 5), TypeError);
+  assert.equal(array.length, 3);
 });
