@@ -2,7 +2,7 @@
 // All pairs among millions: an index of shapes, joins, windows and nearest shapes.
 import * as constants from './constants.mjs';
 import { indexCastFirst, motionOf } from './motion.mjs';
-import { aabb, checkRoom, distanceFor, numbersOf, scalars, ShapeArray, shapesSize } from './shapes.mjs';
+import { aabb, distanceFor, scalars, ShapeArray, shapesSize } from './shapes.mjs';
 
 const queries = {
   overlap: constants.JOIN_OVERLAP,
@@ -241,11 +241,11 @@ export class Index {
   }
 
   cast(shape, velocity, options) {
-    return this.#items('cast', shape, ...motionOf(velocity, options));
+    return this.#items('cast', shape, ...motionOf(velocity, options, this.scalar));
   }
 
   castFirst(shape, velocity, options) {
-    const motion = motionOf(velocity, options);
+    const motion = motionOf(velocity, options, this.scalar);
     return this.#ofShape(shape, (operands, room) => {
       const call = this.#vesica.c[`vesica_index_cast_first_${this.scalar}`];
       const ask = (out) => call(...operands, ...motion, out);
@@ -301,8 +301,7 @@ export class Index {
 
   /** call(arguments for the index and the shape, room). */
   #ofShape(shape, call) {
-    checkRoom(numbersOf(shape, this.scalar), this.scalar);
-    const one = this.#vesica.shapes(shape.kind, [shape], { scalar: this.scalar });
+    const one = this.#vesica.shapes(shape?.kind, [shape], { scalar: this.scalar });
     try {
       return this.#vesica.inRoom((room) => call([...this.#operands(), one.address], room));
     } finally {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shapes that move, for Vesica and Index, whose methods these are.
 import * as constants from './constants.mjs';
-import { aabb, scalars, ShapeArray } from './shapes.mjs';
+import { aabb, checkRoom, scalars, ShapeArray } from './shapes.mjs';
 
 /** Names of what a cast finds, by its numbers; the last is impactTime's alone. */
 export const casts = Object.freeze(['miss', 'hit', 'start', 'near']);
@@ -15,10 +15,10 @@ function named(what, given, names) {
   throw new TypeError(`a ${what} is an array of ${names.length} numbers, [${names.join(', ')}]`);
 }
 
-const pair = (velocity) => named('velocity', velocity, ['vx', 'vy']);
+const pair = (velocity, scalar) => checkRoom(named('velocity', velocity, ['vx', 'vy']), scalar);
 
-function time(tEnd) {
-  if (typeof tEnd === 'number') return tEnd;
+function time(tEnd, scalar) {
+  if (typeof tEnd === 'number') return checkRoom([tEnd], scalar)[0];
   throw new TypeError('tEnd is a number, which may be Infinity');
 }
 
@@ -55,15 +55,15 @@ export function impactTime(vesica, a, turnA, b, turnB, tolerance) {
 }
 
 /** The addresses of vx and vy, and the bytes from one velocity to the next. */
-function velocities(vesica, [vx, vy], Numbers, count, room) {
-  const width = Numbers.BYTES_PER_ELEMENT;
+function velocities(vesica, [vx, vy], scalar, count, room) {
+  const Numbers = scalars[scalar], width = Numbers.BYTES_PER_ELEMENT;
   const single = typeof vx === 'number' && typeof vy === 'number', length = single ? 1 : count;
   if (!single && !(vx?.length === count && vy?.length === count)) {
     throw new TypeError(`a velocity is two numbers, or two arrays of ${count} numbers`);
   }
   const addresses = [vx, vy].map((numbers) => {
     const address = room.take(length * width);
-    new Numbers(vesica.memory.buffer, address, length).set(single ? [numbers] : numbers);
+    new Numbers(vesica.memory.buffer, address, length).set(checkRoom(single ? [numbers] : numbers, scalar));
     return address;
   });
   return [...addresses, single ? 0 : width];
@@ -75,9 +75,9 @@ function castMany(vesica, a, b, velocity, tEnd) {
   return vesica.inRoom((room) => {
     const { scalar, a: first, b: second, counts } = vesica.operands(a, b, room);
     const Numbers = scalars[scalar], count = vesica.inStep(counts);
-    const moving = velocities(vesica, given, Numbers, count, room);
+    const moving = velocities(vesica, given, scalar, count, room);
     const columns = impactFields.map(() => room.take(count * Numbers.BYTES_PER_ELEMENT));
-    const code = Number(vesica.c[`vesica_cast_many_${scalar}`](first, second, ...moving, tEnd, ...columns));
+    const code = Number(vesica.c[`vesica_cast_many_${scalar}`](first, second, ...moving, time(tEnd, scalar), ...columns));
     const arrays = columns.map((address) => new Numbers(vesica.memory.buffer, address, count).slice());
     const written = [constants.E_SHAPE, constants.E_ARGUMENT, constants.E_RANGE].includes(code);
     return vesica.finish(code, impactOf(arrays), written);
@@ -89,10 +89,10 @@ const firstOf = ([item, numbers], none) => (item === none ? null : { item, ...im
 
 export function castFirst(vesica, one, many, velocity, { tEnd = Infinity } = {}) {
   if (!(many instanceof ShapeArray)) throw new TypeError('many is an array of shapes, as shapes() makes it');
-  const [vx, vy] = pair(velocity);
+  const [vx, vy] = pair(velocity, many.scalar);
   return vesica.inRoom((room) => {
     const { scalar, a, b } = vesica.operands(one, many, room);
-    const call = (out) => vesica.c[`vesica_cast_first_${scalar}`](a, b, vx, vy, time(tEnd), out);
+    const call = (out) => vesica.c[`vesica_cast_first_${scalar}`](a, b, vx, vy, time(tEnd, scalar), out);
     return firstOf(withImpact(vesica, room, scalar, call), many.length);
   });
 }
@@ -107,7 +107,8 @@ export function sweepBounds(vesica, shape, velocity, tEnd) {
 }
 
 /** The arguments of a cast after the moving shape. */
-export const motionOf = (velocity, { tEnd = Infinity } = {}) => [...pair(velocity), time(tEnd)];
+export const motionOf = (velocity, { tEnd = Infinity } = {}, scalar) =>
+  [...pair(velocity, scalar), time(tEnd, scalar)];
 
 export function indexCastFirst(vesica, scalar, room, length, call) {
   return firstOf(withImpact(vesica, room, scalar, call), length);

@@ -17,7 +17,8 @@ export const scalars = Object.freeze({ f64: Float64Array, f32: Float32Array });
 
 /** Numbers that are rounded to the scalar type of an array: none may become infinite by that. */
 export function checkRoom(numbers, scalar) {
-  const far = scalar === 'f32' ? numbers.find((x) => Number.isFinite(x) && !Number.isFinite(Math.fround(x))) : undefined;
+  if (scalar !== 'f32') return numbers;
+  const far = [].find.call(numbers, (x) => Number.isFinite(x) && !Number.isFinite(Math.fround(x)));
   if (far !== undefined) throw new RangeError(`${far} is above the greatest float32, and the array is of f32`);
   return numbers;
 }
@@ -74,7 +75,7 @@ export function numbersOf(shape, scalar = 'f64') {
   const names = fields[kinds[kindNumber(shape?.kind)]];
   const numbers = names.map((name) => shape[name]);
   if (numbers.every((number) => typeof number === 'number')) {
-    return scalar === 'f32' && shape.kind === 'rect' ? rectInFloat(numbers) : numbers;
+    return checkRoom(scalar === 'f32' && shape.kind === 'rect' ? rectInFloat(numbers) : numbers, scalar);
   }
   const missing = names.filter((_, i) => typeof numbers[i] !== 'number');
   throw new TypeError(`a ${shape.kind} has numbers ${names.join(', ')}; missing: ${missing.join(', ')}`);

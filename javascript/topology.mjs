@@ -2,7 +2,7 @@
 // How the parts of two single shapes meet, and soft suppression. For Vesica, whose methods these are.
 import * as constants from './constants.mjs';
 import { labelNumbers, oneEach, ratioNumber } from './measures.mjs';
-import { scalars, ShapeArray } from './shapes.mjs';
+import { checkRoom, scalars, ShapeArray } from './shapes.mjs';
 
 /** Names of what `within` answers, by the numbers that arrays have. */
 export const withins = Object.freeze(['no', 'yes', 'nearly']);
@@ -53,7 +53,11 @@ export function nmsSoft(vesica, boxes, scores, parameter = 0.5, options = {}) {
   const n = boxes.length, Scores = scalars[boxes.scalar], which = ratioNumber(ratio);
   const shapes = boxes.addressIn(vesica.memory, 'the array of boxes');
   oneEach('scores', scores, boxes);
-  const given = vesica.memory.apart(scores), labels = labelNumbers(options.labels, boxes);
+  if (![parameter, leastScore].every((x) => typeof x === 'number')) {
+    throw new TypeError('parameter and leastScore are numbers');
+  }
+  checkRoom([parameter, leastScore], boxes.scalar);
+  const given = vesica.memory.apart(checkRoom(scores, boxes.scalar)), labels = labelNumbers(options.labels, boxes);
   if (!(Number.isInteger(most) && most >= 0)) throw new RangeError(`most is a whole number, not ${String(most)}`);
   return vesica.inRoom((room) => {
     const size = vesica.check(vesica.c.vesica_suppress_soft_scratch(BigInt(n))), { memory } = vesica;

@@ -5,7 +5,8 @@ export type { C };
 export type Kind = 'point' | 'segment' | 'circle' | 'aabb' | 'rect' | 'ellipse';
 /**
  * float64 or float32 numbers. Both are exact; float32 takes half the memory. Beside an array of float32, plain shapes,
- * distances, times, velocities and thresholds are rounded to float32 first; what would become infinite is a RangeError.
+ * distances, times, velocities, thresholds and the scores of nmsSoft are rounded to float32 first, and answers are exact
+ * of what that gives; what would become infinite is a RangeError.
  */
 export type Scalar = 'f64' | 'f32';
 
@@ -192,8 +193,8 @@ export class Index {
 /**
  * The library. Two plain objects give one answer, in double; if one operand is an array, an array of answers comes, in
  * step, with one shape repeated. Touching counts as overlap. Yes or no, relations and counts are exact for every valid
- * input. An invalid shape is a VesicaError. What is given to be read, such as numbers or scores, may be a view of the
- * module's memory.
+ * input, beside arrays of float32 as it is rounded: see Scalar. An invalid shape is a VesicaError. What is given to be
+ * read, such as numbers or scores, may be a view of the module's memory.
  */
 export class Vesica {
   private constructor();
@@ -206,7 +207,8 @@ export class Vesica {
   /**
    * An array from numbers one after the other, from plain objects of that kind, or of a count, with all numbers 0. Of a
    * plain rectangle in float32 the whole sizes are rounded to float32; if halving one would round again, the axis is
-   * halved instead, as by rect().
+   * halved instead, as by rect(). Numbers that are not of plain objects are as in a Float32Array: infinite where float32
+   * has none so great, and then the shape is invalid.
    */
   shapes(
     kind: Kind,
@@ -321,7 +323,7 @@ export class Vesica {
   bounds(shape: Shape): Aabb;
   /** Why a shape is invalid, or null. */
   invalidity(shape: Shape): string | null;
-  /** Greedy suppression: the indices kept, best score first. */
+  /** Greedy suppression: the indices kept, best score first. Scores are not rounded, also beside f32 boxes. */
   nms(boxes: ShapeArray, scores: ArrayLike<number>, threshold?: number, options?: Suppression): number[];
   /**
    * Soft suppression: the indices as they are taken, and the scores that were left then. What has a ratio r with one

@@ -5,7 +5,7 @@ import { Index } from './index.mjs';
 import * as measures from './measures.mjs';
 import { bytesOf, Memory, Room } from './memory.mjs';
 import * as motion from './motion.mjs';
-import { checkRoom, distanceFor, fields, flat, kindNumber, kinds, numbersOf, scalars } from './shapes.mjs';
+import { distanceFor, fields, flat, kindNumber, kinds, numbersOf, scalars } from './shapes.mjs';
 import { aabb, circle, ellipse, point, rect, segment, ShapeArray, shapesSize } from './shapes.mjs';
 import * as topology from './topology.mjs';
 
@@ -350,7 +350,7 @@ export class Vesica {
   }
 
   #struct(shape, scalar, room) {
-    const numbers = checkRoom(numbersOf(shape, scalar), scalar), Numbers = scalars[scalar];
+    const numbers = numbersOf(shape, scalar), Numbers = scalars[scalar];
     const base = room.take(8 * numbers.length), address = room.take(shapesSize);
     new Numbers(this.#memory.buffer, base, numbers.length).set(numbers);
     const stride = numbers.length * Numbers.BYTES_PER_ELEMENT;

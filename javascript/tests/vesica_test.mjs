@@ -351,11 +351,27 @@ test('what float32 has no number for, beside an array of it', () => {
     () => index.nearest(point(0, 0), { within: 5e38 }),
     () => index.nearestOfEach([discs], { within: 5e38 }),
     () => index.joinWithin(5e38),
+    () => vesica.shapes('point', [point(1e39, 0)], { scalar: 'f32' }),
+    () => vesica.shapes('rect', [rect(0, 0, 1e39, 1)], { scalar: 'f32' }),
+    () => vesica.cast(discs, point(9, 0), [-1e39, 0]),
+    () => vesica.cast(discs, point(9, 0), [[-1], { length: 1, 0: 1e39 }]),
+    () => vesica.cast(discs, point(9, 0), [-1, 0], { tEnd: 1e39 }),
+    () => vesica.castFirst(point(9, 0), discs, [0, 1e39]),
+    () => vesica.castFirst(point(9, 0), discs, [-1, 0], { tEnd: 1e39 }),
+    () => index.cast(point(9, 0), [0, 1e39]),
+    () => index.castFirst(point(9, 0), [-1, 0], { tEnd: 1e39 }),
+    () => vesica.nmsSoft(discs, [1e39]),
+    () => vesica.nmsSoft(discs, [1], 1e39, { decay: 'gaussian' }),
+    () => vesica.nmsSoft(discs, [1], 0.5, { leastScore: 1e39 }),
   ];
   for (const call of calls) assert.throws(call, { name: 'RangeError', message: /above the greatest float32/ });
   assert.deepEqual([...vesica.within(discs, point(1e9, 0), Infinity)], [1]);
   assert.throws(() => index.nearest(point(0, 0), { within: null }), TypeError);
   assert.throws(() => index.select(null), TypeError);
+  assert.deepEqual([...vesica.cast(discs, point(9, 0), [-1, 0], { tEnd: Infinity }).t], [8]);
+  for (const wrong of [[null], [0.5, { leastScore: null }]]) {
+    assert.throws(() => vesica.nmsSoft(discs, [1], ...wrong), { name: 'TypeError', message: /are numbers/ });
+  }
 });
 
 test('parts that have no place in 64 bits', () => {
