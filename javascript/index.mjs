@@ -197,7 +197,8 @@ export class Index {
    * build it anew, each call makes sure that it is there and is what it was.
    */
   #eachPair(call, room, found, other) {
-    const { memory } = this.#vesica, built = this.#builds, builtOther = other?.#builds;
+    this.#both(other); // before it is asked for its number
+    const { memory } = this.#vesica, built = this.#builds, builtOther = other.#builds;
     const [a, b, state] = [8 * pairsACall, 8 * pairsACall, 32].map((size) => room.take(size));
     new BigInt64Array(memory.buffer, state, 4).fill(0n);
     while (new BigInt64Array(memory.buffer, state, 1)[0] !== -1n) {

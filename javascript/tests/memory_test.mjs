@@ -181,6 +181,12 @@ test('an index that is built anew while pairs are handed out', () => {
   assert.equal(index.joinCount(), (300 * 299) / 2);
 });
 
+test('a join with what is no index says so', () => {
+  for (const none of [null, {}, live, 5]) {
+    areRefused(joins(liveIndex), liveIndex, none, /an index is joined with an index/);
+  }
+});
+
 test('what does not fit takes nothing, and small blocks are found again', async () => {
   const vesica = await load();
   vesica.shapes('point', 1);
