@@ -5,8 +5,8 @@ export type { C };
 export type Kind = 'point' | 'segment' | 'circle' | 'aabb' | 'rect' | 'ellipse';
 /**
  * float64 or float32 numbers. Both are exact; float32 takes half the memory. Beside an array of float32, plain shapes,
- * distances, times, velocities, thresholds and the scores of nmsSoft are rounded to float32 first, and answers are exact
- * of what that gives; what would become infinite is a RangeError.
+ * distances, times, velocities, thresholds and the scores of nmsSoft are rounded to float32 first, and answers are
+ * exact of what that gives; what would become infinite is a RangeError.
  */
 export type Scalar = 'f64' | 'f32';
 
@@ -119,6 +119,8 @@ export interface Suppression {
 }
 
 export type Velocity = readonly [number, number];
+/** One, or two arrays of numbers. */
+export type Velocities = Velocity | readonly [ArrayLike<number>, ArrayLike<number>];
 /** tEnd is Infinity if left out. */
 export interface Until { tEnd?: number }
 export type Outcome = 'miss' | 'hit' | 'start';
@@ -207,8 +209,8 @@ export class Vesica {
   /**
    * An array from numbers one after the other, from plain objects of that kind, or of a count, with all numbers 0. Of a
    * plain rectangle in float32 the whole sizes are rounded to float32; if halving one would round again, the axis is
-   * halved instead, as by rect(). Numbers that are not of plain objects are as in a Float32Array: infinite where float32
-   * has none so great, and then the shape is invalid.
+   * halved instead, as by rect(). Numbers that are not of plain objects are as in a Float32Array: infinite where
+   * float32 has none so great, and then the shape is invalid.
    */
   shapes(
     kind: Kind,
@@ -234,37 +236,47 @@ export class Vesica {
 
   /** Do a and b share a point? */
   overlap(a: Shape, b: Shape): boolean;
-  overlap(a: Many, b: Many, options?: { out?: Uint8Array }): Uint8Array;
+  overlap(a: ShapeArray, b: Many, options?: { out?: Uint8Array }): Uint8Array;
+  overlap(a: Many, b: ShapeArray, options?: { out?: Uint8Array }): Uint8Array;
   /** How does a relate to b? Arrays have numbers: see `relations`. */
   relation(a: Shape, b: Shape): Relation;
-  relation(a: Many, b: Many, options?: { out?: Uint8Array }): Uint8Array;
+  relation(a: ShapeArray, b: Many, options?: { out?: Uint8Array }): Uint8Array;
+  relation(a: Many, b: ShapeArray, options?: { out?: Uint8Array }): Uint8Array;
   /** Does a hold all of b? */
   contains(a: Shape, b: Shape): boolean;
-  contains(a: Many, b: Many, options?: { out?: Uint8Array }): Uint8Array;
+  contains(a: ShapeArray, b: Many, options?: { out?: Uint8Array }): Uint8Array;
+  contains(a: Many, b: ShapeArray, options?: { out?: Uint8Array }): Uint8Array;
   /** How far apart are the solid shapes, and which points are closest? */
   nearest(a: Shape, b: Shape): ClosestPoints<number>;
-  nearest(a: Many, b: Many): ClosestPoints<Numbers>;
+  nearest(a: ShapeArray, b: Many): ClosestPoints<Numbers>;
+  nearest(a: Many, b: ShapeArray): ClosestPoints<Numbers>;
   /** The same between outlines, of nested shapes too. */
   boundaryDistance(a: Shape, b: Shape): ClosestPoints<number>;
-  boundaryDistance(a: Many, b: Many): ClosestPoints<Numbers>;
+  boundaryDistance(a: ShapeArray, b: Many): ClosestPoints<Numbers>;
+  boundaryDistance(a: Many, b: ShapeArray): ClosestPoints<Numbers>;
   depth(a: Shape, b: Shape): Penetration<number>;
-  depth(a: Many, b: Many): Penetration<Numbers>;
+  depth(a: ShapeArray, b: Many): Penetration<Numbers>;
+  depth(a: Many, b: ShapeArray): Penetration<Numbers>;
   /** The area that both share. */
   area(a: Shape, b: Shape): number;
-  area(a: Many, b: Many): Numbers;
+  area(a: ShapeArray, b: Many): Numbers;
+  area(a: Many, b: ShapeArray): Numbers;
   /** Intersection over union. */
   iou(a: Shape, b: Shape): number;
-  iou(a: Many, b: Many): Numbers;
+  iou(a: ShapeArray, b: Many): Numbers;
+  iou(a: Many, b: ShapeArray): Numbers;
 
   /** The distance or, below 0, how deep they overlap. */
   signedDistance(a: Shape, b: Shape): number;
-  signedDistance(a: Many, b: Many): Numbers;
+  signedDistance(a: ShapeArray, b: Many): Numbers;
+  signedDistance(a: Many, b: ShapeArray): Numbers;
   /**
    * Are they at most `distance` apart? Exactly so far counts. Exact; with an ellipse 'nearly' where the distance is too
    * near the one asked for to tell. Arrays have numbers: see `withins`.
    */
   within(a: Shape, b: Shape, distance: number): Within;
-  within(a: Many, b: Many, distance: number, options?: { out?: Uint8Array }): Uint8Array;
+  within(a: ShapeArray, b: Many, distance: number, options?: { out?: Uint8Array }): Uint8Array;
+  within(a: Many, b: ShapeArray, distance: number, options?: { out?: Uint8Array }): Uint8Array;
   /** The nine-intersection matrix, as geographic systems have it, such as 'FF2F11212'. */
   de9im(a: Shape, b: Shape): string;
   /** Does such a matrix fit a pattern of F, 0, 1, 2, T (any of 0, 1 and 2) and * (anything)? */
@@ -273,7 +285,8 @@ export class Vesica {
   intersection(a: Shape, b: Shape): { x: number; y: number }[];
   /** What share of one shape the other covers, and other ratios by which detections are compared: see `ratios`. */
   ratio(which: Ratio, a: Shape, b: Shape): number;
-  ratio(which: Ratio, a: Many, b: Many): Numbers;
+  ratio(which: Ratio, a: ShapeArray, b: Many): Numbers;
+  ratio(which: Ratio, a: Many, b: ShapeArray): Numbers;
 
   /** Every pair: the answer for a[i] and b[j] is element i * b.length + j. */
   overlapMatrix(a: ShapeArray, b: ShapeArray): Uint8Array;
@@ -294,12 +307,8 @@ export class Vesica {
    * exact, and t is rounded down. A ray is a point that moves. Of arrays a velocity may be two numbers, or two arrays.
    */
   cast(a: Shape, b: Shape, velocity: Velocity, options?: Until): Impact<number> & { outcome: Outcome };
-  cast(
-    a: Many,
-    b: Many,
-    velocity: Velocity | readonly [ArrayLike<number>, ArrayLike<number>],
-    options?: Until,
-  ): Impact<Numbers>;
+  cast(a: ShapeArray, b: Many, velocity: Velocities, options?: Until): Impact<Numbers>;
+  cast(a: Many, b: ShapeArray, velocity: Velocities, options?: Until): Impact<Numbers>;
   /** Which of many shapes at rest does one moving shape touch first? The lowest of several, or null. */
   castFirst(one: Shape, many: ShapeArray, velocity: Velocity, options?: Until): FirstImpact | null;
   /**

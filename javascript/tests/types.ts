@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a program in TypeScript may write, and what it may not: read by tsc, never run.
 import { circle, ellipse, load, rect } from 'vesica';
-import type { Crossings, FirstImpact, ImpactTime, Outcome, Relation, ShapeArray, Within } from 'vesica';
+import type { Crossings, FirstImpact, ImpactTime, Outcome, Relation, Shape, ShapeArray, Within } from 'vesica';
 import { loadMethods } from 'vesica/methods';
 
 const vesica = await load();
@@ -32,6 +32,18 @@ const times: Float64Array | Float32Array = vesica.cast(cars, car, [[1, 2], [0, 0
 const outcome: Outcome = vesica.cast(car, car, [1, 0]).outcome;
 const turning: ImpactTime = vesica.impactTime(car, [0, 0, 1], car, [1, 0, -1], 1e-6);
 
+/** An array beside what may be an array or a shape gives arrays, in either place. */
+function ofEither(some: ShapeArray | Shape): Uint8Array[] {
+  vesica.cast(cars, some, [1, 0]).t, vesica.cast(some, cars, [1, 0]).t;
+  return [vesica.overlap(some, cars), vesica.overlap(cars, some), vesica.within(some, cars, 1)];
+}
+
+// @ts-expect-error: two shapes give one answer, and take no array to put it in
+vesica.overlap(car, car, { out: new Uint8Array(1) });
+// @ts-expect-error: two shapes have one velocity
+vesica.cast(car, car, [[1], [0]]);
+// @ts-expect-error: whether an array is among these is not known, nor what the answer is
+(some: ShapeArray | Shape) => vesica.overlap(some, some);
 // @ts-expect-error: no such kind
 vesica.shapes('square', 1);
 // @ts-expect-error: not a shape
@@ -52,4 +64,4 @@ vesica.impactTime(car, [0, 0], car, [1, 0], 1e-6);
 
 export { a, b, bound, count, distance, distances, hit, hits, places, raw, relation, wrong };
 export { corners, impact, left, matrix, near, signed };
-export { kept, outcome, overSmaller, times, turned, turning };
+export { kept, ofEither, outcome, overSmaller, times, turned, turning };
