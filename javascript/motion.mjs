@@ -75,9 +75,9 @@ function castMany(vesica, a, b, velocity, tEnd) {
   return vesica.inRoom((room) => {
     const { scalar, a: first, b: second, counts } = vesica.operands(a, b, room);
     const Numbers = scalars[scalar], count = vesica.inStep(counts);
-    const moving = velocities(vesica, given, scalar, count, room);
+    const moving = velocities(vesica, given, scalar, count, room), until = time(tEnd, scalar);
     const columns = impactFields.map(() => room.take(count * Numbers.BYTES_PER_ELEMENT));
-    const code = Number(vesica.c[`vesica_cast_many_${scalar}`](first, second, ...moving, time(tEnd, scalar), ...columns));
+    const code = Number(vesica.c[`vesica_cast_many_${scalar}`](first, second, ...moving, until, ...columns));
     const arrays = columns.map((address) => new Numbers(vesica.memory.buffer, address, count).slice());
     const written = [constants.E_SHAPE, constants.E_ARGUMENT, constants.E_RANGE].includes(code);
     return vesica.finish(code, impactOf(arrays), written);

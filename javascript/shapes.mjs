@@ -91,11 +91,14 @@ export function distanceFor(distance, scalar) {
 /** All numbers of some shapes, one after the other, from any way to give them, for an array of a scalar type. */
 export function flat(kind, source, scalar) {
   const count = fields[kinds[kindNumber(kind)]].length;
+  if (typeof source !== 'object' || !Number.isInteger(source?.length)) {
+    throw new TypeError('shapes are a count, or an array of numbers, of plain objects or of arrays of numbers');
+  }
   if (ArrayBuffer.isView(source) || typeof source[0] === 'number' || source.length === 0) {
     if (source.length % count === 0) return source;
     throw new RangeError(`${kind} shapes have ${count} numbers each; ${source.length} is no multiple of that`);
   }
-  return source.flatMap((shape) => {
+  return Array.from(source).flatMap((shape) => {
     if (shape?.kind === kind) return numbersOf(shape, scalar);
     if (Array.isArray(shape) && shape.length === count) return shape;
     const wanted = `${count} numbers (${fields[kind].join(', ')})`;

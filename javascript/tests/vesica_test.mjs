@@ -169,6 +169,12 @@ test('what is refused says why', () => {
   assert.throws(() => vesica.overlap({ kind: 'circle', cx: 1 }, a), /missing: cy, r/);
   assert.throws(() => vesica.overlap(undefined, a), TypeError);
   assert.throws(() => vesica.shapes('rect', [1, 2, 3]), /6 numbers each/);
+  const noLists = [null, undefined, {}, new Set(), new Map([[1, 2]]), 'ab', '', 7n, Symbol('x'), () => 1];
+  for (const source of [...noLists, new ArrayBuffer(16), new DataView(new ArrayBuffer(16)), { length: NaN }]) {
+    const refused = { name: 'TypeError', message: /^(shapes are a count, or an array|a point is an object)/ };
+    assert.throws(() => vesica.shapes('point', source), refused, String(source));
+  }
+  assert.deepEqual([...vesica.shapes('point', { length: 1, 0: point(1, 2) }).numbers], [1, 2]);
   assert.throws(() => vesica.shapes('rect', [[1, 2]]), /array of 6 numbers \(cx, cy/);
   assert.throws(() => vesica.shapes('rect', [circle(0, 0, 1)]), /a rect is/);
   for (const scalar of ['f16', 'toString', ['f64']]) {
