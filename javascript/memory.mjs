@@ -105,17 +105,12 @@ export class Memory {
   }
 
   give(address, size) {
-    const end = address + rounded(size), i = this.#below(address);
-    this.#free.splice(i, 0, [address, end]);
-    this.#joinWithNext(i);
-    if (i > 0) this.#joinWithNext(i - 1);
-  }
-
-  #joinWithNext(i) {
-    const [block, next] = [this.#free[i], this.#free[i + 1]];
-    if (next === undefined || block[1] !== next[0]) return;
-    block[1] = next[1];
-    this.#free.splice(i + 1, 1);
+    const end = address + rounded(size), i = this.#below(address), before = this.#free[i - 1], after = this.#free[i];
+    const joinsBefore = before?.[1] === address, joinsAfter = after?.[0] === end;
+    if (joinsAfter) after[0] = joinsBefore ? before[0] : address;
+    else if (joinsBefore) before[1] = end;
+    else this.#free.splice(i, 0, [address, end]);
+    if (joinsBefore && joinsAfter) this.#free.splice(i - 1, 1);
   }
 
   /** Pages for a block of so many bytes; the place of the block in the list. */

@@ -204,6 +204,21 @@ test('what does not fit takes nothing, and small blocks are found again', async 
   assert.ok(byteLength < 40 * 65536, `${byteLength} bytes`);
 });
 
+test('blocks that are given back in any order are one again', async () => {
+  const { memory } = await load();
+  for (const step of [1, 7, 500, 501, 999, 1000]) {
+    const places = Array.from({ length: 1001 }, () => memory.take(64)), { buffer } = memory, given = new Set();
+    for (let i = 0; given.size < 1001; i = (i + step) % 1001) {
+      while (given.has(i)) i = (i + 1) % 1001;
+      given.add(i);
+      memory.give(places[i], 64);
+    }
+    assert.equal(memory.take(64 * 1001), places[0]);
+    assert.equal(memory.buffer, buffer);
+    memory.give(places[0], 64 * 1001);
+  }
+});
+
 test('an array or an index of another load()', () => {
   const foreign = other.shapes('rect', some);
   areRefused(usesOfArrays(library, live, liveIndex), live, foreign, /another load/);
