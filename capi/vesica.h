@@ -27,7 +27,8 @@
  *  - An int32_t or int64_t result is an answer >= 0 or an error < 0 (VESICA_E_...). Errors are checked in this order:
  *    NULL pointers, unknown kinds, arguments out of range, invalid shapes, results out of range. The pointers inside a
  *    vesica_shapes are looked at after its kind and its counts.
- *  - On error nothing is written. Batches are the exception: an invalid shape spoils its own results alone.
+ *  - On error nothing is written. Batches are the exception: what is wrong with an element spoils its own results
+ *    alone.
  *  - If several answers are equally right, a function returns one of them, always the same for the same input.
  *
  * Accuracy:
@@ -138,7 +139,7 @@ VESICA_API const char *vesica_kind_name(int32_t kind);
  * Name of the instruction set that batches use: the best one of this processor. Answers never depend on it.
  *
  * The environment variable VESICA_ISA selects another one. It is read once, when the library is loaded. An unknown name
- * is ignored, and so is a set that the processor lacks.
+ * is ignored, and so is a set that the processor, or this build of the library, lacks.
  * Returns: static text: "sse2", "avx2", "avx512", "neon", "simd128" or "portable".
  */
 VESICA_API const char *vesica_isa_name(void);
@@ -520,8 +521,9 @@ VESICA_API int32_t vesica_shapes_from_records_f64(int32_t kind, int64_t count, c
 /* ---- Arrays in step, double: a[0] with b[0], a[1] with b[1] ... ----
  * Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
  * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
- * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
- * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+ * Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+ * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+ * written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
  * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
  * exceeds the address space).
  * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
@@ -587,8 +589,9 @@ VESICA_API int64_t vesica_iou_many_f64(const vesica_shapes_f64 *a, const vesica_
 /* ---- Every a with every b, double ----
  * Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
  * out. With two or more rows its magnitude is at least b's count; if it is negative, rows run backwards in memory.
- * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
- * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
+ * Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+ * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+ * written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
  * VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that
  * exceed the address space).
  * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.

@@ -11,7 +11,8 @@
  *     int32_t error = vesica_nearest(&car, &person, &out);
  *
  * Every argument is a pointer to a shape, a motion or a result, or a number. Each is evaluated once. A call that mixes
- * double and float does not compile. Results and errors are those of the functions, such as vesica_nearest_f64.
+ * pointers to double and to float does not compile; numbers are converted to the shapes' type. Results
+ * and errors are those of the functions, such as vesica_nearest_f64.
  */
 #if !defined(VESICA_GENERIC_H) && !defined(__cplusplus) && defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
 #define VESICA_GENERIC_H

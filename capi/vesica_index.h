@@ -149,7 +149,9 @@ VESICA_API int64_t vesica_index_step_f64(int32_t step, int64_t part, int64_t par
 
 /* ---- Questions about one or two indexes, double ----
  * Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a number
- * or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from another call).
+ * or a size is out of range, a pointer is not aligned, the sets have another number of items than the index, the state
+ * is from another function, part, parts or query). Other sets, and states of calls with other shapes or distances, are
+ * not noticed: answers are then meaningless.
  * Since: 0.1.
  */
 
@@ -158,6 +160,7 @@ VESICA_API int64_t vesica_index_step_f64(int32_t step, int64_t part, int64_t par
  *
  * To ask for many shapes, index them too and call vesica_join_f64.
  * Requires: sets are those of the index; or NULL, with set_count 0, to find the items whose bounds meet the shape's.
+ * Bounds are those in the index, up to about 2^-15 of the extent of nearby shapes larger than vesica_bounds_f64's.
  * one, an array of count 1. out has room for `capacity` items. With capacity 0, out and state may be NULL.
  * Returns: the number of items written; with capacity 0, how many there are.
  * Accuracy: exact, if there are sets.
@@ -179,7 +182,7 @@ VESICA_API int64_t vesica_index_select_f64(const void *index, const vesica_shape
  * scratch between calls. out_a and out_b have room for `capacity` items. With capacity 0, they and state may be NULL.
  * Returns: the number of pairs written; with capacity 0, how many the whole part has.
  * Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT (an unknown query, a number or a size out of
- * range, a pointer that is not aligned, sets that are not the index's, a state from another call).
+ * range, a pointer that is not aligned, sets of another number of items, a state from another function).
  * Accuracy: exact for all queries but VESICA_JOIN_BOUNDS.
  * Cost: 10 to 15 ns a shape to find candidates, and 15 to 25 ns a candidate to decide.
  */
@@ -225,9 +228,9 @@ VESICA_API int64_t vesica_index_nearest_f64(const void *index, const vesica_shap
  * Which items of index_b are nearest to each item of sets_a? Row i is out[i * k] ... out[i * k + k - 1].
  *
  * A row is the result of vesica_index_nearest_f64 for item i. If it has fewer than k items, the rest are -1 with
- * distance infinity. If a set is asked for its own neighbours, each item finds itself too, at distance 0. If an item of
- * sets_a is invalid, its row holds -1, all other rows are right, and the call returns VESICA_E_SHAPE. Each part takes
- * about the same number of items, and writes only their rows.
+ * distance infinity. If a set is asked for its own neighbours, each item finds itself too, at distance 0, unless k
+ * lower items overlap it. If an item of sets_a is invalid, its row holds -1, all other rows are right, and the call
+ * returns VESICA_E_SHAPE. Each part takes about the same number of items, and writes only their rows.
  * Requires: sets_b are those of index_b. k >= 1, and out and distance have room for k items a row. If sets_a have no
  * items, they may be NULL. 0 <= part < parts. within, the largest distance to look for, >= 0 or infinity.
  * Returns: how many items were found in all rows of the part.

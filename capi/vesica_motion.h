@@ -55,9 +55,9 @@ typedef struct {
  * if b only slides along a, it is perpendicular to the velocity. For a face that is met at an angle below 2^-80 it may
  * be that of the face beside it, and the point their corner. If two faces meet, the point is the middle of what they
  * share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f64 and the point of
- * vesica_nearest_f64. Shapes that only touch at the start press together if (nx, ny).(vx, vy) < 0; if not, they move
- * apart or slide. Exchanging the shapes and reversing the velocity changes neither the answer nor the time; it reverses
- * the normal, up to rounding.
+ * vesica_nearest_f64. Shapes that only touch at the start move apart or slide if (nx, ny).(vx, vy) >= 0. Else they may
+ * press together; where corners meet, or a shape has no area, they may also part. Exchanging the shapes and
+ * reversing the velocity changes neither the answer nor the time; it reverses the normal, up to rounding.
  * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
  * Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline
  * before it is rounded; along the outline it may be off by (8 u scale + 4 u R) / |n.v|, n and v of unit length, R the
@@ -118,8 +118,9 @@ VESICA_API int32_t vesica_sweep_bounds_f64(int32_t kind, const double *numbers, 
  * for `capacity` items. With capacity 0, out and state may be NULL.
  * Returns: the number of items written; with capacity 0, how many there are. If state[0] is not -1 then, there are
  * more, and the same call continues (vesica_index.h).
- * Errors: those of vesica_cast_f64, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the index's, a
- * pointer that is not aligned, or a state from another call. Invalid items are never touched.
+ * Errors: those of vesica_cast_f64, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets of another number of items
+ * than the index, a pointer that is not aligned, or a state from another function (vesica_index.h). Invalid
+ * items are never touched.
  * Accuracy: exact.
  * Cost: a few us, and that of vesica_cast_f64 for each item whose box the swept box meets.
  */

@@ -56,7 +56,7 @@ export interface C {
    * Name of the instruction set that batches use: the best one of this processor. Answers never depend on it.
    *
    * The environment variable VESICA_ISA selects another one. It is read once, when the library is loaded. An unknown
-   * name is ignored, and so is a set that the processor lacks.
+   * name is ignored, and so is a set that the processor, or this build of the library, lacks.
    *
    * Returns: static text: "sse2", "avx2", "avx512", "neon", "simd128" or "portable".
    * Since: 0.1.
@@ -569,8 +569,9 @@ export interface C {
    * Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
    * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
    * Returns: how many are 1.
-   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+   * Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
@@ -584,8 +585,9 @@ export interface C {
    * Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
    * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
    * Returns: how many are not VESICA_DISJOINT.
-   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+   * Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
@@ -600,8 +602,9 @@ export interface C {
    * Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
    * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
    * Returns: how many are 1.
-   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+   * Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
@@ -616,8 +619,9 @@ export interface C {
    * Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
    * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
    * Returns: how many pairs overlap (distance 0).
-   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+   * Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
@@ -634,8 +638,9 @@ export interface C {
    * Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
    * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
    * Returns: how many pairs of outlines meet (distance 0).
-   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+   * Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
@@ -651,8 +656,9 @@ export interface C {
    * Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
    * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
    * Returns: how many depths are > 0.
-   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+   * Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
@@ -667,8 +673,9 @@ export interface C {
    * Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
    * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
    * Returns: how many areas are > 0.
-   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+   * Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
@@ -685,8 +692,9 @@ export interface C {
    * Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
    * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
    * Returns: how many are > 0.
-   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+   * Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
@@ -701,8 +709,9 @@ export interface C {
    * Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
    * out. With two or more rows its magnitude is at least b's count; if it is negative, rows run backwards in memory.
    * Returns: how many are 1.
-   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
+   * Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that
    * exceed the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
@@ -716,8 +725,9 @@ export interface C {
    * Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
    * out. With two or more rows its magnitude is at least b's count; if it is negative, rows run backwards in memory.
    * Returns: how many are not VESICA_DISJOINT.
-   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
+   * Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that
    * exceed the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
@@ -731,8 +741,9 @@ export interface C {
    * Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
    * out. With two or more rows its magnitude is at least b's count; if it is negative, rows run backwards in memory.
    * Returns: how many are 1.
-   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
+   * Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that
    * exceed the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
@@ -746,8 +757,9 @@ export interface C {
    * Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
    * out. With two or more rows its magnitude is at least b's count; if it is negative, rows run backwards in memory.
    * Returns: how many are > 0.
-   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
+   * Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that
    * exceed the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
@@ -763,8 +775,9 @@ export interface C {
    * Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
    * out. With two or more rows its magnitude is at least b's count; if it is negative, rows run backwards in memory.
    * Returns: how many are > 0.
-   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
+   * Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that
    * exceed the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
@@ -1326,8 +1339,9 @@ export interface C {
    * Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
    * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
    * Returns: how many are 1.
-   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+   * Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
@@ -1341,8 +1355,9 @@ export interface C {
    * Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
    * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
    * Returns: how many are not VESICA_DISJOINT.
-   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+   * Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
@@ -1357,8 +1372,9 @@ export interface C {
    * Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
    * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
    * Returns: how many are 1.
-   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+   * Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
@@ -1373,8 +1389,9 @@ export interface C {
    * Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
    * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
    * Returns: how many pairs overlap (distance 0).
-   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+   * Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
@@ -1391,8 +1408,9 @@ export interface C {
    * Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
    * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
    * Returns: how many pairs of outlines meet (distance 0).
-   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+   * Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
@@ -1408,8 +1426,9 @@ export interface C {
    * Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
    * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
    * Returns: how many depths are > 0.
-   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+   * Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
@@ -1424,8 +1443,9 @@ export interface C {
    * Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
    * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
    * Returns: how many areas are > 0.
-   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+   * Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
@@ -1442,8 +1462,9 @@ export interface C {
    * Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
    * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
    * Returns: how many are > 0.
-   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+   * Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
@@ -1458,8 +1479,9 @@ export interface C {
    * Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
    * out. With two or more rows its magnitude is at least b's count; if it is negative, rows run backwards in memory.
    * Returns: how many are 1.
-   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
+   * Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that
    * exceed the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
@@ -1473,8 +1495,9 @@ export interface C {
    * Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
    * out. With two or more rows its magnitude is at least b's count; if it is negative, rows run backwards in memory.
    * Returns: how many are not VESICA_DISJOINT.
-   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
+   * Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that
    * exceed the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
@@ -1488,8 +1511,9 @@ export interface C {
    * Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
    * out. With two or more rows its magnitude is at least b's count; if it is negative, rows run backwards in memory.
    * Returns: how many are 1.
-   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
+   * Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that
    * exceed the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
@@ -1503,8 +1527,9 @@ export interface C {
    * Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
    * out. With two or more rows its magnitude is at least b's count; if it is negative, rows run backwards in memory.
    * Returns: how many are > 0.
-   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
+   * Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that
    * exceed the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
@@ -1520,8 +1545,9 @@ export interface C {
    * Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
    * out. With two or more rows its magnitude is at least b's count; if it is negative, rows run backwards in memory.
    * Returns: how many are > 0.
-   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
+   * Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that
    * exceed the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
@@ -1835,11 +1861,13 @@ export interface C {
    * To ask for many shapes, index them too and call vesica_join_f64.
    *
    * Requires: sets are those of the index; or NULL, with set_count 0, to find the items whose bounds meet the shape's.
+   * Bounds are those in the index, up to about 2^-15 of the extent of nearby shapes larger than vesica_bounds_f64's.
    * one, an array of count 1. out has room for `capacity` items. With capacity 0, out and state may be NULL.
    * Returns: the number of items written; with capacity 0, how many there are.
    * Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a
-   * number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from another
-   * call).
+   * number or a size is out of range, a pointer is not aligned, the sets have another number of items than the index,
+   * the state is from another function, part, parts or query). Other sets, and states of calls with other shapes or
+   * distances, are not noticed: answers are then meaningless.
    * Accuracy: exact, if there are sets.
    * Cost: about 0.5 us for a few shapes that are found, 2 us for 1,000 boxes.
    * Since: 0.1.
@@ -1860,7 +1888,7 @@ export interface C {
    * NULL.
    * Returns: the number of pairs written; with capacity 0, how many the whole part has.
    * Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT (an unknown query, a number or a size out
-   * of range, a pointer that is not aligned, sets that are not the index's, a state from another call).
+   * of range, a pointer that is not aligned, sets of another number of items, a state from another function).
    * Accuracy: exact for all queries but VESICA_JOIN_BOUNDS.
    * Cost: 10 to 15 ns a shape to find candidates, and 15 to 25 ns a candidate to decide.
    * Since: 0.1.
@@ -1896,8 +1924,9 @@ export interface C {
    * With k = 0 they may be NULL. within, the largest distance to look for, >= 0 or infinity.
    * Returns: how many items were found and written; with k = 0, how many there are within the distance.
    * Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a
-   * number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from another
-   * call).
+   * number or a size is out of range, a pointer is not aligned, the sets have another number of items than the index,
+   * the state is from another function, part, parts or query). Other sets, and states of calls with other shapes or
+   * distances, are not noticed: answers are then meaningless.
    * Accuracy: distances are those of vesica_nearest_f64, bit for bit.
    * Cost: 3 to 5 us for 10 of a million AABBs near a point; mostly that of vesica_nearest_f64 for some 10 more than k.
    * Since: 0.1.
@@ -1908,16 +1937,17 @@ export interface C {
    * Which items of index_b are nearest to each item of sets_a? Row i is out[i * k] ... out[i * k + k - 1].
    *
    * A row is the result of vesica_index_nearest_f64 for item i. If it has fewer than k items, the rest are -1 with
-   * distance infinity. If a set is asked for its own neighbours, each item finds itself too, at distance 0. If an item
-   * of sets_a is invalid, its row holds -1, all other rows are right, and the call returns VESICA_E_SHAPE. Each part
-   * takes about the same number of items, and writes only their rows.
+   * distance infinity. If a set is asked for its own neighbours, each item finds itself too, at distance 0, unless k
+   * lower items overlap it. If an item of sets_a is invalid, its row holds -1, all other rows are right, and the call
+   * returns VESICA_E_SHAPE. Each part takes about the same number of items, and writes only their rows.
    *
    * Requires: sets_b are those of index_b. k >= 1, and out and distance have room for k items a row. If sets_a have no
    * items, they may be NULL. 0 <= part < parts. within, the largest distance to look for, >= 0 or infinity.
    * Returns: how many items were found in all rows of the part.
    * Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a
-   * number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from another
-   * call).
+   * number or a size is out of range, a pointer is not aligned, the sets have another number of items than the index,
+   * the state is from another function, part, parts or query). Other sets, and states of calls with other shapes or
+   * distances, are not noticed: answers are then meaningless.
    * Accuracy: distances are those of vesica_nearest_f64, bit for bit.
    * Cost: that of vesica_index_nearest_f64 for each item.
    * Since: 0.1.
@@ -1961,11 +1991,13 @@ export interface C {
    * To ask for many shapes, index them too and call vesica_join_f32.
    *
    * Requires: sets are those of the index; or NULL, with set_count 0, to find the items whose bounds meet the shape's.
+   * Bounds are those in the index, up to about 2^-15 of the extent of nearby shapes larger than vesica_bounds_f32's.
    * one, an array of count 1. out has room for `capacity` items. With capacity 0, out and state may be NULL.
    * Returns: the number of items written; with capacity 0, how many there are.
    * Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a
-   * number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from another
-   * call).
+   * number or a size is out of range, a pointer is not aligned, the sets have another number of items than the index,
+   * the state is from another function, part, parts or query). Other sets, and states of calls with other shapes or
+   * distances, are not noticed: answers are then meaningless.
    * Accuracy: exact, if there are sets.
    * Cost: about 0.5 us for a few shapes that are found, 2 us for 1,000 boxes.
    * Since: 0.1.
@@ -1986,7 +2018,7 @@ export interface C {
    * NULL.
    * Returns: the number of pairs written; with capacity 0, how many the whole part has.
    * Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT (an unknown query, a number or a size out
-   * of range, a pointer that is not aligned, sets that are not the index's, a state from another call).
+   * of range, a pointer that is not aligned, sets of another number of items, a state from another function).
    * Accuracy: exact for all queries but VESICA_JOIN_BOUNDS.
    * Cost: 10 to 15 ns a shape to find candidates, and 15 to 25 ns a candidate to decide.
    * Since: 0.1.
@@ -2022,8 +2054,9 @@ export interface C {
    * With k = 0 they may be NULL. within, the largest distance to look for, >= 0 or infinity.
    * Returns: how many items were found and written; with k = 0, how many there are within the distance.
    * Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a
-   * number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from another
-   * call).
+   * number or a size is out of range, a pointer is not aligned, the sets have another number of items than the index,
+   * the state is from another function, part, parts or query). Other sets, and states of calls with other shapes or
+   * distances, are not noticed: answers are then meaningless.
    * Accuracy: distances are those of vesica_nearest_f32, bit for bit.
    * Cost: 3 to 5 us for 10 of a million AABBs near a point; mostly that of vesica_nearest_f32 for some 10 more than k.
    * Since: 0.1.
@@ -2034,16 +2067,17 @@ export interface C {
    * Which items of index_b are nearest to each item of sets_a? Row i is out[i * k] ... out[i * k + k - 1].
    *
    * A row is the result of vesica_index_nearest_f32 for item i. If it has fewer than k items, the rest are -1 with
-   * distance infinity. If a set is asked for its own neighbours, each item finds itself too, at distance 0. If an item
-   * of sets_a is invalid, its row holds -1, all other rows are right, and the call returns VESICA_E_SHAPE. Each part
-   * takes about the same number of items, and writes only their rows.
+   * distance infinity. If a set is asked for its own neighbours, each item finds itself too, at distance 0, unless k
+   * lower items overlap it. If an item of sets_a is invalid, its row holds -1, all other rows are right, and the call
+   * returns VESICA_E_SHAPE. Each part takes about the same number of items, and writes only their rows.
    *
    * Requires: sets_b are those of index_b. k >= 1, and out and distance have room for k items a row. If sets_a have no
    * items, they may be NULL. 0 <= part < parts. within, the largest distance to look for, >= 0 or infinity.
    * Returns: how many items were found in all rows of the part.
    * Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a
-   * number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from another
-   * call).
+   * number or a size is out of range, a pointer is not aligned, the sets have another number of items than the index,
+   * the state is from another function, part, parts or query). Other sets, and states of calls with other shapes or
+   * distances, are not noticed: answers are then meaningless.
    * Accuracy: distances are those of vesica_nearest_f32, bit for bit.
    * Cost: that of vesica_index_nearest_f32 for each item.
    * Since: 0.1.
@@ -2474,9 +2508,9 @@ export interface C {
    * if b only slides along a, it is perpendicular to the velocity. For a face that is met at an angle below 2^-80 it
    * may be that of the face beside it, and the point their corner. If two faces meet, the point is the middle of what
    * they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f64 and the point of
-   * vesica_nearest_f64. Shapes that only touch at the start press together if (nx, ny).(vx, vy) < 0; if not, they move
-   * apart or slide. Exchanging the shapes and reversing the velocity changes neither the answer nor the time; it
-   * reverses the normal, up to rounding.
+   * vesica_nearest_f64. Shapes that only touch at the start move apart or slide if (nx, ny).(vx, vy) >= 0. Else they
+   * may press together; where corners meet, or a shape has no area, they may also part. Exchanging the shapes and
+   * reversing the velocity changes neither the answer nor the time; it reverses the normal, up to rounding.
    *
    * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
    * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
@@ -2546,8 +2580,9 @@ export interface C {
    * for `capacity` items. With capacity 0, out and state may be NULL.
    * Returns: the number of items written; with capacity 0, how many there are. If state[0] is not -1 then, there are
    * more, and the same call continues (vesica_index.h).
-   * Errors: those of vesica_cast_f64, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the index's, a
-   * pointer that is not aligned, or a state from another call. Invalid items are never touched.
+   * Errors: those of vesica_cast_f64, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets of another number of items
+   * than the index, a pointer that is not aligned, or a state from another function (vesica_index.h). Invalid
+   * items are never touched.
    * Accuracy: exact.
    * Cost: a few us, and that of vesica_cast_f64 for each item whose box the swept box meets.
    * Since: 0.1.
@@ -2693,9 +2728,9 @@ export interface C {
    * if b only slides along a, it is perpendicular to the velocity. For a face that is met at an angle below 2^-80 it
    * may be that of the face beside it, and the point their corner. If two faces meet, the point is the middle of what
    * they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f32 and the point of
-   * vesica_nearest_f32. Shapes that only touch at the start press together if (nx, ny).(vx, vy) < 0; if not, they move
-   * apart or slide. Exchanging the shapes and reversing the velocity changes neither the answer nor the time; it
-   * reverses the normal, up to rounding.
+   * vesica_nearest_f32. Shapes that only touch at the start move apart or slide if (nx, ny).(vx, vy) >= 0. Else they
+   * may press together; where corners meet, or a shape has no area, they may also part. Exchanging the shapes and
+   * reversing the velocity changes neither the answer nor the time; it reverses the normal, up to rounding.
    *
    * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
    * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
@@ -2765,8 +2800,9 @@ export interface C {
    * for `capacity` items. With capacity 0, out and state may be NULL.
    * Returns: the number of items written; with capacity 0, how many there are. If state[0] is not -1 then, there are
    * more, and the same call continues (vesica_index.h).
-   * Errors: those of vesica_cast_f32, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the index's, a
-   * pointer that is not aligned, or a state from another call. Invalid items are never touched.
+   * Errors: those of vesica_cast_f32, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets of another number of items
+   * than the index, a pointer that is not aligned, or a state from another function (vesica_index.h). Invalid
+   * items are never touched.
    * Accuracy: exact.
    * Cost: a few us, and that of vesica_cast_f32 for each item whose box the swept box meets.
    * Since: 0.1.

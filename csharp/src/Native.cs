@@ -73,7 +73,7 @@ namespace Vesica
         /// <para>Name of the instruction set that batches use: the best one of this processor. Answers never depend on
         /// it.</para>
         /// <para>The environment variable VESICA_ISA selects another one. It is read once, when the library is loaded.
-        /// An unknown name is ignored, and so is a set that the processor lacks.</para>
+        /// An unknown name is ignored, and so is a set that the processor, or this build of the library, lacks.</para>
         /// <para>Returns: static text: "sse2", "avx2", "avx512", "neon", "simd128" or "portable".</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -403,10 +403,11 @@ namespace Vesica
         /// many numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all,
         /// may be NULL.</para>
         /// <para>Returns: how many are 1.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and
-        /// outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved
-        /// is not 0, or an array that exceeds the address space).</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's
+        /// results would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual.
+        /// Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+        /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+        /// that exceeds the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Cost: in cache, from columns, with AVX-512: 0.6 to 1.1 ns a pair in double, 0.3 to 0.5 ns in
@@ -422,10 +423,11 @@ namespace Vesica
         /// many numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all,
         /// may be NULL.</para>
         /// <para>Returns: how many are not VESICA_DISJOINT.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and
-        /// outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved
-        /// is not 0, or an array that exceeds the address space).</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's
+        /// results would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual.
+        /// Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+        /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+        /// that exceeds the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30
@@ -441,10 +443,11 @@ namespace Vesica
         /// many numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all,
         /// may be NULL.</para>
         /// <para>Returns: how many are 1.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and
-        /// outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved
-        /// is not 0, or an array that exceeds the address space).</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's
+        /// results would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual.
+        /// Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+        /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+        /// that exceeds the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30
@@ -461,10 +464,11 @@ namespace Vesica
         /// many numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all,
         /// may be NULL.</para>
         /// <para>Returns: how many pairs overlap (distance 0).</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and
-        /// outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved
-        /// is not 0, or an array that exceeds the address space).</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's
+        /// results would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual.
+        /// Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+        /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+        /// that exceeds the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30
@@ -482,10 +486,11 @@ namespace Vesica
         /// many numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all,
         /// may be NULL.</para>
         /// <para>Returns: how many pairs of outlines meet (distance 0).</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and
-        /// outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved
-        /// is not 0, or an array that exceeds the address space).</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's
+        /// results would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual.
+        /// Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+        /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+        /// that exceeds the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30
@@ -502,10 +507,11 @@ namespace Vesica
         /// many numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all,
         /// may be NULL.</para>
         /// <para>Returns: how many depths are &gt; 0.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and
-        /// outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved
-        /// is not 0, or an array that exceeds the address space).</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's
+        /// results would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual.
+        /// Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+        /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+        /// that exceeds the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30
@@ -521,10 +527,11 @@ namespace Vesica
         /// many numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all,
         /// may be NULL.</para>
         /// <para>Returns: how many areas are &gt; 0.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and
-        /// outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved
-        /// is not 0, or an array that exceeds the address space).</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's
+        /// results would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual.
+        /// Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+        /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+        /// that exceeds the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30
@@ -542,10 +549,11 @@ namespace Vesica
         /// many numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all,
         /// may be NULL.</para>
         /// <para>Returns: how many are &gt; 0.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and
-        /// outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved
-        /// is not 0, or an array that exceeds the address space).</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's
+        /// results would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual.
+        /// Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+        /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+        /// that exceeds the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30
@@ -562,10 +570,11 @@ namespace Vesica
         /// counts elements of out. With two or more rows its magnitude is at least b's count; if it is negative, rows
         /// run backwards in memory.</para>
         /// <para>Returns: how many are 1.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out
-        /// may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or
-        /// an array or rows that exceed the address space).</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's
+        /// results would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual.
+        /// Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND,
+        /// VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that exceed
+        /// the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Cost: for each pair at most as in a batch of one shape against many, whatever the size of the
@@ -581,10 +590,11 @@ namespace Vesica
         /// counts elements of out. With two or more rows its magnitude is at least b's count; if it is negative, rows
         /// run backwards in memory.</para>
         /// <para>Returns: how many are not VESICA_DISJOINT.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out
-        /// may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or
-        /// an array or rows that exceed the address space).</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's
+        /// results would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual.
+        /// Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND,
+        /// VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that exceed
+        /// the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Cost: for each pair at most as in a batch of one shape against many, whatever the size of the
@@ -600,10 +610,11 @@ namespace Vesica
         /// counts elements of out. With two or more rows its magnitude is at least b's count; if it is negative, rows
         /// run backwards in memory.</para>
         /// <para>Returns: how many are 1.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out
-        /// may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or
-        /// an array or rows that exceed the address space).</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's
+        /// results would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual.
+        /// Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND,
+        /// VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that exceed
+        /// the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Cost: for each pair at most as in a batch of one shape against many, whatever the size of the
@@ -619,10 +630,11 @@ namespace Vesica
         /// counts elements of out. With two or more rows its magnitude is at least b's count; if it is negative, rows
         /// run backwards in memory.</para>
         /// <para>Returns: how many are &gt; 0.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out
-        /// may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or
-        /// an array or rows that exceed the address space).</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's
+        /// results would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual.
+        /// Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND,
+        /// VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that exceed
+        /// the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Cost: for each pair at most as in a batch of one shape against many, whatever the size of the
@@ -640,10 +652,11 @@ namespace Vesica
         /// counts elements of out. With two or more rows its magnitude is at least b's count; if it is negative, rows
         /// run backwards in memory.</para>
         /// <para>Returns: how many are &gt; 0.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out
-        /// may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or
-        /// an array or rows that exceed the address space).</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's
+        /// results would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual.
+        /// Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND,
+        /// VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that exceed
+        /// the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Cost: for each pair at most as in a batch of one shape against many, whatever the size of the
@@ -1029,10 +1042,11 @@ namespace Vesica
         /// many numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all,
         /// may be NULL.</para>
         /// <para>Returns: how many are 1.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and
-        /// outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved
-        /// is not 0, or an array that exceeds the address space).</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's
+        /// results would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual.
+        /// Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+        /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+        /// that exceeds the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Cost: in cache, from columns, with AVX-512: 0.6 to 1.1 ns a pair in double, 0.3 to 0.5 ns in
@@ -1048,10 +1062,11 @@ namespace Vesica
         /// many numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all,
         /// may be NULL.</para>
         /// <para>Returns: how many are not VESICA_DISJOINT.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and
-        /// outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved
-        /// is not 0, or an array that exceeds the address space).</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's
+        /// results would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual.
+        /// Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+        /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+        /// that exceeds the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30
@@ -1067,10 +1082,11 @@ namespace Vesica
         /// many numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all,
         /// may be NULL.</para>
         /// <para>Returns: how many are 1.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and
-        /// outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved
-        /// is not 0, or an array that exceeds the address space).</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's
+        /// results would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual.
+        /// Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+        /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+        /// that exceeds the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30
@@ -1087,10 +1103,11 @@ namespace Vesica
         /// many numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all,
         /// may be NULL.</para>
         /// <para>Returns: how many pairs overlap (distance 0).</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and
-        /// outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved
-        /// is not 0, or an array that exceeds the address space).</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's
+        /// results would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual.
+        /// Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+        /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+        /// that exceeds the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30
@@ -1108,10 +1125,11 @@ namespace Vesica
         /// many numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all,
         /// may be NULL.</para>
         /// <para>Returns: how many pairs of outlines meet (distance 0).</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and
-        /// outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved
-        /// is not 0, or an array that exceeds the address space).</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's
+        /// results would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual.
+        /// Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+        /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+        /// that exceeds the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30
@@ -1128,10 +1146,11 @@ namespace Vesica
         /// many numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all,
         /// may be NULL.</para>
         /// <para>Returns: how many depths are &gt; 0.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and
-        /// outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved
-        /// is not 0, or an array that exceeds the address space).</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's
+        /// results would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual.
+        /// Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+        /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+        /// that exceeds the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30
@@ -1147,10 +1166,11 @@ namespace Vesica
         /// many numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all,
         /// may be NULL.</para>
         /// <para>Returns: how many areas are &gt; 0.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and
-        /// outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved
-        /// is not 0, or an array that exceeds the address space).</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's
+        /// results would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual.
+        /// Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+        /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+        /// that exceeds the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30
@@ -1168,10 +1188,11 @@ namespace Vesica
         /// many numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all,
         /// may be NULL.</para>
         /// <para>Returns: how many are &gt; 0.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and
-        /// outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved
-        /// is not 0, or an array that exceeds the address space).</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's
+        /// results would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual.
+        /// Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+        /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+        /// that exceeds the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30
@@ -1188,10 +1209,11 @@ namespace Vesica
         /// counts elements of out. With two or more rows its magnitude is at least b's count; if it is negative, rows
         /// run backwards in memory.</para>
         /// <para>Returns: how many are 1.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out
-        /// may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or
-        /// an array or rows that exceed the address space).</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's
+        /// results would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual.
+        /// Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND,
+        /// VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that exceed
+        /// the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Cost: for each pair at most as in a batch of one shape against many, whatever the size of the
@@ -1207,10 +1229,11 @@ namespace Vesica
         /// counts elements of out. With two or more rows its magnitude is at least b's count; if it is negative, rows
         /// run backwards in memory.</para>
         /// <para>Returns: how many are not VESICA_DISJOINT.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out
-        /// may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or
-        /// an array or rows that exceed the address space).</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's
+        /// results would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual.
+        /// Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND,
+        /// VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that exceed
+        /// the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Cost: for each pair at most as in a batch of one shape against many, whatever the size of the
@@ -1226,10 +1249,11 @@ namespace Vesica
         /// counts elements of out. With two or more rows its magnitude is at least b's count; if it is negative, rows
         /// run backwards in memory.</para>
         /// <para>Returns: how many are 1.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out
-        /// may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or
-        /// an array or rows that exceed the address space).</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's
+        /// results would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual.
+        /// Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND,
+        /// VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that exceed
+        /// the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Cost: for each pair at most as in a batch of one shape against many, whatever the size of the
@@ -1245,10 +1269,11 @@ namespace Vesica
         /// counts elements of out. With two or more rows its magnitude is at least b's count; if it is negative, rows
         /// run backwards in memory.</para>
         /// <para>Returns: how many are &gt; 0.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out
-        /// may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or
-        /// an array or rows that exceed the address space).</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's
+        /// results would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual.
+        /// Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND,
+        /// VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that exceed
+        /// the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Cost: for each pair at most as in a batch of one shape against many, whatever the size of the
@@ -1266,10 +1291,11 @@ namespace Vesica
         /// counts elements of out. With two or more rows its magnitude is at least b's count; if it is negative, rows
         /// run backwards in memory.</para>
         /// <para>Returns: how many are &gt; 0.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out
-        /// may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or
-        /// an array or rows that exceed the address space).</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's
+        /// results would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual.
+        /// Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND,
+        /// VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that exceed
+        /// the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Cost: for each pair at most as in a batch of one shape against many, whatever the size of the
@@ -1605,12 +1631,14 @@ namespace Vesica
         /// <para>Which items of an index does one shape overlap? They come in the index's order.</para>
         /// <para>To ask for many shapes, index them too and call vesica_join_f64.</para>
         /// <para>Requires: sets are those of the index; or NULL, with set_count 0, to find the items whose bounds meet
-        /// the shape's. one, an array of count 1. out has room for `capacity` items. With capacity 0, out and state may
-        /// be NULL.</para>
+        /// the shape's. Bounds are those in the index, up to about 2^-15 of the extent of nearby shapes larger than
+        /// vesica_bounds_f64's. one, an array of count 1. out has room for `capacity` items. With capacity 0, out and
+        /// state may be NULL.</para>
         /// <para>Returns: the number of items written; with capacity 0, how many there are.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid),
-        /// VESICA_E_ARGUMENT (a number or a size is out of range, a pointer is not aligned, sets are not the index's,
-        /// the state is from another call).</para>
+        /// VESICA_E_ARGUMENT (a number or a size is out of range, a pointer is not aligned, the sets have another
+        /// number of items than the index, the state is from another function, part, parts or query). Other sets, and
+        /// states of calls with other shapes or distances, are not noticed: answers are then meaningless.</para>
         /// <para>Accuracy: exact, if there are sets.</para>
         /// <para>Cost: about 0.5 us for a few shapes that are found, 2 us for 1,000 boxes.</para>
         /// <para>Since: 0.1.</para>
@@ -1632,8 +1660,8 @@ namespace Vesica
         /// `capacity` items. With capacity 0, they and state may be NULL.</para>
         /// <para>Returns: the number of pairs written; with capacity 0, how many the whole part has.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT (an unknown query, a number or
-        /// a size out of range, a pointer that is not aligned, sets that are not the index's, a state from another
-        /// call).</para>
+        /// a size out of range, a pointer that is not aligned, sets of another number of items, a state from another
+        /// function).</para>
         /// <para>Accuracy: exact for all queries but VESICA_JOIN_BOUNDS.</para>
         /// <para>Cost: 10 to 15 ns a shape to find candidates, and 15 to 25 ns a candidate to decide.</para>
         /// <para>Since: 0.1.</para>
@@ -1674,8 +1702,9 @@ namespace Vesica
         /// <para>Returns: how many items were found and written; with k = 0, how many there are within the
         /// distance.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid),
-        /// VESICA_E_ARGUMENT (a number or a size is out of range, a pointer is not aligned, sets are not the index's,
-        /// the state is from another call).</para>
+        /// VESICA_E_ARGUMENT (a number or a size is out of range, a pointer is not aligned, the sets have another
+        /// number of items than the index, the state is from another function, part, parts or query). Other sets, and
+        /// states of calls with other shapes or distances, are not noticed: answers are then meaningless.</para>
         /// <para>Accuracy: distances are those of vesica_nearest_f64, bit for bit.</para>
         /// <para>Cost: 3 to 5 us for 10 of a million AABBs near a point; mostly that of vesica_nearest_f64 for some 10
         /// more than k.</para>
@@ -1690,15 +1719,17 @@ namespace Vesica
         /// 1].</para>
         /// <para>A row is the result of vesica_index_nearest_f64 for item i. If it has fewer than k items, the rest are
         /// -1 with distance infinity. If a set is asked for its own neighbours, each item finds itself too, at distance
-        /// 0. If an item of sets_a is invalid, its row holds -1, all other rows are right, and the call returns
-        /// VESICA_E_SHAPE. Each part takes about the same number of items, and writes only their rows.</para>
+        /// 0, unless k lower items overlap it. If an item of sets_a is invalid, its row holds -1, all other rows are
+        /// right, and the call returns VESICA_E_SHAPE. Each part takes about the same number of items, and writes only
+        /// their rows.</para>
         /// <para>Requires: sets_b are those of index_b. k &gt;= 1, and out and distance have room for k items a row. If
         /// sets_a have no items, they may be NULL. 0 &lt;= part &lt; parts. within, the largest distance to look for,
         /// &gt;= 0 or infinity.</para>
         /// <para>Returns: how many items were found in all rows of the part.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid),
-        /// VESICA_E_ARGUMENT (a number or a size is out of range, a pointer is not aligned, sets are not the index's,
-        /// the state is from another call).</para>
+        /// VESICA_E_ARGUMENT (a number or a size is out of range, a pointer is not aligned, the sets have another
+        /// number of items than the index, the state is from another function, part, parts or query). Other sets, and
+        /// states of calls with other shapes or distances, are not noticed: answers are then meaningless.</para>
         /// <para>Accuracy: distances are those of vesica_nearest_f64, bit for bit.</para>
         /// <para>Cost: that of vesica_index_nearest_f64 for each item.</para>
         /// <para>Since: 0.1.</para>
@@ -1727,12 +1758,14 @@ namespace Vesica
         /// <para>Which items of an index does one shape overlap? They come in the index's order.</para>
         /// <para>To ask for many shapes, index them too and call vesica_join_f32.</para>
         /// <para>Requires: sets are those of the index; or NULL, with set_count 0, to find the items whose bounds meet
-        /// the shape's. one, an array of count 1. out has room for `capacity` items. With capacity 0, out and state may
-        /// be NULL.</para>
+        /// the shape's. Bounds are those in the index, up to about 2^-15 of the extent of nearby shapes larger than
+        /// vesica_bounds_f32's. one, an array of count 1. out has room for `capacity` items. With capacity 0, out and
+        /// state may be NULL.</para>
         /// <para>Returns: the number of items written; with capacity 0, how many there are.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid),
-        /// VESICA_E_ARGUMENT (a number or a size is out of range, a pointer is not aligned, sets are not the index's,
-        /// the state is from another call).</para>
+        /// VESICA_E_ARGUMENT (a number or a size is out of range, a pointer is not aligned, the sets have another
+        /// number of items than the index, the state is from another function, part, parts or query). Other sets, and
+        /// states of calls with other shapes or distances, are not noticed: answers are then meaningless.</para>
         /// <para>Accuracy: exact, if there are sets.</para>
         /// <para>Cost: about 0.5 us for a few shapes that are found, 2 us for 1,000 boxes.</para>
         /// <para>Since: 0.1.</para>
@@ -1754,8 +1787,8 @@ namespace Vesica
         /// `capacity` items. With capacity 0, they and state may be NULL.</para>
         /// <para>Returns: the number of pairs written; with capacity 0, how many the whole part has.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT (an unknown query, a number or
-        /// a size out of range, a pointer that is not aligned, sets that are not the index's, a state from another
-        /// call).</para>
+        /// a size out of range, a pointer that is not aligned, sets of another number of items, a state from another
+        /// function).</para>
         /// <para>Accuracy: exact for all queries but VESICA_JOIN_BOUNDS.</para>
         /// <para>Cost: 10 to 15 ns a shape to find candidates, and 15 to 25 ns a candidate to decide.</para>
         /// <para>Since: 0.1.</para>
@@ -1796,8 +1829,9 @@ namespace Vesica
         /// <para>Returns: how many items were found and written; with k = 0, how many there are within the
         /// distance.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid),
-        /// VESICA_E_ARGUMENT (a number or a size is out of range, a pointer is not aligned, sets are not the index's,
-        /// the state is from another call).</para>
+        /// VESICA_E_ARGUMENT (a number or a size is out of range, a pointer is not aligned, the sets have another
+        /// number of items than the index, the state is from another function, part, parts or query). Other sets, and
+        /// states of calls with other shapes or distances, are not noticed: answers are then meaningless.</para>
         /// <para>Accuracy: distances are those of vesica_nearest_f32, bit for bit.</para>
         /// <para>Cost: 3 to 5 us for 10 of a million AABBs near a point; mostly that of vesica_nearest_f32 for some 10
         /// more than k.</para>
@@ -1812,15 +1846,17 @@ namespace Vesica
         /// 1].</para>
         /// <para>A row is the result of vesica_index_nearest_f32 for item i. If it has fewer than k items, the rest are
         /// -1 with distance infinity. If a set is asked for its own neighbours, each item finds itself too, at distance
-        /// 0. If an item of sets_a is invalid, its row holds -1, all other rows are right, and the call returns
-        /// VESICA_E_SHAPE. Each part takes about the same number of items, and writes only their rows.</para>
+        /// 0, unless k lower items overlap it. If an item of sets_a is invalid, its row holds -1, all other rows are
+        /// right, and the call returns VESICA_E_SHAPE. Each part takes about the same number of items, and writes only
+        /// their rows.</para>
         /// <para>Requires: sets_b are those of index_b. k &gt;= 1, and out and distance have room for k items a row. If
         /// sets_a have no items, they may be NULL. 0 &lt;= part &lt; parts. within, the largest distance to look for,
         /// &gt;= 0 or infinity.</para>
         /// <para>Returns: how many items were found in all rows of the part.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid),
-        /// VESICA_E_ARGUMENT (a number or a size is out of range, a pointer is not aligned, sets are not the index's,
-        /// the state is from another call).</para>
+        /// VESICA_E_ARGUMENT (a number or a size is out of range, a pointer is not aligned, the sets have another
+        /// number of items than the index, the state is from another function, part, parts or query). Other sets, and
+        /// states of calls with other shapes or distances, are not noticed: answers are then meaningless.</para>
         /// <para>Accuracy: distances are those of vesica_nearest_f32, bit for bit.</para>
         /// <para>Cost: that of vesica_index_nearest_f32 for each item.</para>
         /// <para>Since: 0.1.</para>
@@ -2319,9 +2355,10 @@ namespace Vesica
         /// an edge there; if b only slides along a, it is perpendicular to the velocity. For a face that is met at an
         /// angle below 2^-80 it may be that of the face beside it, and the point their corner. If two faces meet, the
         /// point is the middle of what they share. Shapes that overlap at the start have t = 0, the direction of
-        /// vesica_depth_f64 and the point of vesica_nearest_f64. Shapes that only touch at the start press together if
-        /// (nx, ny).(vx, vy) &lt; 0; if not, they move apart or slide. Exchanging the shapes and reversing the velocity
-        /// changes neither the answer nor the time; it reverses the normal, up to rounding.</para>
+        /// vesica_depth_f64 and the point of vesica_nearest_f64. Shapes that only touch at the start move apart or
+        /// slide if (nx, ny).(vx, vy) &gt;= 0. Else they may press together; where corners meet, or a shape has no
+        /// area, they may also part. Exchanging the shapes and reversing the velocity changes neither the answer nor
+        /// the time; it reverses the normal, up to rounding.</para>
         /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
         /// <para>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity that is not finite, a t_end that
@@ -2400,9 +2437,9 @@ namespace Vesica
         /// out has room for `capacity` items. With capacity 0, out and state may be NULL.</para>
         /// <para>Returns: the number of items written; with capacity 0, how many there are. If state[0] is not -1 then,
         /// there are more, and the same call continues (vesica_index.h).</para>
-        /// <para>Errors: those of vesica_cast_f64, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the
-        /// index's, a pointer that is not aligned, or a state from another call. Invalid items are never
-        /// touched.</para>
+        /// <para>Errors: those of vesica_cast_f64, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets of another
+        /// number of items than the index, a pointer that is not aligned, or a state from another function
+        /// (vesica_index.h). Invalid items are never touched.</para>
         /// <para>Accuracy: exact.</para>
         /// <para>Cost: a few us, and that of vesica_cast_f64 for each item whose box the swept box meets.</para>
         /// <para>Since: 0.1.</para>
@@ -2570,9 +2607,10 @@ namespace Vesica
         /// an edge there; if b only slides along a, it is perpendicular to the velocity. For a face that is met at an
         /// angle below 2^-80 it may be that of the face beside it, and the point their corner. If two faces meet, the
         /// point is the middle of what they share. Shapes that overlap at the start have t = 0, the direction of
-        /// vesica_depth_f32 and the point of vesica_nearest_f32. Shapes that only touch at the start press together if
-        /// (nx, ny).(vx, vy) &lt; 0; if not, they move apart or slide. Exchanging the shapes and reversing the velocity
-        /// changes neither the answer nor the time; it reverses the normal, up to rounding.</para>
+        /// vesica_depth_f32 and the point of vesica_nearest_f32. Shapes that only touch at the start move apart or
+        /// slide if (nx, ny).(vx, vy) &gt;= 0. Else they may press together; where corners meet, or a shape has no
+        /// area, they may also part. Exchanging the shapes and reversing the velocity changes neither the answer nor
+        /// the time; it reverses the normal, up to rounding.</para>
         /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
         /// <para>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity that is not finite, a t_end that
@@ -2651,9 +2689,9 @@ namespace Vesica
         /// out has room for `capacity` items. With capacity 0, out and state may be NULL.</para>
         /// <para>Returns: the number of items written; with capacity 0, how many there are. If state[0] is not -1 then,
         /// there are more, and the same call continues (vesica_index.h).</para>
-        /// <para>Errors: those of vesica_cast_f32, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the
-        /// index's, a pointer that is not aligned, or a state from another call. Invalid items are never
-        /// touched.</para>
+        /// <para>Errors: those of vesica_cast_f32, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets of another
+        /// number of items than the index, a pointer that is not aligned, or a state from another function
+        /// (vesica_index.h). Invalid items are never touched.</para>
         /// <para>Accuracy: exact.</para>
         /// <para>Cost: a few us, and that of vesica_cast_f32 for each item whose box the swept box meets.</para>
         /// <para>Since: 0.1.</para>

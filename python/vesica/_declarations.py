@@ -422,7 +422,7 @@ Since: 0.1.""",
 Name of the instruction set that batches use: the best one of this processor. Answers never depend on it.
 
 The environment variable VESICA_ISA selects another one. It is read once, when the library is loaded. An
-unknown name is ignored, and so is a set that the processor lacks.
+unknown name is ignored, and so is a set that the processor, or this build of the library, lacks.
 
 Returns: static text: "sse2", "avx2", "avx512", "neon", "simd128" or "portable".
 Since: 0.1.""",
@@ -1091,10 +1091,11 @@ Requires: equal counts, or one count of 1, whose shape is used for all. Each out
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
 be NULL.
 Returns: how many are 1.
-Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
-are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may
-be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
-an array that exceeds the address space).
+Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results
+would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before
+anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND,
+VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that exceeds the
+address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
 layout.
 Cost: in cache, from columns, with AVX-512: 0.6 to 1.1 ns a pair in double, 0.3 to 0.5 ns in float.
@@ -1111,10 +1112,11 @@ Requires: equal counts, or one count of 1, whose shape is used for all. Each out
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
 be NULL.
 Returns: how many are not VESICA_DISJOINT.
-Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
-are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may
-be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
-an array that exceeds the address space).
+Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results
+would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before
+anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND,
+VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that exceeds the
+address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
 layout.
 Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
@@ -1132,10 +1134,11 @@ Requires: equal counts, or one count of 1, whose shape is used for all. Each out
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
 be NULL.
 Returns: how many are 1.
-Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
-are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may
-be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
-an array that exceeds the address space).
+Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results
+would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before
+anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND,
+VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that exceeds the
+address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
 layout.
 Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
@@ -1153,10 +1156,11 @@ Requires: equal counts, or one count of 1, whose shape is used for all. Each out
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
 be NULL.
 Returns: how many pairs overlap (distance 0).
-Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
-are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may
-be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
-an array that exceeds the address space).
+Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results
+would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before
+anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND,
+VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that exceeds the
+address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
 layout.
 Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
@@ -1175,10 +1179,11 @@ Requires: equal counts, or one count of 1, whose shape is used for all. Each out
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
 be NULL.
 Returns: how many pairs of outlines meet (distance 0).
-Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
-are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may
-be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
-an array that exceeds the address space).
+Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results
+would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before
+anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND,
+VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that exceeds the
+address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
 layout.
 Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
@@ -1196,10 +1201,11 @@ Requires: equal counts, or one count of 1, whose shape is used for all. Each out
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
 be NULL.
 Returns: how many depths are > 0.
-Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
-are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may
-be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
-an array that exceeds the address space).
+Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results
+would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before
+anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND,
+VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that exceeds the
+address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
 layout.
 Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
@@ -1217,10 +1223,11 @@ Requires: equal counts, or one count of 1, whose shape is used for all. Each out
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
 be NULL.
 Returns: how many areas are > 0.
-Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
-are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may
-be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
-an array that exceeds the address space).
+Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results
+would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before
+anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND,
+VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that exceeds the
+address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
 layout.
 Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
@@ -1241,10 +1248,11 @@ Requires: equal counts, or one count of 1, whose shape is used for all. Each out
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
 be NULL.
 Returns: how many are > 0.
-Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
-are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may
-be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
-an array that exceeds the address space).
+Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results
+would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before
+anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND,
+VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that exceeds the
+address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
 layout.
 Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
@@ -1263,10 +1271,11 @@ Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and 
 elements of out. With two or more rows its magnitude is at least b's count; if it is negative, rows run
 backwards in memory.
 Returns: how many are 1.
-Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
-are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be
-NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array
-or rows that exceed the address space).
+Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results
+would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before
+anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND,
+VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that exceed
+the address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
 layout.
 Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
@@ -1283,10 +1292,11 @@ Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and 
 elements of out. With two or more rows its magnitude is at least b's count; if it is negative, rows run
 backwards in memory.
 Returns: how many are not VESICA_DISJOINT.
-Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
-are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be
-NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array
-or rows that exceed the address space).
+Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results
+would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before
+anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND,
+VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that exceed
+the address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
 layout.
 Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
@@ -1303,10 +1313,11 @@ Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and 
 elements of out. With two or more rows its magnitude is at least b's count; if it is negative, rows run
 backwards in memory.
 Returns: how many are 1.
-Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
-are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be
-NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array
-or rows that exceed the address space).
+Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results
+would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before
+anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND,
+VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that exceed
+the address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
 layout.
 Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
@@ -1323,10 +1334,11 @@ Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and 
 elements of out. With two or more rows its magnitude is at least b's count; if it is negative, rows run
 backwards in memory.
 Returns: how many are > 0.
-Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
-are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be
-NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array
-or rows that exceed the address space).
+Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results
+would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before
+anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND,
+VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that exceed
+the address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
 layout.
 Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
@@ -1346,10 +1358,11 @@ Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and 
 elements of out. With two or more rows its magnitude is at least b's count; if it is negative, rows run
 backwards in memory.
 Returns: how many are > 0.
-Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
-are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be
-NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array
-or rows that exceed the address space).
+Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results
+would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before
+anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND,
+VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that exceed
+the address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
 layout.
 Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
@@ -2078,10 +2091,11 @@ Requires: equal counts, or one count of 1, whose shape is used for all. Each out
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
 be NULL.
 Returns: how many are 1.
-Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
-are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may
-be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
-an array that exceeds the address space).
+Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results
+would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before
+anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND,
+VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that exceeds the
+address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
 layout.
 Cost: in cache, from columns, with AVX-512: 0.6 to 1.1 ns a pair in double, 0.3 to 0.5 ns in float.
@@ -2098,10 +2112,11 @@ Requires: equal counts, or one count of 1, whose shape is used for all. Each out
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
 be NULL.
 Returns: how many are not VESICA_DISJOINT.
-Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
-are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may
-be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
-an array that exceeds the address space).
+Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results
+would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before
+anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND,
+VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that exceeds the
+address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
 layout.
 Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
@@ -2119,10 +2134,11 @@ Requires: equal counts, or one count of 1, whose shape is used for all. Each out
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
 be NULL.
 Returns: how many are 1.
-Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
-are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may
-be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
-an array that exceeds the address space).
+Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results
+would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before
+anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND,
+VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that exceeds the
+address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
 layout.
 Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
@@ -2140,10 +2156,11 @@ Requires: equal counts, or one count of 1, whose shape is used for all. Each out
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
 be NULL.
 Returns: how many pairs overlap (distance 0).
-Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
-are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may
-be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
-an array that exceeds the address space).
+Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results
+would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before
+anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND,
+VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that exceeds the
+address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
 layout.
 Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
@@ -2162,10 +2179,11 @@ Requires: equal counts, or one count of 1, whose shape is used for all. Each out
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
 be NULL.
 Returns: how many pairs of outlines meet (distance 0).
-Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
-are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may
-be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
-an array that exceeds the address space).
+Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results
+would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before
+anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND,
+VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that exceeds the
+address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
 layout.
 Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
@@ -2183,10 +2201,11 @@ Requires: equal counts, or one count of 1, whose shape is used for all. Each out
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
 be NULL.
 Returns: how many depths are > 0.
-Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
-are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may
-be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
-an array that exceeds the address space).
+Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results
+would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before
+anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND,
+VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that exceeds the
+address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
 layout.
 Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
@@ -2204,10 +2223,11 @@ Requires: equal counts, or one count of 1, whose shape is used for all. Each out
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
 be NULL.
 Returns: how many areas are > 0.
-Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
-are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may
-be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
-an array that exceeds the address space).
+Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results
+would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before
+anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND,
+VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that exceeds the
+address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
 layout.
 Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
@@ -2228,10 +2248,11 @@ Requires: equal counts, or one count of 1, whose shape is used for all. Each out
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
 be NULL.
 Returns: how many are > 0.
-Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
-are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may
-be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
-an array that exceeds the address space).
+Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results
+would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before
+anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND,
+VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that exceeds the
+address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
 layout.
 Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
@@ -2250,10 +2271,11 @@ Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and 
 elements of out. With two or more rows its magnitude is at least b's count; if it is negative, rows run
 backwards in memory.
 Returns: how many are 1.
-Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
-are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be
-NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array
-or rows that exceed the address space).
+Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results
+would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before
+anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND,
+VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that exceed
+the address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
 layout.
 Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
@@ -2270,10 +2292,11 @@ Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and 
 elements of out. With two or more rows its magnitude is at least b's count; if it is negative, rows run
 backwards in memory.
 Returns: how many are not VESICA_DISJOINT.
-Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
-are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be
-NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array
-or rows that exceed the address space).
+Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results
+would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before
+anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND,
+VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that exceed
+the address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
 layout.
 Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
@@ -2290,10 +2313,11 @@ Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and 
 elements of out. With two or more rows its magnitude is at least b's count; if it is negative, rows run
 backwards in memory.
 Returns: how many are 1.
-Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
-are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be
-NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array
-or rows that exceed the address space).
+Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results
+would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before
+anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND,
+VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that exceed
+the address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
 layout.
 Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
@@ -2310,10 +2334,11 @@ Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and 
 elements of out. With two or more rows its magnitude is at least b's count; if it is negative, rows run
 backwards in memory.
 Returns: how many are > 0.
-Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
-are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be
-NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array
-or rows that exceed the address space).
+Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results
+would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before
+anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND,
+VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that exceed
+the address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
 layout.
 Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
@@ -2333,10 +2358,11 @@ Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and 
 elements of out. With two or more rows its magnitude is at least b's count; if it is negative, rows run
 backwards in memory.
 Returns: how many are > 0.
-Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others
-are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be
-NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array
-or rows that exceed the address space).
+Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results
+would overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before
+anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND,
+VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that exceed
+the address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
 layout.
 Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
@@ -2720,12 +2746,14 @@ Which items of an index does one shape overlap? They come in the index's order.
 To ask for many shapes, index them too and call vesica_join_f64.
 
 Requires: sets are those of the index; or NULL, with set_count 0, to find the items whose bounds meet the
-shape's. one, an array of count 1. out has room for `capacity` items. With capacity 0, out and state may be
-NULL.
+shape's. Bounds are those in the index, up to about 2^-15 of the extent of nearby shapes larger than
+vesica_bounds_f64's. one, an array of count 1. out has room for `capacity` items. With capacity 0, out and
+state may be NULL.
 Returns: the number of items written; with capacity 0, how many there are.
 Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT
-(a number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from
-another call).
+(a number or a size is out of range, a pointer is not aligned, the sets have another number of items than
+the index, the state is from another function, part, parts or query). Other sets, and states of calls with
+other shapes or distances, are not noticed: answers are then meaningless.
 Accuracy: exact, if there are sets.
 Cost: about 0.5 us for a few shapes that are found, 2 us for 1,000 boxes.
 Since: 0.1.""",
@@ -2750,7 +2778,8 @@ is kept in the scratch between calls. out_a and out_b have room for `capacity` i
 and state may be NULL.
 Returns: the number of pairs written; with capacity 0, how many the whole part has.
 Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT (an unknown query, a number or a
-size out of range, a pointer that is not aligned, sets that are not the index's, a state from another call).
+size out of range, a pointer that is not aligned, sets of another number of items, a state from another
+function).
 Accuracy: exact for all queries but VESICA_JOIN_BOUNDS.
 Cost: 10 to 15 ns a shape to find candidates, and 15 to 25 ns a candidate to decide.
 Since: 0.1.""",
@@ -2791,8 +2820,9 @@ Requires: sets are those of the index. one, an array of count 1. k >= 0, and out
 k each. With k = 0 they may be NULL. within, the largest distance to look for, >= 0 or infinity.
 Returns: how many items were found and written; with k = 0, how many there are within the distance.
 Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT
-(a number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from
-another call).
+(a number or a size is out of range, a pointer is not aligned, the sets have another number of items than
+the index, the state is from another function, part, parts or query). Other sets, and states of calls with
+other shapes or distances, are not noticed: answers are then meaningless.
 Accuracy: distances are those of vesica_nearest_f64, bit for bit.
 Cost: 3 to 5 us for 10 of a million AABBs near a point; mostly that of vesica_nearest_f64 for some 10 more
 than k.
@@ -2807,17 +2837,19 @@ distance)
 Which items of index_b are nearest to each item of sets_a? Row i is out[i * k] ... out[i * k + k - 1].
 
 A row is the result of vesica_index_nearest_f64 for item i. If it has fewer than k items, the rest are -1
-with distance infinity. If a set is asked for its own neighbours, each item finds itself too, at distance 0.
-If an item of sets_a is invalid, its row holds -1, all other rows are right, and the call returns
-VESICA_E_SHAPE. Each part takes about the same number of items, and writes only their rows.
+with distance infinity. If a set is asked for its own neighbours, each item finds itself too, at distance 0,
+unless k lower items overlap it. If an item of sets_a is invalid, its row holds -1, all other rows are
+right, and the call returns VESICA_E_SHAPE. Each part takes about the same number of items, and writes only
+their rows.
 
 Requires: sets_b are those of index_b. k >= 1, and out and distance have room for k items a row. If sets_a
 have no items, they may be NULL. 0 <= part < parts. within, the largest distance to look for, >= 0 or
 infinity.
 Returns: how many items were found in all rows of the part.
 Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT
-(a number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from
-another call).
+(a number or a size is out of range, a pointer is not aligned, the sets have another number of items than
+the index, the state is from another function, part, parts or query). Other sets, and states of calls with
+other shapes or distances, are not noticed: answers are then meaningless.
 Accuracy: distances are those of vesica_nearest_f64, bit for bit.
 Cost: that of vesica_index_nearest_f64 for each item.
 Since: 0.1.""",
@@ -2868,12 +2900,14 @@ Which items of an index does one shape overlap? They come in the index's order.
 To ask for many shapes, index them too and call vesica_join_f32.
 
 Requires: sets are those of the index; or NULL, with set_count 0, to find the items whose bounds meet the
-shape's. one, an array of count 1. out has room for `capacity` items. With capacity 0, out and state may be
-NULL.
+shape's. Bounds are those in the index, up to about 2^-15 of the extent of nearby shapes larger than
+vesica_bounds_f32's. one, an array of count 1. out has room for `capacity` items. With capacity 0, out and
+state may be NULL.
 Returns: the number of items written; with capacity 0, how many there are.
 Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT
-(a number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from
-another call).
+(a number or a size is out of range, a pointer is not aligned, the sets have another number of items than
+the index, the state is from another function, part, parts or query). Other sets, and states of calls with
+other shapes or distances, are not noticed: answers are then meaningless.
 Accuracy: exact, if there are sets.
 Cost: about 0.5 us for a few shapes that are found, 2 us for 1,000 boxes.
 Since: 0.1.""",
@@ -2898,7 +2932,8 @@ is kept in the scratch between calls. out_a and out_b have room for `capacity` i
 and state may be NULL.
 Returns: the number of pairs written; with capacity 0, how many the whole part has.
 Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT (an unknown query, a number or a
-size out of range, a pointer that is not aligned, sets that are not the index's, a state from another call).
+size out of range, a pointer that is not aligned, sets of another number of items, a state from another
+function).
 Accuracy: exact for all queries but VESICA_JOIN_BOUNDS.
 Cost: 10 to 15 ns a shape to find candidates, and 15 to 25 ns a candidate to decide.
 Since: 0.1.""",
@@ -2939,8 +2974,9 @@ Requires: sets are those of the index. one, an array of count 1. k >= 0, and out
 k each. With k = 0 they may be NULL. within, the largest distance to look for, >= 0 or infinity.
 Returns: how many items were found and written; with k = 0, how many there are within the distance.
 Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT
-(a number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from
-another call).
+(a number or a size is out of range, a pointer is not aligned, the sets have another number of items than
+the index, the state is from another function, part, parts or query). Other sets, and states of calls with
+other shapes or distances, are not noticed: answers are then meaningless.
 Accuracy: distances are those of vesica_nearest_f32, bit for bit.
 Cost: 3 to 5 us for 10 of a million AABBs near a point; mostly that of vesica_nearest_f32 for some 10 more
 than k.
@@ -2955,17 +2991,19 @@ distance)
 Which items of index_b are nearest to each item of sets_a? Row i is out[i * k] ... out[i * k + k - 1].
 
 A row is the result of vesica_index_nearest_f32 for item i. If it has fewer than k items, the rest are -1
-with distance infinity. If a set is asked for its own neighbours, each item finds itself too, at distance 0.
-If an item of sets_a is invalid, its row holds -1, all other rows are right, and the call returns
-VESICA_E_SHAPE. Each part takes about the same number of items, and writes only their rows.
+with distance infinity. If a set is asked for its own neighbours, each item finds itself too, at distance 0,
+unless k lower items overlap it. If an item of sets_a is invalid, its row holds -1, all other rows are
+right, and the call returns VESICA_E_SHAPE. Each part takes about the same number of items, and writes only
+their rows.
 
 Requires: sets_b are those of index_b. k >= 1, and out and distance have room for k items a row. If sets_a
 have no items, they may be NULL. 0 <= part < parts. within, the largest distance to look for, >= 0 or
 infinity.
 Returns: how many items were found in all rows of the part.
 Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT
-(a number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from
-another call).
+(a number or a size is out of range, a pointer is not aligned, the sets have another number of items than
+the index, the state is from another function, part, parts or query). Other sets, and states of calls with
+other shapes or distances, are not noticed: answers are then meaningless.
 Accuracy: distances are those of vesica_nearest_f32, bit for bit.
 Cost: that of vesica_index_nearest_f32 for each item.
 Since: 0.1.""",
@@ -3495,9 +3533,10 @@ The normal is that of the face or the round outline that is met; if a corner mee
 there; if b only slides along a, it is perpendicular to the velocity. For a face that is met at an angle
 below 2^-80 it may be that of the face beside it, and the point their corner. If two faces meet, the point
 is the middle of what they share. Shapes that overlap at the start have t = 0, the direction of
-vesica_depth_f64 and the point of vesica_nearest_f64. Shapes that only touch at the start press together if
-(nx, ny).(vx, vy) < 0; if not, they move apart or slide. Exchanging the shapes and reversing the velocity
-changes neither the answer nor the time; it reverses the normal, up to rounding.
+vesica_depth_f64 and the point of vesica_nearest_f64. Shapes that only touch at the start move apart or
+slide if (nx, ny).(vx, vy) >= 0. Else they may press together; where corners meet, or a shape has no area,
+they may also part. Exchanging the shapes and reversing the velocity changes neither the answer nor the
+time; it reverses the normal, up to rounding.
 
 Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
 Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
@@ -3581,8 +3620,9 @@ Requires: sets are those of the index. one, an array of count 1; vx, vy and t_en
 has room for `capacity` items. With capacity 0, out and state may be NULL.
 Returns: the number of items written; with capacity 0, how many there are. If state[0] is not -1 then, there
 are more, and the same call continues (vesica_index.h).
-Errors: those of vesica_cast_f64, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the
-index's, a pointer that is not aligned, or a state from another call. Invalid items are never touched.
+Errors: those of vesica_cast_f64, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets of another number of
+items than the index, a pointer that is not aligned, or a state from another function (vesica_index.h).
+Invalid items are never touched.
 Accuracy: exact.
 Cost: a few us, and that of vesica_cast_f64 for each item whose box the swept box meets.
 Since: 0.1.""",
@@ -3761,9 +3801,10 @@ The normal is that of the face or the round outline that is met; if a corner mee
 there; if b only slides along a, it is perpendicular to the velocity. For a face that is met at an angle
 below 2^-80 it may be that of the face beside it, and the point their corner. If two faces meet, the point
 is the middle of what they share. Shapes that overlap at the start have t = 0, the direction of
-vesica_depth_f32 and the point of vesica_nearest_f32. Shapes that only touch at the start press together if
-(nx, ny).(vx, vy) < 0; if not, they move apart or slide. Exchanging the shapes and reversing the velocity
-changes neither the answer nor the time; it reverses the normal, up to rounding.
+vesica_depth_f32 and the point of vesica_nearest_f32. Shapes that only touch at the start move apart or
+slide if (nx, ny).(vx, vy) >= 0. Else they may press together; where corners meet, or a shape has no area,
+they may also part. Exchanging the shapes and reversing the velocity changes neither the answer nor the
+time; it reverses the normal, up to rounding.
 
 Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
 Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
@@ -3846,8 +3887,9 @@ Requires: sets are those of the index. one, an array of count 1; vx, vy and t_en
 has room for `capacity` items. With capacity 0, out and state may be NULL.
 Returns: the number of items written; with capacity 0, how many there are. If state[0] is not -1 then, there
 are more, and the same call continues (vesica_index.h).
-Errors: those of vesica_cast_f32, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the
-index's, a pointer that is not aligned, or a state from another call. Invalid items are never touched.
+Errors: those of vesica_cast_f32, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets of another number of
+items than the index, a pointer that is not aligned, or a state from another function (vesica_index.h).
+Invalid items are never touched.
 Accuracy: exact.
 Cost: a few us, and that of vesica_cast_f32 for each item whose box the swept box meets.
 Since: 0.1.""",

@@ -457,8 +457,9 @@ final class Native {
    *
    * <p>Returns: how many are 1.
    *
-   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    *
@@ -480,8 +481,9 @@ final class Native {
    *
    * <p>Returns: how many are not VESICA_DISJOINT.
    *
-   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    *
@@ -504,8 +506,9 @@ final class Native {
    *
    * <p>Returns: how many are 1.
    *
-   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    *
@@ -528,8 +531,9 @@ final class Native {
    *
    * <p>Returns: how many pairs overlap (distance 0).
    *
-   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    *
@@ -553,8 +557,9 @@ final class Native {
    *
    * <p>Returns: how many pairs of outlines meet (distance 0).
    *
-   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    *
@@ -577,8 +582,9 @@ final class Native {
    *
    * <p>Returns: how many depths are &gt; 0.
    *
-   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    *
@@ -601,8 +607,9 @@ final class Native {
    *
    * <p>Returns: how many areas are &gt; 0.
    *
-   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    *
@@ -628,8 +635,9 @@ final class Native {
    *
    * <p>Returns: how many are &gt; 0.
    *
-   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    *
@@ -652,8 +660,9 @@ final class Native {
    *
    * <p>Returns: how many are 1.
    *
-   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that
    * exceed the address space).
    *
@@ -675,8 +684,9 @@ final class Native {
    *
    * <p>Returns: how many are not VESICA_DISJOINT.
    *
-   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that
    * exceed the address space).
    *
@@ -698,8 +708,9 @@ final class Native {
    *
    * <p>Returns: how many are 1.
    *
-   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that
    * exceed the address space).
    *
@@ -721,8 +732,9 @@ final class Native {
    *
    * <p>Returns: how many are &gt; 0.
    *
-   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that
    * exceed the address space).
    *
@@ -746,8 +758,9 @@ final class Native {
    *
    * <p>Returns: how many are &gt; 0.
    *
-   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that
    * exceed the address space).
    *
@@ -1208,8 +1221,9 @@ final class Native {
    *
    * <p>Returns: how many are 1.
    *
-   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    *
@@ -1231,8 +1245,9 @@ final class Native {
    *
    * <p>Returns: how many are not VESICA_DISJOINT.
    *
-   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    *
@@ -1255,8 +1270,9 @@ final class Native {
    *
    * <p>Returns: how many are 1.
    *
-   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    *
@@ -1279,8 +1295,9 @@ final class Native {
    *
    * <p>Returns: how many pairs overlap (distance 0).
    *
-   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    *
@@ -1304,8 +1321,9 @@ final class Native {
    *
    * <p>Returns: how many pairs of outlines meet (distance 0).
    *
-   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    *
@@ -1328,8 +1346,9 @@ final class Native {
    *
    * <p>Returns: how many depths are &gt; 0.
    *
-   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    *
@@ -1352,8 +1371,9 @@ final class Native {
    *
    * <p>Returns: how many areas are &gt; 0.
    *
-   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    *
@@ -1379,8 +1399,9 @@ final class Native {
    *
    * <p>Returns: how many are &gt; 0.
    *
-   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    *
@@ -1403,8 +1424,9 @@ final class Native {
    *
    * <p>Returns: how many are 1.
    *
-   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that
    * exceed the address space).
    *
@@ -1426,8 +1448,9 @@ final class Native {
    *
    * <p>Returns: how many are not VESICA_DISJOINT.
    *
-   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that
    * exceed the address space).
    *
@@ -1449,8 +1472,9 @@ final class Native {
    *
    * <p>Returns: how many are 1.
    *
-   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that
    * exceed the address space).
    *
@@ -1472,8 +1496,9 @@ final class Native {
    *
    * <p>Returns: how many are &gt; 0.
    *
-   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that
    * exceed the address space).
    *
@@ -1497,8 +1522,9 @@ final class Native {
    *
    * <p>Returns: how many are &gt; 0.
    *
-   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+   * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+   * written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
    * VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that
    * exceed the address space).
    *
@@ -1914,13 +1940,16 @@ final class Native {
    * <p>To ask for many shapes, index them too and call vesica_join_f64.
    *
    * <p>Requires: sets are those of the index; or NULL, with set_count 0, to find the items whose bounds meet the
-   * shape's. one, an array of count 1. out has room for `capacity` items. With capacity 0, out and state may be NULL.
+   * shape's. Bounds are those in the index, up to about 2^-15 of the extent of nearby shapes larger than
+   * vesica_bounds_f64's. one, an array of count 1. out has room for `capacity` items. With capacity 0, out and state
+   * may be NULL.
    *
    * <p>Returns: the number of items written; with capacity 0, how many there are.
    *
    * <p>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a
-   * number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from another
-   * call).
+   * number or a size is out of range, a pointer is not aligned, the sets have another number of items than the index,
+   * the state is from another function, part, parts or query). Other sets, and states of calls with other shapes or
+   * distances, are not noticed: answers are then meaningless.
    *
    * <p>Accuracy: exact, if there are sets.
    *
@@ -1948,7 +1977,7 @@ final class Native {
    * <p>Returns: the number of pairs written; with capacity 0, how many the whole part has.
    *
    * <p>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT (an unknown query, a number or a size
-   * out of range, a pointer that is not aligned, sets that are not the index's, a state from another call).
+   * out of range, a pointer that is not aligned, sets of another number of items, a state from another function).
    *
    * <p>Accuracy: exact for all queries but VESICA_JOIN_BOUNDS.
    *
@@ -1998,8 +2027,9 @@ final class Native {
    * <p>Returns: how many items were found and written; with k = 0, how many there are within the distance.
    *
    * <p>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a
-   * number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from another
-   * call).
+   * number or a size is out of range, a pointer is not aligned, the sets have another number of items than the index,
+   * the state is from another function, part, parts or query). Other sets, and states of calls with other shapes or
+   * distances, are not noticed: answers are then meaningless.
    *
    * <p>Accuracy: distances are those of vesica_nearest_f64, bit for bit.
    *
@@ -2016,9 +2046,9 @@ final class Native {
    * Which items of index_b are nearest to each item of sets_a? Row i is out[i * k] ... out[i * k + k - 1].
    *
    * <p>A row is the result of vesica_index_nearest_f64 for item i. If it has fewer than k items, the rest are -1 with
-   * distance infinity. If a set is asked for its own neighbours, each item finds itself too, at distance 0. If an item
-   * of sets_a is invalid, its row holds -1, all other rows are right, and the call returns VESICA_E_SHAPE. Each part
-   * takes about the same number of items, and writes only their rows.
+   * distance infinity. If a set is asked for its own neighbours, each item finds itself too, at distance 0, unless k
+   * lower items overlap it. If an item of sets_a is invalid, its row holds -1, all other rows are right, and the call
+   * returns VESICA_E_SHAPE. Each part takes about the same number of items, and writes only their rows.
    *
    * <p>Requires: sets_b are those of index_b. k &gt;= 1, and out and distance have room for k items a row. If sets_a
    * have no items, they may be NULL. 0 &lt;= part &lt; parts. within, the largest distance to look for, &gt;= 0 or
@@ -2027,8 +2057,9 @@ final class Native {
    * <p>Returns: how many items were found in all rows of the part.
    *
    * <p>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a
-   * number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from another
-   * call).
+   * number or a size is out of range, a pointer is not aligned, the sets have another number of items than the index,
+   * the state is from another function, part, parts or query). Other sets, and states of calls with other shapes or
+   * distances, are not noticed: answers are then meaningless.
    *
    * <p>Accuracy: distances are those of vesica_nearest_f64, bit for bit.
    *
@@ -2066,13 +2097,16 @@ final class Native {
    * <p>To ask for many shapes, index them too and call vesica_join_f32.
    *
    * <p>Requires: sets are those of the index; or NULL, with set_count 0, to find the items whose bounds meet the
-   * shape's. one, an array of count 1. out has room for `capacity` items. With capacity 0, out and state may be NULL.
+   * shape's. Bounds are those in the index, up to about 2^-15 of the extent of nearby shapes larger than
+   * vesica_bounds_f32's. one, an array of count 1. out has room for `capacity` items. With capacity 0, out and state
+   * may be NULL.
    *
    * <p>Returns: the number of items written; with capacity 0, how many there are.
    *
    * <p>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a
-   * number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from another
-   * call).
+   * number or a size is out of range, a pointer is not aligned, the sets have another number of items than the index,
+   * the state is from another function, part, parts or query). Other sets, and states of calls with other shapes or
+   * distances, are not noticed: answers are then meaningless.
    *
    * <p>Accuracy: exact, if there are sets.
    *
@@ -2100,7 +2134,7 @@ final class Native {
    * <p>Returns: the number of pairs written; with capacity 0, how many the whole part has.
    *
    * <p>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT (an unknown query, a number or a size
-   * out of range, a pointer that is not aligned, sets that are not the index's, a state from another call).
+   * out of range, a pointer that is not aligned, sets of another number of items, a state from another function).
    *
    * <p>Accuracy: exact for all queries but VESICA_JOIN_BOUNDS.
    *
@@ -2150,8 +2184,9 @@ final class Native {
    * <p>Returns: how many items were found and written; with k = 0, how many there are within the distance.
    *
    * <p>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a
-   * number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from another
-   * call).
+   * number or a size is out of range, a pointer is not aligned, the sets have another number of items than the index,
+   * the state is from another function, part, parts or query). Other sets, and states of calls with other shapes or
+   * distances, are not noticed: answers are then meaningless.
    *
    * <p>Accuracy: distances are those of vesica_nearest_f32, bit for bit.
    *
@@ -2168,9 +2203,9 @@ final class Native {
    * Which items of index_b are nearest to each item of sets_a? Row i is out[i * k] ... out[i * k + k - 1].
    *
    * <p>A row is the result of vesica_index_nearest_f32 for item i. If it has fewer than k items, the rest are -1 with
-   * distance infinity. If a set is asked for its own neighbours, each item finds itself too, at distance 0. If an item
-   * of sets_a is invalid, its row holds -1, all other rows are right, and the call returns VESICA_E_SHAPE. Each part
-   * takes about the same number of items, and writes only their rows.
+   * distance infinity. If a set is asked for its own neighbours, each item finds itself too, at distance 0, unless k
+   * lower items overlap it. If an item of sets_a is invalid, its row holds -1, all other rows are right, and the call
+   * returns VESICA_E_SHAPE. Each part takes about the same number of items, and writes only their rows.
    *
    * <p>Requires: sets_b are those of index_b. k &gt;= 1, and out and distance have room for k items a row. If sets_a
    * have no items, they may be NULL. 0 &lt;= part &lt; parts. within, the largest distance to look for, &gt;= 0 or
@@ -2179,8 +2214,9 @@ final class Native {
    * <p>Returns: how many items were found in all rows of the part.
    *
    * <p>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a
-   * number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from another
-   * call).
+   * number or a size is out of range, a pointer is not aligned, the sets have another number of items than the index,
+   * the state is from another function, part, parts or query). Other sets, and states of calls with other shapes or
+   * distances, are not noticed: answers are then meaningless.
    *
    * <p>Accuracy: distances are those of vesica_nearest_f32, bit for bit.
    *
@@ -2782,9 +2818,9 @@ final class Native {
    * there; if b only slides along a, it is perpendicular to the velocity. For a face that is met at an angle below
    * 2^-80 it may be that of the face beside it, and the point their corner. If two faces meet, the point is the middle
    * of what they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f64 and the point of
-   * vesica_nearest_f64. Shapes that only touch at the start press together if (nx, ny).(vx, vy) &lt; 0; if not, they
-   * move apart or slide. Exchanging the shapes and reversing the velocity changes neither the answer nor the time; it
-   * reverses the normal, up to rounding.
+   * vesica_nearest_f64. Shapes that only touch at the start move apart or slide if (nx, ny).(vx, vy) &gt;= 0. Else they
+   * may press together; where corners meet, or a shape has no area, they may also part. Exchanging the shapes and
+   * reversing the velocity changes neither the answer nor the time; it reverses the normal, up to rounding.
    *
    * <p>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.
    *
@@ -2883,8 +2919,9 @@ final class Native {
    * <p>Returns: the number of items written; with capacity 0, how many there are. If state[0] is not -1 then, there are
    * more, and the same call continues (vesica_index.h).
    *
-   * <p>Errors: those of vesica_cast_f64, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the index's,
-   * a pointer that is not aligned, or a state from another call. Invalid items are never touched.
+   * <p>Errors: those of vesica_cast_f64, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets of another number of items
+   * than the index, a pointer that is not aligned, or a state from another function (vesica_index.h). Invalid
+   * items are never touched.
    *
    * <p>Accuracy: exact.
    *
@@ -3095,9 +3132,9 @@ final class Native {
    * there; if b only slides along a, it is perpendicular to the velocity. For a face that is met at an angle below
    * 2^-80 it may be that of the face beside it, and the point their corner. If two faces meet, the point is the middle
    * of what they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f32 and the point of
-   * vesica_nearest_f32. Shapes that only touch at the start press together if (nx, ny).(vx, vy) &lt; 0; if not, they
-   * move apart or slide. Exchanging the shapes and reversing the velocity changes neither the answer nor the time; it
-   * reverses the normal, up to rounding.
+   * vesica_nearest_f32. Shapes that only touch at the start move apart or slide if (nx, ny).(vx, vy) &gt;= 0. Else they
+   * may press together; where corners meet, or a shape has no area, they may also part. Exchanging the shapes and
+   * reversing the velocity changes neither the answer nor the time; it reverses the normal, up to rounding.
    *
    * <p>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.
    *
@@ -3196,8 +3233,9 @@ final class Native {
    * <p>Returns: the number of items written; with capacity 0, how many there are. If state[0] is not -1 then, there are
    * more, and the same call continues (vesica_index.h).
    *
-   * <p>Errors: those of vesica_cast_f32, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the index's,
-   * a pointer that is not aligned, or a state from another call. Invalid items are never touched.
+   * <p>Errors: those of vesica_cast_f32, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets of another number of items
+   * than the index, a pointer that is not aligned, or a state from another function (vesica_index.h). Invalid
+   * items are never touched.
    *
    * <p>Accuracy: exact.
    *

@@ -335,7 +335,7 @@ extern "C" {
     /// Name of the instruction set that batches use: the best one of this processor. Answers never depend on it.
     ///
     /// The environment variable VESICA_ISA selects another one. It is read once, when the library is loaded. An unknown
-    /// name is ignored, and so is a set that the processor lacks.
+    /// name is ignored, and so is a set that the processor, or this build of the library, lacks.
     ///
     /// Returns: static text: "sse2", "avx2", "avx512", "neon", "simd128" or "portable".
     ///
@@ -942,10 +942,11 @@ extern "C" {
     ///
     /// Returns: how many are 1.
     ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be
-    /// NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
-    /// array that exceeds the address space).
+    /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+    /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+    /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
+    /// exceeds the address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -961,10 +962,11 @@ extern "C" {
     ///
     /// Returns: how many are not VESICA_DISJOINT.
     ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be
-    /// NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
-    /// array that exceeds the address space).
+    /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+    /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+    /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
+    /// exceeds the address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -981,10 +983,11 @@ extern "C" {
     ///
     /// Returns: how many are 1.
     ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be
-    /// NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
-    /// array that exceeds the address space).
+    /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+    /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+    /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
+    /// exceeds the address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -1001,10 +1004,11 @@ extern "C" {
     ///
     /// Returns: how many pairs overlap (distance 0).
     ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be
-    /// NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
-    /// array that exceeds the address space).
+    /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+    /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+    /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
+    /// exceeds the address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -1023,10 +1027,11 @@ extern "C" {
     ///
     /// Returns: how many pairs of outlines meet (distance 0).
     ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be
-    /// NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
-    /// array that exceeds the address space).
+    /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+    /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+    /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
+    /// exceeds the address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -1044,10 +1049,11 @@ extern "C" {
     ///
     /// Returns: how many depths are \> 0.
     ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be
-    /// NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
-    /// array that exceeds the address space).
+    /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+    /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+    /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
+    /// exceeds the address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -1065,10 +1071,11 @@ extern "C" {
     ///
     /// Returns: how many areas are \> 0.
     ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be
-    /// NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
-    /// array that exceeds the address space).
+    /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+    /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+    /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
+    /// exceeds the address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -1088,10 +1095,11 @@ extern "C" {
     ///
     /// Returns: how many are \> 0.
     ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be
-    /// NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
-    /// array that exceeds the address space).
+    /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+    /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+    /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
+    /// exceeds the address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -1110,10 +1118,10 @@ extern "C" {
     ///
     /// Returns: how many are 1.
     ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
-    /// VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
-    /// that exceed the address space).
+    /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+    /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+    /// written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
+    /// negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -1131,10 +1139,10 @@ extern "C" {
     ///
     /// Returns: how many are not VESICA_DISJOINT.
     ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
-    /// VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
-    /// that exceed the address space).
+    /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+    /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+    /// written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
+    /// negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -1152,10 +1160,10 @@ extern "C" {
     ///
     /// Returns: how many are 1.
     ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
-    /// VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
-    /// that exceed the address space).
+    /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+    /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+    /// written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
+    /// negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -1173,10 +1181,10 @@ extern "C" {
     ///
     /// Returns: how many are \> 0.
     ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
-    /// VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
-    /// that exceed the address space).
+    /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+    /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+    /// written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
+    /// negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -1196,10 +1204,10 @@ extern "C" {
     ///
     /// Returns: how many are \> 0.
     ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
-    /// VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
-    /// that exceed the address space).
+    /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+    /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+    /// written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
+    /// negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -1863,10 +1871,11 @@ extern "C" {
     ///
     /// Returns: how many are 1.
     ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be
-    /// NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
-    /// array that exceeds the address space).
+    /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+    /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+    /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
+    /// exceeds the address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -1882,10 +1891,11 @@ extern "C" {
     ///
     /// Returns: how many are not VESICA_DISJOINT.
     ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be
-    /// NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
-    /// array that exceeds the address space).
+    /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+    /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+    /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
+    /// exceeds the address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -1902,10 +1912,11 @@ extern "C" {
     ///
     /// Returns: how many are 1.
     ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be
-    /// NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
-    /// array that exceeds the address space).
+    /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+    /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+    /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
+    /// exceeds the address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -1922,10 +1933,11 @@ extern "C" {
     ///
     /// Returns: how many pairs overlap (distance 0).
     ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be
-    /// NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
-    /// array that exceeds the address space).
+    /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+    /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+    /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
+    /// exceeds the address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -1944,10 +1956,11 @@ extern "C" {
     ///
     /// Returns: how many pairs of outlines meet (distance 0).
     ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be
-    /// NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
-    /// array that exceeds the address space).
+    /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+    /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+    /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
+    /// exceeds the address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -1965,10 +1978,11 @@ extern "C" {
     ///
     /// Returns: how many depths are \> 0.
     ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be
-    /// NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
-    /// array that exceeds the address space).
+    /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+    /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+    /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
+    /// exceeds the address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -1986,10 +2000,11 @@ extern "C" {
     ///
     /// Returns: how many areas are \> 0.
     ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be
-    /// NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
-    /// array that exceeds the address space).
+    /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+    /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+    /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
+    /// exceeds the address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -2009,10 +2024,11 @@ extern "C" {
     ///
     /// Returns: how many are \> 0.
     ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be
-    /// NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
-    /// array that exceeds the address space).
+    /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+    /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+    /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
+    /// exceeds the address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -2031,10 +2047,10 @@ extern "C" {
     ///
     /// Returns: how many are 1.
     ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
-    /// VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
-    /// that exceed the address space).
+    /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+    /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+    /// written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
+    /// negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -2052,10 +2068,10 @@ extern "C" {
     ///
     /// Returns: how many are not VESICA_DISJOINT.
     ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
-    /// VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
-    /// that exceed the address space).
+    /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+    /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+    /// written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
+    /// negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -2073,10 +2089,10 @@ extern "C" {
     ///
     /// Returns: how many are 1.
     ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
-    /// VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
-    /// that exceed the address space).
+    /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+    /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+    /// written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
+    /// negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -2094,10 +2110,10 @@ extern "C" {
     ///
     /// Returns: how many are \> 0.
     ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
-    /// VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
-    /// that exceed the address space).
+    /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+    /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+    /// written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
+    /// negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -2117,10 +2133,10 @@ extern "C" {
     ///
     /// Returns: how many are \> 0.
     ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
-    /// VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
-    /// that exceed the address space).
+    /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+    /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+    /// written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
+    /// negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -2484,14 +2500,16 @@ extern "C" {
     /// To ask for many shapes, index them too and call vesica_join_f64.
     ///
     /// Requires: sets are those of the index; or NULL, with set_count 0, to find the items whose bounds meet the
-    /// shape's. one, an array of count 1. out has room for `capacity` items. With capacity 0, out and state may be
-    /// NULL.
+    /// shape's. Bounds are those in the index, up to about 2^-15 of the extent of nearby shapes larger than
+    /// vesica_bounds_f64's. one, an array of count 1. out has room for `capacity` items. With capacity 0, out and state
+    /// may be NULL.
     ///
     /// Returns: the number of items written; with capacity 0, how many there are.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a
-    /// number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from another
-    /// call).
+    /// number or a size is out of range, a pointer is not aligned, the sets have another number of items than the
+    /// index, the state is from another function, part, parts or query). Other sets, and states of calls with other
+    /// shapes or distances, are not noticed: answers are then meaningless.
     ///
     /// Accuracy: exact, if there are sets.
     ///
@@ -2515,7 +2533,7 @@ extern "C" {
     /// Returns: the number of pairs written; with capacity 0, how many the whole part has.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT (an unknown query, a number or a size
-    /// out of range, a pointer that is not aligned, sets that are not the index's, a state from another call).
+    /// out of range, a pointer that is not aligned, sets of another number of items, a state from another function).
     ///
     /// Accuracy: exact for all queries but VESICA_JOIN_BOUNDS.
     ///
@@ -2558,8 +2576,9 @@ extern "C" {
     /// Returns: how many items were found and written; with k = 0, how many there are within the distance.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a
-    /// number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from another
-    /// call).
+    /// number or a size is out of range, a pointer is not aligned, the sets have another number of items than the
+    /// index, the state is from another function, part, parts or query). Other sets, and states of calls with other
+    /// shapes or distances, are not noticed: answers are then meaningless.
     ///
     /// Accuracy: distances are those of vesica_nearest_f64, bit for bit.
     ///
@@ -2572,9 +2591,9 @@ extern "C" {
     /// Which items of index_b are nearest to each item of sets_a? Row i is out\[i \* k\] ... out\[i \* k + k - 1\].
     ///
     /// A row is the result of vesica_index_nearest_f64 for item i. If it has fewer than k items, the rest are -1 with
-    /// distance infinity. If a set is asked for its own neighbours, each item finds itself too, at distance 0. If an
-    /// item of sets_a is invalid, its row holds -1, all other rows are right, and the call returns VESICA_E_SHAPE. Each
-    /// part takes about the same number of items, and writes only their rows.
+    /// distance infinity. If a set is asked for its own neighbours, each item finds itself too, at distance 0, unless k
+    /// lower items overlap it. If an item of sets_a is invalid, its row holds -1, all other rows are right, and the
+    /// call returns VESICA_E_SHAPE. Each part takes about the same number of items, and writes only their rows.
     ///
     /// Requires: sets_b are those of index_b. k \>= 1, and out and distance have room for k items a row. If sets_a have
     /// no items, they may be NULL. 0 \<= part \< parts. within, the largest distance to look for, \>= 0 or infinity.
@@ -2582,8 +2601,9 @@ extern "C" {
     /// Returns: how many items were found in all rows of the part.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a
-    /// number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from another
-    /// call).
+    /// number or a size is out of range, a pointer is not aligned, the sets have another number of items than the
+    /// index, the state is from another function, part, parts or query). Other sets, and states of calls with other
+    /// shapes or distances, are not noticed: answers are then meaningless.
     ///
     /// Accuracy: distances are those of vesica_nearest_f64, bit for bit.
     ///
@@ -2634,14 +2654,16 @@ extern "C" {
     /// To ask for many shapes, index them too and call vesica_join_f32.
     ///
     /// Requires: sets are those of the index; or NULL, with set_count 0, to find the items whose bounds meet the
-    /// shape's. one, an array of count 1. out has room for `capacity` items. With capacity 0, out and state may be
-    /// NULL.
+    /// shape's. Bounds are those in the index, up to about 2^-15 of the extent of nearby shapes larger than
+    /// vesica_bounds_f32's. one, an array of count 1. out has room for `capacity` items. With capacity 0, out and state
+    /// may be NULL.
     ///
     /// Returns: the number of items written; with capacity 0, how many there are.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a
-    /// number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from another
-    /// call).
+    /// number or a size is out of range, a pointer is not aligned, the sets have another number of items than the
+    /// index, the state is from another function, part, parts or query). Other sets, and states of calls with other
+    /// shapes or distances, are not noticed: answers are then meaningless.
     ///
     /// Accuracy: exact, if there are sets.
     ///
@@ -2665,7 +2687,7 @@ extern "C" {
     /// Returns: the number of pairs written; with capacity 0, how many the whole part has.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT (an unknown query, a number or a size
-    /// out of range, a pointer that is not aligned, sets that are not the index's, a state from another call).
+    /// out of range, a pointer that is not aligned, sets of another number of items, a state from another function).
     ///
     /// Accuracy: exact for all queries but VESICA_JOIN_BOUNDS.
     ///
@@ -2708,8 +2730,9 @@ extern "C" {
     /// Returns: how many items were found and written; with k = 0, how many there are within the distance.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a
-    /// number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from another
-    /// call).
+    /// number or a size is out of range, a pointer is not aligned, the sets have another number of items than the
+    /// index, the state is from another function, part, parts or query). Other sets, and states of calls with other
+    /// shapes or distances, are not noticed: answers are then meaningless.
     ///
     /// Accuracy: distances are those of vesica_nearest_f32, bit for bit.
     ///
@@ -2722,9 +2745,9 @@ extern "C" {
     /// Which items of index_b are nearest to each item of sets_a? Row i is out\[i \* k\] ... out\[i \* k + k - 1\].
     ///
     /// A row is the result of vesica_index_nearest_f32 for item i. If it has fewer than k items, the rest are -1 with
-    /// distance infinity. If a set is asked for its own neighbours, each item finds itself too, at distance 0. If an
-    /// item of sets_a is invalid, its row holds -1, all other rows are right, and the call returns VESICA_E_SHAPE. Each
-    /// part takes about the same number of items, and writes only their rows.
+    /// distance infinity. If a set is asked for its own neighbours, each item finds itself too, at distance 0, unless k
+    /// lower items overlap it. If an item of sets_a is invalid, its row holds -1, all other rows are right, and the
+    /// call returns VESICA_E_SHAPE. Each part takes about the same number of items, and writes only their rows.
     ///
     /// Requires: sets_b are those of index_b. k \>= 1, and out and distance have room for k items a row. If sets_a have
     /// no items, they may be NULL. 0 \<= part \< parts. within, the largest distance to look for, \>= 0 or infinity.
@@ -2732,8 +2755,9 @@ extern "C" {
     /// Returns: how many items were found in all rows of the part.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a
-    /// number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from another
-    /// call).
+    /// number or a size is out of range, a pointer is not aligned, the sets have another number of items than the
+    /// index, the state is from another function, part, parts or query). Other sets, and states of calls with other
+    /// shapes or distances, are not noticed: answers are then meaningless.
     ///
     /// Accuracy: distances are those of vesica_nearest_f32, bit for bit.
     ///
@@ -3249,9 +3273,10 @@ extern "C" {
     /// there; if b only slides along a, it is perpendicular to the velocity. For a face that is met at an angle below
     /// 2^-80 it may be that of the face beside it, and the point their corner. If two faces meet, the point is the
     /// middle of what they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f64 and
-    /// the point of vesica_nearest_f64. Shapes that only touch at the start press together if (nx, ny).(vx, vy) \< 0;
-    /// if not, they move apart or slide. Exchanging the shapes and reversing the velocity changes neither the answer
-    /// nor the time; it reverses the normal, up to rounding.
+    /// the point of vesica_nearest_f64. Shapes that only touch at the start move apart or slide if (nx, ny).(vx, vy)
+    /// \>= 0. Else they may press together; where corners meet, or a shape has no area, they may also part. Exchanging
+    /// the shapes and reversing the velocity changes neither the answer nor the time; it reverses the normal, up to
+    /// rounding.
     ///
     /// Requires: vx and vy finite; both may be 0. t_end \>= 0, or infinity.
     ///
@@ -3338,8 +3363,9 @@ extern "C" {
     /// Returns: the number of items written; with capacity 0, how many there are. If state\[0\] is not -1 then, there
     /// are more, and the same call continues (vesica_index.h).
     ///
-    /// Errors: those of vesica_cast_f64, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the index's,
-    /// a pointer that is not aligned, or a state from another call. Invalid items are never touched.
+    /// Errors: those of vesica_cast_f64, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets of another number of items
+    /// than the index, a pointer that is not aligned, or a state from another function (vesica_index.h). Invalid
+    /// items are never touched.
     ///
     /// Accuracy: exact.
     ///
@@ -3524,9 +3550,10 @@ extern "C" {
     /// there; if b only slides along a, it is perpendicular to the velocity. For a face that is met at an angle below
     /// 2^-80 it may be that of the face beside it, and the point their corner. If two faces meet, the point is the
     /// middle of what they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f32 and
-    /// the point of vesica_nearest_f32. Shapes that only touch at the start press together if (nx, ny).(vx, vy) \< 0;
-    /// if not, they move apart or slide. Exchanging the shapes and reversing the velocity changes neither the answer
-    /// nor the time; it reverses the normal, up to rounding.
+    /// the point of vesica_nearest_f32. Shapes that only touch at the start move apart or slide if (nx, ny).(vx, vy)
+    /// \>= 0. Else they may press together; where corners meet, or a shape has no area, they may also part. Exchanging
+    /// the shapes and reversing the velocity changes neither the answer nor the time; it reverses the normal, up to
+    /// rounding.
     ///
     /// Requires: vx and vy finite; both may be 0. t_end \>= 0, or infinity.
     ///
@@ -3613,8 +3640,9 @@ extern "C" {
     /// Returns: the number of items written; with capacity 0, how many there are. If state\[0\] is not -1 then, there
     /// are more, and the same call continues (vesica_index.h).
     ///
-    /// Errors: those of vesica_cast_f32, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the index's,
-    /// a pointer that is not aligned, or a state from another call. Invalid items are never touched.
+    /// Errors: those of vesica_cast_f32, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets of another number of items
+    /// than the index, a pointer that is not aligned, or a state from another function (vesica_index.h). Invalid
+    /// items are never touched.
     ///
     /// Accuracy: exact.
     ///
