@@ -169,7 +169,7 @@ def judge(mutants, parts, reached, results, workers, budget=float("inf"), again=
     judging, lock, began = Judge(parts, reached), threading.Lock(), time.time()
     folders = {m["number"]: os.path.dirname(m["file"]) for m in mutants}
     for number, (word, part, _) in done.items():
-        # One that harmless.txt names may be killed, by the time that it takes, and is not among those asked for again.
+        # One that harmless.txt names may be killed all the same, and is not among those asked for again.
         if word == "killed" and number in folders:
             judging.learn(folders[number], part.split("/")[0], True)
     with open(results, "a") as out, concurrent.futures.ThreadPoolExecutor(workers) as pool:

@@ -29,7 +29,7 @@ class EllipseTrials {
     if (left <= 0) return left < 0 ? 1 : pair_.contact_before(t);
     if (!pair_.holds_place(t)) return error_range;
     if (t <= latest_before_ || t >= first_after_) return t < first_after_ ? 0 : 1;
-    return at(t).after ? 1 : 0;
+    return at(t).after ? 1 : 0;  // known, as the place is held
   }
 
  private:
