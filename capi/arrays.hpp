@@ -41,10 +41,14 @@ inline bool addressable(int64_t count, ptrdiff_t stride) noexcept {
   return count <= 1 || !__builtin_mul_overflow(count, stride, &extent);
 }
 
+/// Which kinds a function takes.
+using Suits = bool (*)(int32_t kind) noexcept;
+inline bool any_kind(int32_t kind) noexcept { return is_kind(kind); }
+
 /// What is wrong with an array, but for its pointers: 0, VESICA_E_KIND or VESICA_E_ARGUMENT.
 template <class Array>
-int32_t check_array(const Array& shapes) noexcept {
-  if (!is_kind(shapes.kind)) return VESICA_E_KIND;
+int32_t check_array(const Array& shapes, Suits suits = any_kind) noexcept {
+  if (!is_kind(shapes.kind) || !suits(shapes.kind)) return VESICA_E_KIND;
   const bool sound = shapes.reserved == 0 && shapes.count >= 0 && addressable(shapes.count, shapes.stride);
   return sound ? 0 : VESICA_E_ARGUMENT;
 }

@@ -128,8 +128,11 @@ int64_t from_boxes(int (*make)(const vesica::TurnedBox<T>&, AngleUnit, Shape&) n
 }
 
 template <class T>
-int32_t check_shapes(const CShapesOf<T>* shapes, const T* out) noexcept {
-  return check_call(shapes, shapes, out, shapes != nullptr && shapes->count != 0);
+int32_t check_shapes(const CShapesOf<T>* shapes, const T* out, Suits suits) noexcept {
+  if (shapes == nullptr || (shapes->count != 0 && out == nullptr)) return VESICA_E_NULL;
+  const int32_t error = check_array(*shapes, suits);
+  if (error != 0) return error;
+  return shapes->count != 0 && has_null(*shapes) ? VESICA_E_NULL : 0;
 }
 
 /// The numbers of element i.
@@ -149,9 +152,8 @@ bool has_box(int32_t kind) noexcept { return kind == VESICA_RECT || kind == VESI
 template <class T>
 int64_t boxes_from_shapes(const CShapesOf<T>* shapes, int32_t angle, T* boxes) noexcept {
   VESICA_DEFAULT_ENVIRONMENT(boxes_from_shapes<T>, shapes, angle, boxes);
-  const int32_t error = check_shapes<T>(shapes, boxes);
+  const int32_t error = check_shapes<T>(shapes, boxes, has_box);
   if (error != 0) return error;
-  if (!has_box(shapes->kind)) return VESICA_E_KIND;
   AngleUnit unit;
   if (!unit_of(angle, unit)) return VESICA_E_ARGUMENT;
   const auto v = view<T>(*shapes);
@@ -177,9 +179,8 @@ bool take_corners(const double* const* columns, int32_t i, T* to) noexcept {
 template <class T>
 int64_t corners_of_shapes(const CShapesOf<T>* shapes, T* corners) noexcept {
   VESICA_DEFAULT_ENVIRONMENT(corners_of_shapes<T>, shapes, corners);
-  const int32_t error = check_shapes<T>(shapes, corners);
+  const int32_t error = check_shapes<T>(shapes, corners, has_box);
   if (error != 0) return error;
-  if (!has_box(shapes->kind)) return VESICA_E_KIND;
   const auto v = view<T>(*shapes);
   const auto corners_of = [&](int64_t i, T(&numbers)[8]) { return vesica::corners(Element<T>(v, i).rect(), numbers); };
   const vesica::BoxKernels* const kernels = box_kernels(v);
@@ -205,7 +206,7 @@ bool take_bounds(const double* const* columns, int32_t i, float* to) noexcept {
 template <class T>
 int64_t bounds_many(const CShapesOf<T>* shapes, T* out) noexcept {
   VESICA_DEFAULT_ENVIRONMENT(bounds_many<T>, shapes, out);
-  const int32_t error = check_shapes<T>(shapes, out);
+  const int32_t error = check_shapes<T>(shapes, out, any_kind);
   if (error != 0) return error;
   const auto v = view<T>(*shapes);
   const auto bounds_of = [&](int64_t i, T(&numbers)[4]) {

@@ -36,8 +36,7 @@ int32_t view_sets(const CShapesOf<T>* sets, int32_t set_count, index::Sets& out)
   out.is_float = sizeof(T) == sizeof(float);
   int32_t worst = 0;
   for (int32_t s = 0; s < set_count; ++s) {
-    int32_t error = check_array(sets[s]);
-    if (error == 0 && !has_form(sets[s].kind)) error = VESICA_E_KIND;
+    int32_t error = check_array(sets[s], has_form);
     if (error == 0 && sets[s].count > 0 && has_null(sets[s])) error = VESICA_E_NULL;
     if (error == 0 && sets[s].count > index::most_items - out.items) error = VESICA_E_ARGUMENT;
     if (error == 0 && sets[s].count > 0 && out.count == index::most_sets) error = VESICA_E_ARGUMENT;

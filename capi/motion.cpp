@@ -178,10 +178,10 @@ int64_t many(const CShapesOf<T>* a, const CShapesOf<T>* b, const T* vx, const T*
              T* const (&columns)[5]) noexcept {
   const void* some = nullptr;
   for (const T* column : columns) some = column != nullptr ? column : some;
+  if (vx == nullptr || vy == nullptr) some = nullptr;
   const int32_t error = check_call(a, b, some, anything(a, b));
   if (error != 0) return error;
   const int64_t n = pairs_in_step(*a, *b);
-  if (n > 0 && (vx == nullptr || vy == nullptr)) return VESICA_E_NULL;
   if (n < 0 || !addressable(n, stride) || !(end >= 0)) return VESICA_E_ARGUMENT;
   const vesica::batch::CastTally tally =
       vesica::batch::cast_many<T>(view<T>(*a), view<T>(*b), n, {vx, vy, stride}, static_cast<double>(end), columns);
@@ -233,21 +233,26 @@ struct Moving {
   const unsigned char* place(const index::Set& set, int k, std::uint32_t item) const noexcept {
     return set.field[k] + (static_cast<int64_t>(item) - set.first) * set.stride;
   }
-  int32_t impact(std::uint32_t item, double end, Impact<T>& out) const noexcept {
+  Body still(std::uint32_t item) const noexcept {
     const index::Set& set = sets.set[sets.of(item)];
-    Body still{static_cast<vesica::Kind>(set.kind), {}};
+    Body out{static_cast<vesica::Kind>(set.kind), {}};
     for (int k = 0; k < index::fields_of[set.kind]; ++k) {
       T number;
       std::memcpy(&number, place(set, k, item), sizeof number);
-      still.number[k] = static_cast<double>(number);
+      out.number[k] = static_cast<double>(number);
     }
-    return vesica::queries::cast(still, body, {motion.vx, motion.vy, end}, out);
+    return out;
   }
   static int32_t ask(void* context, std::uint32_t item, double end, double& t) {
     Moving& moving = *static_cast<Moving*>(context);
-    const int32_t code = moving.impact(item, end, moving.last);
+    const Motion until{moving.motion.vx, moving.motion.vy, end};
+    const int32_t code = vesica::queries::cast(moving.still(item), moving.body, until, moving.last);
     t = static_cast<double>(moving.last.t);
     return code;
+  }
+  static int32_t meets(const void* context, std::uint32_t item) {
+    const Moving& moving = *static_cast<const Moving*>(context);
+    return vesica::queries::meets(moving.still(item), moving.body, moving.motion);
   }
   static void prefetch(const void* context, std::uint32_t item) {
     const Moving& moving = *static_cast<const Moving*>(context);
@@ -260,22 +265,23 @@ struct Moving {
   }
 };
 
-/// What both functions of an index are given, checked; action(cast, moving) answers.
-template <class T, class Action>
+/// What both functions of an index are given, checked; is_sound() tells of the other arguments, once there is an index,
+/// and action(cast, moving) answers.
+template <class T, class IsSound, class Action>
 int64_t through_index(const void* from, const CShapesOf<T>* sets, int32_t set_count, const CShapesOf<T>* one,
-                      const Motion& motion, int64_t capacity, const Action& action) noexcept {
+                      const Motion& motion, const IsSound& is_sound, const Action& action) noexcept {
   if (one == nullptr) return VESICA_E_NULL;
   index::Sets items, single;
   const int32_t of_shapes = first_error(view_sets<T>(one, 1, single), view_sets<T>(sets, set_count, items));
   const int32_t error = first_error(check_index(from), of_shapes);
   if (error != 0) return error;
-  const bool sound = single.items == 1 && items.items == index::View(from).items() && capacity >= 0;
-  if (!sound || !vesica::detail::cast::is_sound(motion)) return VESICA_E_ARGUMENT;
+  const bool fits = single.items == 1 && items.items == index::View(from).items();
+  if (!fits || !vesica::detail::cast::is_sound(motion) || !is_sound()) return VESICA_E_ARGUMENT;
   double box[4];
   if (!index::bounds_of_item(index_kernels(), single, 0, box)) return VESICA_E_SHAPE;
   constexpr Impact<T> none = vesica::detail::cast::no_impact<T>();
   Moving<T> moving{items, body_at(view<T>(*one), 0), motion, none, none};
-  const index::Targets targets{&moving, Moving<T>::ask, Moving<T>::prefetch, Moving<T>::keep};
+  const index::Targets targets{&moving, Moving<T>::ask, Moving<T>::meets, Moving<T>::prefetch, Moving<T>::keep};
   const index::Cast cast{from, targets, box, motion.vx, motion.vy, motion.end, items.is_float};
   return action(cast, moving);
 }
@@ -285,12 +291,9 @@ int64_t index_all(const void* from, const CShapesOf<T>* sets, int32_t set_count,
                   T end, int64_t* out, int64_t capacity, int64_t* state) noexcept {
   VESICA_DEFAULT_ENVIRONMENT(index_all<T>, from, sets, set_count, one, vx, vy, end, out, capacity, state);
   if (capacity > 0 && (out == nullptr || state == nullptr)) return VESICA_E_NULL;
-  return through_index<T>(from, sets, set_count, one, motion_of(vx, vy, end), capacity,
-                          [&](const auto& cast, const auto&) {
-                            if (capacity > 0 && !index::cast_state_is_sound(cast, state))
-                              return int64_t{VESICA_E_ARGUMENT};
-                            return index::write_hits(cast, out, capacity, state);
-                          });
+  const auto is_sound = [&] { return capacity == 0 || (capacity > 0 && index::cast_state_is_sound(from, state)); };
+  return through_index<T>(from, sets, set_count, one, motion_of(vx, vy, end), is_sound,
+                          [&](const auto& cast, const auto&) { return index::write_hits(cast, out, capacity, state); });
 }
 
 template <class T, class Out>
@@ -298,7 +301,8 @@ int64_t index_first(const void* from, const CShapesOf<T>* sets, int32_t set_coun
                     T end, Out* out) noexcept {
   VESICA_DEFAULT_ENVIRONMENT((index_first<T, Out>), from, sets, set_count, one, vx, vy, end, out);
   if (out == nullptr) return VESICA_E_NULL;
-  return through_index<T>(from, sets, set_count, one, motion_of(vx, vy, end), 1,
+  const auto is_sound = [] { return true; };
+  return through_index<T>(from, sets, set_count, one, motion_of(vx, vy, end), is_sound,
                           [&](const auto& cast, const auto& moving) {
                             const index::FirstItem found = index::find_first_hit(cast);
                             if (found.error != 0) return int64_t{found.error};

@@ -62,9 +62,8 @@ int32_t suppress(const CShapesOf<T>* shapes, const T* scores, const Choice<T>& c
   if (shapes == nullptr || kept == nullptr) return VESICA_E_NULL;
   const bool anything = shapes->count != 0;
   if (anything && (scores == nullptr || scratch == nullptr || keep == nullptr)) return VESICA_E_NULL;
-  const int32_t error = check_array(*shapes);
+  const int32_t error = check_array(*shapes, has_area);
   if (error != 0) return error;
-  if (!has_area(shapes->kind)) return VESICA_E_KIND;
   if (anything && has_null(*shapes)) return VESICA_E_NULL;
   const int64_t needed = vesica_nms_scratch(shapes->count);
   if (!choice.is_sound() || needed < 0) return VESICA_E_ARGUMENT;

@@ -43,9 +43,8 @@ int32_t suppress_soft(const CShapesOf<T>* shapes, const T* scores, const int32_t
   const bool anything = shapes->count != 0;
   const bool has_all = scores != nullptr && scratch != nullptr && keep != nullptr && decayed != nullptr;
   if (anything && !has_all) return VESICA_E_NULL;
-  const int32_t error = check_array(*shapes);
+  const int32_t error = check_array(*shapes, has_area);
   if (error != 0) return error;
-  if (!has_area(shapes->kind)) return VESICA_E_KIND;
   if (anything && has_null(*shapes)) return VESICA_E_NULL;
   const int64_t needed = vesica_suppress_soft_scratch(shapes->count);
   const bool sound = vesica::queries::is_symmetric(ratio) && is_decay(decay, static_cast<double>(parameter));

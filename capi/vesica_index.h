@@ -119,7 +119,7 @@ VESICA_API int64_t vesica_index_order(const void *index, int64_t *out, int64_t c
  */
 
 /**
- * Builds the index of some sets of shapes.
+ * Builds the index of some sets of shapes. There may be none; sets may then be NULL.
  *
  * If shapes are invalid, the call returns VESICA_E_SHAPE, and the index is complete without them. When shapes have
  * moved, build it again.
@@ -173,7 +173,8 @@ VESICA_API int64_t vesica_index_select_f64(const void *index, const vesica_shape
 /**
  * Join: all pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
  *
- * If both indexes are the same pointer, pairs are those of two different items a < b. Pair i is out_a[i] and out_b[i].
+ * If both indexes are the same pointer, pairs are those of two different items a < b: VESICA_JOIN_CONTAINS then finds
+ * those of which the lower item contains the higher one, _INSIDE the others. Pair i is out_a[i] and out_b[i].
  * The order of pairs depends on the bytes of the indexes and the query alone.
  * The work may be divided into `parts` of about equal work, which may run at the same time, each with its own scratch.
  * The pairs of all parts, one part after the other, are those of a call with part 0 and parts 1.
@@ -218,7 +219,8 @@ VESICA_API int64_t vesica_join_within_f64(const void *index_a, const vesica_shap
  * With k = 0 they may be NULL. within, the largest distance to look for, >= 0 or infinity.
  * Returns: how many items were found and written; with k = 0, how many there are within the distance.
  * Accuracy: distances are those of vesica_nearest_f64, bit for bit.
- * Cost: 3 to 5 us for 10 of a million AABBs near a point; mostly that of vesica_nearest_f64 for some 10 more than k.
+ * Cost: 3 to 5 us for 10 of a million AABBs near a point; mostly that of vesica_nearest_f64 for some 10 more than k. Of
+ * items that overlap the shape all are asked, as the lowest come first.
  */
 VESICA_API int64_t vesica_index_nearest_f64(const void *index, const vesica_shapes_f64 *sets, int32_t set_count,
                                             const vesica_shapes_f64 *one, int64_t k, double within, int64_t *out,

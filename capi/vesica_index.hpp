@@ -193,7 +193,8 @@ class Index {
   index_face::Memory memory_;
 };
 
-/// The pairs of two indexes, or of one with itself, for a range-based for: fetched a few thousand at a time.
+/// The pairs of two indexes, or of one with itself, for a range-based for: fetched a few thousand at a time. It refers
+/// to the indexes, which must outlive it and stay where they are.
 template <class T>
 class Pairs {
  public:

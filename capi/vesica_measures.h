@@ -215,13 +215,14 @@ VESICA_API int64_t vesica_suppress_soft_scratch(int64_t count);
  * below least_score. keep[k] is the shape kept in step k, and decayed[k] the score that it had then.
  * Requires: shapes, scores and labels as vesica_suppress_f64; ratio, any but VESICA_RATIO_OVER_FIRST and _OVER_SECOND;
  * decay, VESICA_DECAY_LINEAR or _GAUSSIAN, with its parameter; least_score >= 0; scratch of at least
- * vesica_suppress_soft_scratch(count) bytes, aligned to 8; keep and decayed with room for as many as are kept.
+ * vesica_suppress_soft_scratch(count) bytes, aligned to 8; keep and decayed with room for `most` numbers or for
+ * all shapes, whichever is less.
  * Returns: 0, with *kept set to how many are kept.
  * Errors: as vesica_suppress_f64. VESICA_E_SHAPE: an invalid shape, or one whose score is NaN, is left out, and the
  * result of the others is written.
  * Accuracy: in every step a score is multiplied once, in double, by 1 - r, rounded once, or by the exponential, right
- * to 1 unit in the last place. So the same shapes are kept, with the same bits, on every machine. The float function
- * computes in double and rounds only the final scores.
+ * to 1 unit in the last place; times 0 an infinite score is 0. So the same shapes are kept, with the same bits, on
+ * every machine. The float function computes in double and rounds only the final scores.
  * Cost: for each kept shape, that of vesica_ratio_matrix_f64 with the shapes of its label that are left.
  */
 VESICA_API int32_t vesica_suppress_soft_f64(const vesica_shapes_f64 *shapes, const double *scores,

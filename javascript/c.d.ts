@@ -187,9 +187,10 @@ export interface C {
    * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
    * Accuracy: at aspect ratios up to 1e6 the depth is right to 4 u scale; for circles and points, to its last place.
    * The length of (x, y) is 1 to 3 u. After the move at most 8 u scale of overlap is left. Whether the depth is 0 is
-   * exact. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest
-   * of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4
-   * u times the scale. An aspect ratio is longer over shorter size.
+   * exact at any ratio; beyond 1e6 no bound on its error is stated. In bounds on errors u is 2^-53, half a unit in the
+   * last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
+   * lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter
+   * size.
    * Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to 5 us if only
    * exact arithmetic can tell the depth from 0; at worst 25 us.
    * Since: 0.1.
@@ -217,10 +218,10 @@ export interface C {
    * Returns: 0.
    * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
    * Accuracy: right to 64 u times the smaller shape's area times the larger aspect ratio, at aspect ratios up to 10^4,
-   * even if the outlines nearly touch or coincide and whatever the sizes are. In bounds on errors u is 2^-53, half a
-   * unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
-   * their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer
-   * over shorter size.
+   * even if the outlines nearly touch or coincide and whatever the sizes are. Beyond 10^4 no bound is stated; what is
+   * said above holds at any ratio. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two
+   * shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means
+   * an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
    * Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines
    * nearly touch or coincide, or if one shape is far larger; at worst 30 us.
    * Since: 0.1.
@@ -575,7 +576,8 @@ export interface C {
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
-   * Cost: in cache, from columns, with AVX-512: 0.6 to 1.1 ns a pair in double, 0.3 to 0.5 ns in float.
+   * Cost: in cache, from columns, with AVX-512: 0.5 to 2 ns a pair in double, 0.3 to 0.8 ns in float; about half of
+   * that if one array is a single shape.
    * Since: 0.1.
    */
   vesica_overlap_many_f64(a: number, b: number, out: number): bigint;
@@ -802,7 +804,7 @@ export interface C {
   /**
    * How many bytes of scratch do vesica_nms_f64, vesica_suppress_f64 and their float forms need for `count` shapes?
    *
-   * Returns: 380,416 bytes and about 97 a shape.
+   * Returns: 0.4 MB and at most 140 bytes a shape, 97 of many.
    * Errors: VESICA_E_ARGUMENT (a negative count, or one above 2147483647).
    * Since: 0.1.
    */
@@ -812,6 +814,7 @@ export interface C {
    * vesica_iou_f64 with every shape kept before is at most the threshold.
    *
    * Of equal scores the lower index comes first. Infinite scores are legal. At threshold 1 all shapes are kept.
+   * Shapes without an area suppress none and are not suppressed.
    *
    * Requires: shapes, of a kind from VESICA_CIRCLE to VESICA_ELLIPSE; scores, one for each; threshold from 0 to
    * 1; scratch, of vesica_nms_scratch bytes or more, with any alignment and content; keep, with room for all indices.
@@ -821,7 +824,8 @@ export interface C {
    * written. Before anything is written: VESICA_E_NULL (with count 0 all but shapes and kept may be NULL),
    * VESICA_E_KIND (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f64, threshold, too
    * little scratch).
-   * Cost: 0.3 to 1.2 us a shape.
+   * Cost: 0.3 to 1.2 us a shape; in a crowd, that of vesica_iou_many_f64 for each pair of a shape and one that is kept
+   * near it: 20,000 in one place, nearly all kept, took 0.5 to 1 ms a shape.
    * Since: 0.1.
    */
   vesica_nms_f64(shapes: number, scores: number, threshold: number, scratch: number, scratch_size: bigint, keep: number,
@@ -954,10 +958,10 @@ export interface C {
    * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
    * Accuracy: at aspect ratios up to 1e6 the depth is right to 4 u scale; for circles and points, to its last place.
    * The length of (x, y) is 1 to 3 u. After the move at most 8 u scale of overlap is left. Whether the depth is 0 is
-   * exact. Each number is computed in double, within these bounds, and then rounded to float once. In bounds on errors
-   * u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between
-   * their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An
-   * aspect ratio is longer over shorter size.
+   * exact at any ratio; beyond 1e6 no bound on its error is stated. Each number is computed in double, within these
+   * bounds, and then rounded to float once. In bounds on errors u is 2^-53, half a unit in the last place of 1. The
+   * scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u
+   * scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
    * Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to 5 us if only
    * exact arithmetic can tell the depth from 0; at worst 25 us.
    * Since: 0.1.
@@ -986,10 +990,11 @@ export interface C {
    * Returns: 0.
    * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
    * Accuracy: right to 64 u times the smaller shape's area times the larger aspect ratio, at aspect ratios up to 10^4,
-   * even if the outlines nearly touch or coincide and whatever the sizes are. Each number is computed in double, within
-   * these bounds, and then rounded to float once. In bounds on errors u is 2^-53, half a unit in the last place of 1.
-   * The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to
-   * 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
+   * even if the outlines nearly touch or coincide and whatever the sizes are. Beyond 10^4 no bound is stated; what is
+   * said above holds at any ratio. Each number is computed in double, within these bounds, and then rounded to float
+   * once. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of
+   * |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u
+   * times the scale. An aspect ratio is longer over shorter size.
    * Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines
    * nearly touch or coincide, or if one shape is far larger; at worst 30 us.
    * Since: 0.1.
@@ -1345,7 +1350,8 @@ export interface C {
    * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
    * exceeds the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
-   * Cost: in cache, from columns, with AVX-512: 0.6 to 1.1 ns a pair in double, 0.3 to 0.5 ns in float.
+   * Cost: in cache, from columns, with AVX-512: 0.5 to 2 ns a pair in double, 0.3 to 0.8 ns in float; about half of
+   * that if one array is a single shape.
    * Since: 0.1.
    */
   vesica_overlap_many_f32(a: number, b: number, out: number): bigint;
@@ -1574,6 +1580,7 @@ export interface C {
    * vesica_iou_f32 with every shape kept before is at most the threshold.
    *
    * Of equal scores the lower index comes first. Infinite scores are legal. At threshold 1 all shapes are kept.
+   * Shapes without an area suppress none and are not suppressed.
    *
    * Requires: shapes, of a kind from VESICA_CIRCLE to VESICA_ELLIPSE; scores, one for each; threshold from 0 to
    * 1; scratch, of vesica_nms_scratch bytes or more, with any alignment and content; keep, with room for all indices.
@@ -1583,7 +1590,8 @@ export interface C {
    * written. Before anything is written: VESICA_E_NULL (with count 0 all but shapes and kept may be NULL),
    * VESICA_E_KIND (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f32, threshold, too
    * little scratch).
-   * Cost: 0.3 to 1.2 us a shape.
+   * Cost: 0.3 to 1.2 us a shape; in a crowd, that of vesica_iou_many_f32 for each pair of a shape and one that is kept
+   * near it: 20,000 in one place, nearly all kept, took 0.5 to 1 ms a shape.
    * Since: 0.1.
    */
   vesica_nms_f32(shapes: number, scores: number, threshold: number, scratch: number, scratch_size: bigint, keep: number,
@@ -1825,7 +1833,7 @@ export interface C {
    */
   vesica_index_order(index: number, out: number, capacity: bigint): bigint;
   /**
-   * Builds the index of some sets of shapes.
+   * Builds the index of some sets of shapes. There may be none; sets may then be NULL.
    *
    * If shapes are invalid, the call returns VESICA_E_SHAPE, and the index is complete without them. When shapes have
    * moved, build it again.
@@ -1877,10 +1885,11 @@ export interface C {
   /**
    * Join: all pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
    *
-   * If both indexes are the same pointer, pairs are those of two different items a < b. Pair i is out_a[i] and
-   * out_b[i]. The order of pairs depends on the bytes of the indexes and the query alone. The work may be divided into
-   * `parts` of about equal work, which may run at the same time, each with its own scratch. The pairs of all parts, one
-   * part after the other, are those of a call with part 0 and parts 1.
+   * If both indexes are the same pointer, pairs are those of two different items a < b: VESICA_JOIN_CONTAINS then finds
+   * those of which the lower item contains the higher one, _INSIDE the others. Pair i is out_a[i] and out_b[i]. The
+   * order of pairs depends on the bytes of the indexes and the query alone. The work may be divided into `parts` of
+   * about equal work, which may run at the same time, each with its own scratch. The pairs of all parts, one part after
+   * the other, are those of a call with part 0 and parts 1.
    *
    * Requires: query is VESICA_JOIN_OVERLAP ... VESICA_JOIN_INSIDE. sets_a and sets_b are those of the indexes; with
    * VESICA_JOIN_BOUNDS they are ignored. 0 <= part < parts. scratch_size >= vesica_join_scratch(); nothing is kept in
@@ -1929,6 +1938,7 @@ export interface C {
    * distances, are not noticed: answers are then meaningless.
    * Accuracy: distances are those of vesica_nearest_f64, bit for bit.
    * Cost: 3 to 5 us for 10 of a million AABBs near a point; mostly that of vesica_nearest_f64 for some 10 more than k.
+   * Of items that overlap the shape all are asked, as the lowest come first.
    * Since: 0.1.
    */
   vesica_index_nearest_f64(index: number, sets: number, set_count: number, one: number, k: bigint, within: number,
@@ -1955,7 +1965,7 @@ export interface C {
   vesica_join_nearest_f64(sets_a: number, set_count_a: number, index_b: number, sets_b: number, set_count_b: number,
     k: bigint, within: number, part: bigint, parts: bigint, out: number, distance: number): bigint;
   /**
-   * Builds the index of some sets of shapes.
+   * Builds the index of some sets of shapes. There may be none; sets may then be NULL.
    *
    * If shapes are invalid, the call returns VESICA_E_SHAPE, and the index is complete without them. When shapes have
    * moved, build it again.
@@ -2007,10 +2017,11 @@ export interface C {
   /**
    * Join: all pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
    *
-   * If both indexes are the same pointer, pairs are those of two different items a < b. Pair i is out_a[i] and
-   * out_b[i]. The order of pairs depends on the bytes of the indexes and the query alone. The work may be divided into
-   * `parts` of about equal work, which may run at the same time, each with its own scratch. The pairs of all parts, one
-   * part after the other, are those of a call with part 0 and parts 1.
+   * If both indexes are the same pointer, pairs are those of two different items a < b: VESICA_JOIN_CONTAINS then finds
+   * those of which the lower item contains the higher one, _INSIDE the others. Pair i is out_a[i] and out_b[i]. The
+   * order of pairs depends on the bytes of the indexes and the query alone. The work may be divided into `parts` of
+   * about equal work, which may run at the same time, each with its own scratch. The pairs of all parts, one part after
+   * the other, are those of a call with part 0 and parts 1.
    *
    * Requires: query is VESICA_JOIN_OVERLAP ... VESICA_JOIN_INSIDE. sets_a and sets_b are those of the indexes; with
    * VESICA_JOIN_BOUNDS they are ignored. 0 <= part < parts. scratch_size >= vesica_join_scratch(); nothing is kept in
@@ -2059,6 +2070,7 @@ export interface C {
    * distances, are not noticed: answers are then meaningless.
    * Accuracy: distances are those of vesica_nearest_f32, bit for bit.
    * Cost: 3 to 5 us for 10 of a million AABBs near a point; mostly that of vesica_nearest_f32 for some 10 more than k.
+   * Of items that overlap the shape all are asked, as the lowest come first.
    * Since: 0.1.
    */
   vesica_index_nearest_f32(index: number, sets: number, set_count: number, one: number, k: bigint, within: number,
@@ -2279,13 +2291,14 @@ export interface C {
    *
    * Requires: shapes, scores and labels as vesica_suppress_f64; ratio, any but VESICA_RATIO_OVER_FIRST and
    * _OVER_SECOND; decay, VESICA_DECAY_LINEAR or _GAUSSIAN, with its parameter; least_score >= 0; scratch of at least
-   * vesica_suppress_soft_scratch(count) bytes, aligned to 8; keep and decayed with room for as many as are kept.
+   * vesica_suppress_soft_scratch(count) bytes, aligned to 8; keep and decayed with room for `most` numbers or for all
+   * shapes, whichever is less.
    * Returns: 0, with *kept set to how many are kept.
    * Errors: as vesica_suppress_f64. VESICA_E_SHAPE: an invalid shape, or one whose score is NaN, is left out, and the
    * result of the others is written.
    * Accuracy: in every step a score is multiplied once, in double, by 1 - r, rounded once, or by the exponential, right
-   * to 1 unit in the last place. So the same shapes are kept, with the same bits, on every machine. The float function
-   * computes in double and rounds only the final scores.
+   * to 1 unit in the last place; times 0 an infinite score is 0. So the same shapes are kept, with the same bits, on
+   * every machine. The float function computes in double and rounds only the final scores.
    * Cost: for each kept shape, that of vesica_ratio_matrix_f64 with the shapes of its label that are left.
    * Since: 0.1.
    */
@@ -2488,13 +2501,14 @@ export interface C {
    *
    * Requires: shapes, scores and labels as vesica_suppress_f32; ratio, any but VESICA_RATIO_OVER_FIRST and
    * _OVER_SECOND; decay, VESICA_DECAY_LINEAR or _GAUSSIAN, with its parameter; least_score >= 0; scratch of at least
-   * vesica_suppress_soft_scratch(count) bytes, aligned to 8; keep and decayed with room for as many as are kept.
+   * vesica_suppress_soft_scratch(count) bytes, aligned to 8; keep and decayed with room for `most` numbers or for all
+   * shapes, whichever is less.
    * Returns: 0, with *kept set to how many are kept.
    * Errors: as vesica_suppress_f32. VESICA_E_SHAPE: an invalid shape, or one whose score is NaN, is left out, and the
    * result of the others is written.
    * Accuracy: in every step a score is multiplied once, in double, by 1 - r, rounded once, or by the exponential, right
-   * to 1 unit in the last place. So the same shapes are kept, with the same bits, on every machine. The float function
-   * computes in double and rounds only the final scores.
+   * to 1 unit in the last place; times 0 an infinite score is 0. So the same shapes are kept, with the same bits, on
+   * every machine. The float function computes in double and rounds only the final scores.
    * Cost: for each kept shape, that of vesica_ratio_matrix_f32 with the shapes of its label that are left.
    * Since: 0.1.
    */
@@ -2537,11 +2551,12 @@ export interface C {
    * Velocity i is `i * stride` bytes after vx and vy; stride 0 repeats one velocity.
    *
    * Requires: velocities and t_end as vesica_cast_f64; equal counts, or one count of 1, whose shape is used for all.
-   * Each output has room for as many numbers as the larger count. Some, but not all, may be NULL.
+   * Each output has room for as many numbers as the larger count. Some, but not all, may be NULL. vx and vy need no
+   * alignment; without pairs they may be NULL.
    * Returns: how many touch, including those that overlap at the start.
    * Errors: those of vesica_cast_f64. An element with an invalid shape, a velocity that is not finite or a result out
    * of range gets NaN for all its numbers, and all others are written as usual. The call then returns VESICA_E_SHAPE if
-   * a shape is invalid, else the error of such an element.
+   * a shape is invalid, else the error of the last such element.
    * Accuracy: every result has the same bits as vesica_cast_f64.
    * Cost: that of vesica_cast_f64 for each pair; with AVX2 or AVX-512 a half to an eighth of it, except for pairs that
    * overlap at the start.
@@ -2581,10 +2596,13 @@ export interface C {
    * Returns: the number of items written; with capacity 0, how many there are. If state[0] is not -1 then, there are
    * more, and the same call continues (vesica_index.h).
    * Errors: those of vesica_cast_f64, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets of another number of items
-   * than the index, a pointer that is not aligned, or a state from another function (vesica_index.h). Invalid
-   * items are never touched.
+   * than the index, a pointer that is not aligned, or a state from another function (vesica_index.h). VESICA_E_RANGE
+   * only if it cannot be told whether an item is touched, as its exact position at t_end would take more than 2000
+   * bits. Then nothing is written, the state is behind that item, and the same call continues; with capacity 0 there is
+   * no count. Invalid items are never touched.
    * Accuracy: exact.
-   * Cost: a few us, and that of vesica_cast_f64 for each item whose box the swept box meets.
+   * Cost: a few us, and about 150 ns for each item whose box the swept box meets, for a million circles in any order.
+   * If only exact arithmetic can decide an item, that of vesica_cast_f64.
    * Since: 0.1.
    */
   vesica_index_cast_f64(index: number, sets: number, set_count: number, one: number, vx: number, vy: number,
@@ -2632,8 +2650,8 @@ export interface C {
    * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
    * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
    * Accuracy: that of vesica_cast_f64.
-   * Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
-   * what vesica_cast_f64 does for other kinds.
+   * Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what
+   * vesica_cast_f64 does for other kinds.
    * Since: 0.1.
    */
   vesica_cast_point_point_f64(a: number, b: number, vx: number, vy: number, t_end: number, out: number): number;
@@ -2644,8 +2662,8 @@ export interface C {
    * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
    * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
    * Accuracy: that of vesica_cast_f64.
-   * Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
-   * what vesica_cast_f64 does for other kinds.
+   * Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what
+   * vesica_cast_f64 does for other kinds.
    * Since: 0.1.
    */
   vesica_cast_segment_point_f64(a: number, b: number, vx: number, vy: number, t_end: number, out: number): number;
@@ -2656,8 +2674,8 @@ export interface C {
    * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
    * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
    * Accuracy: that of vesica_cast_f64.
-   * Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
-   * what vesica_cast_f64 does for other kinds.
+   * Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what
+   * vesica_cast_f64 does for other kinds.
    * Since: 0.1.
    */
   vesica_cast_circle_point_f64(a: number, b: number, vx: number, vy: number, t_end: number, out: number): number;
@@ -2668,8 +2686,8 @@ export interface C {
    * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
    * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
    * Accuracy: that of vesica_cast_f64.
-   * Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
-   * what vesica_cast_f64 does for other kinds.
+   * Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what
+   * vesica_cast_f64 does for other kinds.
    * Since: 0.1.
    */
   vesica_cast_aabb_point_f64(a: number, b: number, vx: number, vy: number, t_end: number, out: number): number;
@@ -2680,8 +2698,8 @@ export interface C {
    * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
    * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
    * Accuracy: that of vesica_cast_f64.
-   * Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
-   * what vesica_cast_f64 does for other kinds.
+   * Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what
+   * vesica_cast_f64 does for other kinds.
    * Since: 0.1.
    */
   vesica_cast_rect_point_f64(a: number, b: number, vx: number, vy: number, t_end: number, out: number): number;
@@ -2692,8 +2710,8 @@ export interface C {
    * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
    * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
    * Accuracy: that of vesica_cast_f64.
-   * Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
-   * what vesica_cast_f64 does for other kinds.
+   * Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what
+   * vesica_cast_f64 does for other kinds.
    * Since: 0.1.
    */
   vesica_cast_ellipse_point_f64(a: number, b: number, vx: number, vy: number, t_end: number, out: number): number;
@@ -2704,8 +2722,8 @@ export interface C {
    * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
    * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
    * Accuracy: that of vesica_cast_f64.
-   * Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
-   * what vesica_cast_f64 does for other kinds.
+   * Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what
+   * vesica_cast_f64 does for other kinds.
    * Since: 0.1.
    */
   vesica_cast_circle_circle_f64(a: number, b: number, vx: number, vy: number, t_end: number, out: number): number;
@@ -2716,8 +2734,8 @@ export interface C {
    * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
    * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
    * Accuracy: that of vesica_cast_f64.
-   * Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
-   * what vesica_cast_f64 does for other kinds.
+   * Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what
+   * vesica_cast_f64 does for other kinds.
    * Since: 0.1.
    */
   vesica_cast_rect_rect_f64(a: number, b: number, vx: number, vy: number, t_end: number, out: number): number;
@@ -2757,11 +2775,12 @@ export interface C {
    * Velocity i is `i * stride` bytes after vx and vy; stride 0 repeats one velocity.
    *
    * Requires: velocities and t_end as vesica_cast_f32; equal counts, or one count of 1, whose shape is used for all.
-   * Each output has room for as many numbers as the larger count. Some, but not all, may be NULL.
+   * Each output has room for as many numbers as the larger count. Some, but not all, may be NULL. vx and vy need no
+   * alignment; without pairs they may be NULL.
    * Returns: how many touch, including those that overlap at the start.
    * Errors: those of vesica_cast_f32. An element with an invalid shape, a velocity that is not finite or a result out
    * of range gets NaN for all its numbers, and all others are written as usual. The call then returns VESICA_E_SHAPE if
-   * a shape is invalid, else the error of such an element.
+   * a shape is invalid, else the error of the last such element.
    * Accuracy: every result has the same bits as vesica_cast_f32.
    * Cost: that of vesica_cast_f32 for each pair; with AVX2 or AVX-512 a half to an eighth of it, except for pairs that
    * overlap at the start.
@@ -2801,10 +2820,13 @@ export interface C {
    * Returns: the number of items written; with capacity 0, how many there are. If state[0] is not -1 then, there are
    * more, and the same call continues (vesica_index.h).
    * Errors: those of vesica_cast_f32, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets of another number of items
-   * than the index, a pointer that is not aligned, or a state from another function (vesica_index.h). Invalid
-   * items are never touched.
+   * than the index, a pointer that is not aligned, or a state from another function (vesica_index.h). VESICA_E_RANGE
+   * only if it cannot be told whether an item is touched, as its exact position at t_end would take more than 2000
+   * bits. Then nothing is written, the state is behind that item, and the same call continues; with capacity 0 there is
+   * no count. Invalid items are never touched.
    * Accuracy: exact.
-   * Cost: a few us, and that of vesica_cast_f32 for each item whose box the swept box meets.
+   * Cost: a few us, and about 150 ns for each item whose box the swept box meets, for a million circles in any order.
+   * If only exact arithmetic can decide an item, that of vesica_cast_f32.
    * Since: 0.1.
    */
   vesica_index_cast_f32(index: number, sets: number, set_count: number, one: number, vx: number, vy: number,
@@ -2836,8 +2858,8 @@ export interface C {
    * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
    * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
    * Accuracy: that of vesica_cast_f32.
-   * Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
-   * what vesica_cast_f32 does for other kinds.
+   * Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what
+   * vesica_cast_f32 does for other kinds.
    * Since: 0.1.
    */
   vesica_cast_point_point_f32(a: number, b: number, vx: number, vy: number, t_end: number, out: number): number;
@@ -2848,8 +2870,8 @@ export interface C {
    * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
    * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
    * Accuracy: that of vesica_cast_f32.
-   * Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
-   * what vesica_cast_f32 does for other kinds.
+   * Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what
+   * vesica_cast_f32 does for other kinds.
    * Since: 0.1.
    */
   vesica_cast_segment_point_f32(a: number, b: number, vx: number, vy: number, t_end: number, out: number): number;
@@ -2860,8 +2882,8 @@ export interface C {
    * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
    * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
    * Accuracy: that of vesica_cast_f32.
-   * Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
-   * what vesica_cast_f32 does for other kinds.
+   * Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what
+   * vesica_cast_f32 does for other kinds.
    * Since: 0.1.
    */
   vesica_cast_circle_point_f32(a: number, b: number, vx: number, vy: number, t_end: number, out: number): number;
@@ -2872,8 +2894,8 @@ export interface C {
    * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
    * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
    * Accuracy: that of vesica_cast_f32.
-   * Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
-   * what vesica_cast_f32 does for other kinds.
+   * Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what
+   * vesica_cast_f32 does for other kinds.
    * Since: 0.1.
    */
   vesica_cast_aabb_point_f32(a: number, b: number, vx: number, vy: number, t_end: number, out: number): number;
@@ -2884,8 +2906,8 @@ export interface C {
    * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
    * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
    * Accuracy: that of vesica_cast_f32.
-   * Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
-   * what vesica_cast_f32 does for other kinds.
+   * Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what
+   * vesica_cast_f32 does for other kinds.
    * Since: 0.1.
    */
   vesica_cast_rect_point_f32(a: number, b: number, vx: number, vy: number, t_end: number, out: number): number;
@@ -2896,8 +2918,8 @@ export interface C {
    * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
    * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
    * Accuracy: that of vesica_cast_f32.
-   * Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
-   * what vesica_cast_f32 does for other kinds.
+   * Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what
+   * vesica_cast_f32 does for other kinds.
    * Since: 0.1.
    */
   vesica_cast_ellipse_point_f32(a: number, b: number, vx: number, vy: number, t_end: number, out: number): number;
@@ -2908,8 +2930,8 @@ export interface C {
    * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
    * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
    * Accuracy: that of vesica_cast_f32.
-   * Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
-   * what vesica_cast_f32 does for other kinds.
+   * Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what
+   * vesica_cast_f32 does for other kinds.
    * Since: 0.1.
    */
   vesica_cast_circle_circle_f32(a: number, b: number, vx: number, vy: number, t_end: number, out: number): number;
@@ -2920,8 +2942,8 @@ export interface C {
    * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
    * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
    * Accuracy: that of vesica_cast_f32.
-   * Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
-   * what vesica_cast_f32 does for other kinds.
+   * Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what
+   * vesica_cast_f32 does for other kinds.
    * Since: 0.1.
    */
   vesica_cast_rect_rect_f32(a: number, b: number, vx: number, vy: number, t_end: number, out: number): number;

@@ -10,6 +10,7 @@
 #include "kernels/cast_columns.hpp"
 #include "number_columns.hpp"
 #include "queries/cast.hpp"
+#include "queries/cast_before.hpp"
 
 namespace vesica::batch {
 
@@ -279,22 +280,32 @@ struct FirstSearch {
   FirstHit first;
   Impact<T> best;
 
+  bool some() const noexcept { return first.index != many.count; }
   /// What comes later than the best so far is a miss.
-  double end() const noexcept { return first.index == many.count ? motion.end : static_cast<double>(best.t); }
+  double end() const noexcept { return some() ? static_cast<double>(best.t) : motion.end; }
   void take(std::int64_t i, const Impact<T>& impact) noexcept {
-    if (first.index != many.count && !(impact.t < best.t)) return;
+    if (some() && (impact.t > best.t || (impact.t == best.t && i > first.index))) return;
     best = impact;
     first.index = i;
   }
   /// Element i, by the scalar function.
-  [[gnu::noinline]] void ask(std::int64_t i, const Body& still) noexcept {
-    const Motion rest{motion.vx, motion.vy, end()};
+  [[gnu::noinline]] void ask(std::int64_t i, const Body& still, double end) noexcept {
     Impact<T> impact;
-    std::int32_t code = queries::cast(still, moving, rest, impact);
-    // A place at the best time may have more digits than any place that the whole motion asks for.
-    if (code == error_range && rest.end < motion.end) code = queries::cast(still, moving, motion, impact);
+    const std::int32_t code = queries::cast_before(end, motion.end, [&](double until) {
+      return queries::cast(still, moving, {motion.vx, motion.vy, until}, impact);
+    });
     note(code, first.error);
     if (code > 0) take(i, impact);
+  }
+  /// What could not be told before the earliest was found may come after it.
+  void settle() noexcept {
+    if (first.error != error_range || !some()) return;
+    first.error = 0;
+    for (std::int64_t i = 0; i < many.count; ++i) {
+      // Of equal times the first element's counts. Contact before the next number has the time of the best.
+      const auto next = static_cast<double>(detail::arithmetic::next_above(best.t));
+      ask(i, body_at(many, i), i > first.index ? end() : next < motion.end ? next : motion.end);
+    }
   }
 };
 
@@ -315,7 +326,7 @@ void cast_first_in_lanes(const Shapes<T>& one, FirstSearch<T>& search) noexcept 
       if (!std::isnan(found.t) && detail::cast::rounded_to(found, impact)) {
         search.take(i, impact);
       } else {
-        search.ask(i, block.first(block.place(k)));
+        search.ask(i, block.first(block.place(k)), search.end());
       }
     }
   }
@@ -350,7 +361,8 @@ FirstHit cast_first(const Shapes<T>& many, const Shapes<T>& one, const Motion& m
     asked = in_lanes(many.count);
     if (asked) cast_first_in_lanes(one, search);
   }
-  for (std::int64_t i = asked ? many.count : 0; i < many.count; ++i) search.ask(i, body_at(many, i));
+  for (std::int64_t i = asked ? many.count : 0; i < many.count; ++i) search.ask(i, body_at(many, i), search.end());
+  search.settle();
   if (search.first.error == 0) out = search.best;
   return search.first;
 }

@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 #include <vesica/cast.hpp>
@@ -156,40 +157,98 @@ void beside_box2d([[maybe_unused]] const Aim& aim) {
 #endif
 }
 
-/// One ray at a million circles that cover a tenth of a square.
-void through_an_index() {
-  constexpr std::int64_t n = 1'000'000;
-  Random random(99);
-  std::vector<vesica_circle_f64> circles(n);
-  for (auto& c : circles) {
-    c = {random.between(0, 1000), random.between(0, 1000), random.between(0.01, 0.3)};
+/// A million circles that cover a tenth of a square, and their index.
+class Circles {
+ public:
+  static constexpr std::int64_t n = 1'000'000;
+
+  explicit Circles(Random& random) : random_(random) {
+    for (auto& c : circles_) c = {random_.between(0, 1000), random_.between(0, 1000), random_.between(0.01, 0.3)};
+    vesica_shapes_from_records_f64(VESICA_CIRCLE, n, circles_.data(), sizeof circles_[0], &set_);
+    const std::int64_t size = vesica_index_size(n), scratch_size = vesica_index_scratch(n);
+    index_ = bytes(size);
+    const Bytes scratch = bytes(scratch_size);
+    vesica_index_build_f64(&set_, 1, index_.get(), size, scratch.get(), scratch_size);
   }
-  vesica_shapes_f64 set;
-  vesica_shapes_from_records_f64(VESICA_CIRCLE, n, circles.data(), sizeof circles[0], &set);
-  const auto bytes = [](std::int64_t size) {
-    return static_cast<unsigned char*>(std::aligned_alloc(64, static_cast<std::size_t>((size + 63) / 64 * 64)));
+
+  void first_of_rays() {
+    std::vector<double> times;
+    std::int64_t hits = 0;
+    constexpr int rays = 20000;
+    for (int i = 0; i < rays; ++i) {
+      const double point[2] = {random_.between(0, 1000), random_.between(0, 1000)}, angle = random_angle();
+      vesica_shapes_f64 one;
+      vesica_shapes_from_records_f64(VESICA_POINT, 1, point, 0, &one);
+      vesica_impact_f64 out;
+      const Clock::time_point start = Clock::now();
+      const std::int64_t first =
+          vesica_index_cast_first_f64(index_.get(), &set_, 1, &one, std::cos(angle), std::sin(angle), infinity, &out);
+      times.push_back(since(start));
+      hits += first < n;
+    }
+    std::printf("\none ray at %lld circles by an index: %.2f us (median of %d), %.0f%% hit\n",
+                static_cast<long long>(n), median(times) * 1e-3, rays, 100.0 * static_cast<double>(hits) / rays);
+  }
+
+  /// All that a rectangle meets on its way, beside one call for each of these that knew them before.
+  void all_on_ways() {
+    std::vector<double> times, ratios;
+    std::int64_t met = 0;
+    constexpr int ways = 2000;
+    std::vector<std::int64_t> out(10000);
+    for (int i = 0; i < ways; ++i) {
+      const double turn = random_angle(), angle = random_angle(), vx = std::cos(angle), vy = std::sin(angle);
+      const double rect[6] = {
+          random_.between(0, 1000), random_.between(0, 1000), std::cos(turn), std::sin(turn), 1, 0.5};
+      vesica_shapes_f64 one;
+      vesica_shapes_from_records_f64(VESICA_RECT, 1, rect, 0, &one);
+      std::int64_t state[4] = {};
+      const Clock::time_point start = Clock::now();
+      const std::int64_t found = vesica_index_cast_f64(index_.get(), &set_, 1, &one, vx, vy, 100, out.data(),
+                                                       static_cast<std::int64_t>(out.size()), state);
+      const double by_index = since(start);
+      if (found <= 0) continue;
+      vesica_impact_f64 impact;
+      const Clock::time_point again = Clock::now();
+      for (std::int64_t k = 0; k < found; ++k) {
+        const double* const circle = &circles_[static_cast<std::size_t>(out[static_cast<std::size_t>(k)])].cx;
+        vesica_cast_f64(VESICA_CIRCLE, circle, VESICA_RECT, rect, vx, vy, 100, &impact);
+      }
+      ratios.push_back(by_index / since(again));
+      times.push_back(by_index / static_cast<double>(found));
+      met += found;
+    }
+    std::printf(
+        "all that a rectangle meets on a way of 100: %.0f ns for each of %.0f (medians of %d), %.2f times as long "
+        "as vesica_cast_f64 of these alone\n",
+        median(times), static_cast<double>(met) / static_cast<double>(times.size()), ways, median(ratios));
+  }
+
+ private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  struct Free {
+    void operator()(unsigned char* p) const { std::free(p); }
   };
-  const std::int64_t index_size = vesica_index_size(n), scratch_size = vesica_index_scratch(n);
-  unsigned char *const index = bytes(index_size), *const scratch = bytes(scratch_size);
-  vesica_index_build_f64(&set, 1, index, index_size, scratch, scratch_size);
-  std::vector<double> times;
-  std::int64_t hits = 0;
-  constexpr int rays = 20000;
-  for (int i = 0; i < rays; ++i) {
-    const double point[2] = {random.between(0, 1000), random.between(0, 1000)}, angle = random.between(0, 6.283185307);
-    vesica_shapes_f64 one;
-    vesica_shapes_from_records_f64(VESICA_POINT, 1, point, 0, &one);
-    vesica_impact_f64 out;
-    const Clock::time_point start = Clock::now();
-    const std::int64_t first = vesica_index_cast_first_f64(index, &set, 1, &one, std::cos(angle), std::sin(angle),
-                                                           std::numeric_limits<double>::infinity(), &out);
-    times.push_back(std::chrono::duration<double, std::nano>(Clock::now() - start).count());
-    hits += first < n;
+  using Bytes = std::unique_ptr<unsigned char[], Free>;
+  static Bytes bytes(std::int64_t size) {
+    return Bytes(static_cast<unsigned char*>(std::aligned_alloc(64, static_cast<std::size_t>((size + 63) / 64 * 64))));
   }
-  std::printf("\none ray at %lld circles by an index: %.2f us (median of %d), %.0f%% hit\n", static_cast<long long>(n),
-              median(times) * 1e-3, rays, 100.0 * static_cast<double>(hits) / rays);
-  std::free(index);
-  std::free(scratch);
+  static double since(Clock::time_point start) {
+    return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
+  }
+  double random_angle() { return random_.between(0, 6.283185307); }
+
+  Random& random_;
+  std::vector<vesica_circle_f64> circles_ = std::vector<vesica_circle_f64>(static_cast<std::size_t>(n));
+  vesica_shapes_f64 set_;
+  Bytes index_;
+};
+
+void through_an_index() {
+  Random random(99);
+  Circles circles(random);
+  circles.first_of_rays();
+  circles.all_on_ways();
 }
 
 }  // namespace

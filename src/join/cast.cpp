@@ -6,6 +6,7 @@
 #include <vesica/shapes.hpp>
 
 #include "index/frame.hpp"
+#include "queries/cast_before.hpp"
 
 namespace vesica::index {
 
@@ -157,11 +158,21 @@ class First {
         best_{view_.items(), cast.end, 0} {}
 
   FirstItem run() noexcept {
-    if (view_.levels() != 0) visit(view_.levels() - 1, 0);
+    search();
+    // What could not be told before the earliest was found may come after it.
+    if (best_.error != 0 && some()) {
+      best_.error = 0;
+      search();
+    }
     return best_;
   }
 
  private:
+  bool some() const noexcept { return best_.item != view_.items(); }
+  void search() noexcept {
+    if (view_.levels() != 0) visit(view_.levels() - 1, 0);
+  }
+
   void visit(int level, std::int64_t number) noexcept {
     const Node& node = view_.node(level, number);
     double time[node_children];
@@ -210,13 +221,11 @@ class First {
   }
 
   void ask(std::uint32_t item) noexcept {
-    const bool some = best_.item != view_.items();
     double t;
-    std::int32_t code = cast_.targets.ask(cast_.targets.context, item, limit_, t);
-    // A place at the limit may have more digits than any place that the whole motion asks for.
-    if (code == error_range && limit_ < cast_.end) code = cast_.targets.ask(cast_.targets.context, item, cast_.end, t);
+    const std::int32_t code = queries::cast_before(
+        limit_, cast_.end, [&](double until) { return cast_.targets.ask(cast_.targets.context, item, until, t); });
     if (code < 0) best_.error = code;
-    if (code <= 0 || (some && (t > best_.t || (t == best_.t && item > best_.item)))) return;
+    if (code <= 0 || (some() && (t > best_.t || (t == best_.t && item > best_.item)))) return;
     best_.item = item;
     best_.t = t;
     cast_.targets.keep(cast_.targets.context);
@@ -253,13 +262,11 @@ class All {
   std::int64_t run() noexcept {
     if (view_.levels() != 0) visit(view_.levels() - 1, 0);
     if (error_ != 0) return error_;
-    if (capacity_ > 0 && !full_) put_state(-1, 0, 0);
+    if (capacity_ > 0 && !over_) put_state(-1, 0, 0);
     return found_;
   }
 
  private:
-  bool is_over() const noexcept { return full_ || error_ != 0; }
-
   void put_state(std::int64_t block, std::int64_t written, std::int64_t mark) noexcept {
     state_[0] = block;
     state_[1] = written;
@@ -273,7 +280,7 @@ class All {
     for (int i = 0; i < level; ++i) blocks *= node_children;
     double time[node_children];
     swept_.entries(child_sides(node), node_children, never, time);
-    for (int i = 0; i < node_children && !is_over(); ++i) {
+    for (int i = 0; i < node_children && !over_; ++i) {
       const std::int64_t child = number * node_children + i;
       if (!(time[i] < never) || !is_there(node, i) || (child + 1) * blocks <= from_) continue;
       if (level > 0) {
@@ -296,27 +303,25 @@ class All {
       const int n = items_of_leaf(block, l);
       swept_.entries(item_sides(block.frame, leaf), n, never, of_item);
       for (int i = 0; i < n; ++i) {
+        if (of_item[i] < never) cast_.targets.prefetch(cast_.targets.context, leaf.item[i]);
+      }
+      for (int i = 0; i < n; ++i) {
         if (!(of_item[i] < never)) continue;
-        if (!is_hit(leaf.item[i])) {
-          if (error_ != 0) return;
-          continue;
-        }
-        if (in_block++ < skip) continue;
-        if (capacity_ > 0 && found_ == capacity_) {
-          full_ = true;
-          return put_state(number, in_block - 1, cast_mark);
-        }
+        const std::int32_t code = cast_.targets.meets(cast_.targets.context, leaf.item[i]);
+        if (code == 0 || in_block++ < skip) continue;
+        over_ = code < 0 || (capacity_ > 0 && found_ == capacity_);
+        if (over_) return end_at(number, in_block, code);
         if (capacity_ > 0) out_[found_] = leaf.item[i];
         ++found_;
       }
     }
   }
 
-  bool is_hit(std::uint32_t item) noexcept {
-    double t;
-    const std::int32_t code = cast_.targets.ask(cast_.targets.context, item, cast_.end, t);
-    if (code < 0) error_ = code;
-    return code > 0;
+  /// The page ends before an item of a block, or behind it, where an error is all that it tells.
+  void end_at(std::int64_t block, std::int64_t in_block, std::int32_t code) noexcept {
+    const bool tells_error = code < 0 && (found_ == 0 || capacity_ == 0);
+    if (tells_error) error_ = code;
+    if (capacity_ > 0) put_state(block, tells_error ? in_block : in_block - 1, cast_mark);
   }
 
   const Cast& cast_;
@@ -327,20 +332,19 @@ class All {
   std::int64_t* state_;
   std::int64_t from_, skip_, found_ = 0;
   std::int32_t error_ = 0;
-  bool full_ = false;
+  bool over_ = false;
 };
 
 }  // namespace
 
 FirstItem find_first_hit(const Cast& cast) noexcept { return First(cast).run(); }
 
-// A state: a block, how many of its items are already written, 0 and a mark.
+// A state: a block, how many of its items are already written or were an error, 0 and a mark.
 
-bool cast_state_is_sound(const Cast& cast, const std::int64_t* state) noexcept {
+bool cast_state_is_sound(const void* index, const std::int64_t* state) noexcept {
   if (state[0] == 0 && state[1] == 0 && state[2] == 0 && state[3] == 0) return true;
   if (state[0] == -1) return true;
-  return state[0] >= 0 && state[0] < View(cast.index).blocks() && state[1] >= 0 && state[2] == 0 &&
-         state[3] == cast_mark;
+  return state[0] >= 0 && state[0] < View(index).blocks() && state[1] >= 0 && state[2] == 0 && state[3] == cast_mark;
 }
 
 std::int64_t write_hits(const Cast& cast, std::int64_t* out, std::int64_t capacity, std::int64_t* state) noexcept {

@@ -84,7 +84,11 @@ class Left {
     for (int k = 0; k < max_fields; ++k) columns[k] = like.column[k];
     double ratio[chunk];
     asked_.ratios(asked_.ratio, kind_, one, columns, n, ratio);
-    for (int k = 0; k < n; ++k) score_[place[k]] *= factor(asked_, ratio[k]);
+    for (int k = 0; k < n; ++k) {
+      const double left = factor(asked_, ratio[k]);
+      // An infinite score times 0 would be NaN.
+      score_[place[k]] = left == 0 ? 0 : score_[place[k]] * left;
+    }
     return i;
   }
 

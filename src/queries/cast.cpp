@@ -72,6 +72,23 @@ namespace queries {
   return cast_rest(a, b, motion, detail::cast::filter(sketch(a), sketch(b), motion), out);
 }
 
+[[gnu::noinline]] std::int32_t meets(const Body& a, const Body& b, const Motion& motion) noexcept {
+  using namespace detail::cast;
+  const Filtered known = detail::cast::filter(sketch(a), sketch(b), motion);
+  if (known.verdict == Verdict::missed) return 0;
+  const std::int32_t at_start = known.apart ? 0 : answer(queries::overlap, a, b, nullptr);
+  if (at_start != 0) return at_start;
+  if (known.verdict == Verdict::reached) return 1;
+  if (known.verdict == Verdict::passed || motion.is_still()) return 0;
+  if (known.verdict == Verdict::late) {
+    // Mostly double knows the time, and so whether it is before the end.
+    Impact<double> unused;
+    const std::int32_t code = cast_rest(a, b, motion, {known.verdict, true}, unused);
+    if (code != error_range) return code;
+  }
+  return exactly_meets(a, b, motion);
+}
+
 template <class A, class B>
 [[gnu::noinline]] detail::cast::Quick quick_hit(const A& a, const B& b, double vx, double vy, double end,
                                                 Impact<double>& out) noexcept {

@@ -28,6 +28,10 @@ std::int32_t cast_open(const Body& a, const Body& b, const Motion& motion, Impac
 std::int32_t cast_rest(const Body& a, const Body& b, const Motion& motion, const detail::cast::Filtered& known,
                        Impact<double>& out) noexcept;
 
+/// Whether there is contact by the end, and no more: 1 or 0, error_shape, or error_range where that is beyond exact
+/// numbers.
+std::int32_t meets(const Body& a, const Body& b, const Motion& motion) noexcept;
+
 /// detail::cast::quick_hit by the quicker products. Not inlined where the filter is: what it needs of registers would
 /// cost the misses as much as they take.
 template <class A, class B>

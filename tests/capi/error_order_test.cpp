@@ -206,6 +206,12 @@ TYPED_TEST(ErrorOrder, OfTwoArrays) {
     return F::cast_many(c.a.array(), c.b.array(), &velocity, &velocity, 0, static_cast<T>(c.wrong ? -1 : 1), &t,
                         nullptr, nullptr, nullptr, nullptr);
   });
+  this->expect_order("cast_many, velocities", all, 3, [](const Call<T>& c) -> std::int64_t {
+    const T velocity = 1;
+    T t;
+    return F::cast_many(c.a.array(), c.b.array(), &velocity, c.out(velocity), 0, static_cast<T>(c.wrong ? -1 : 1), &t,
+                        nullptr, nullptr, nullptr, nullptr);
+  });
   this->expect_order("cast_first", all, 3, [](const Call<T>& c) -> std::int64_t {
     typename F::Impact impact;
     return F::cast_first(c.a.array(), c.b.array(), 1, 0, static_cast<T>(c.wrong ? -1 : 1), c.out(impact));
@@ -242,6 +248,38 @@ TYPED_TEST(ErrorOrder, OfOneShapeOrArray) {
   }
 }
 
+/// A kind that is known, but not to a function, is told before what is wrong with the array.
+TYPED_TEST(ErrorOrder, OfKindsThatAFunctionDoesNotTake) {
+  using T = TypeParam;
+  using F = Face<T>;
+  const T score = 1;
+  T numbers[8];
+  alignas(8) unsigned char scratch[1 << 12];
+  std::int64_t keep, kept;
+  for (const int wrong : {0, 1, 2}) {
+    for (const bool no_output : {false, true}) {
+      auto point = operand<T>(false, false, false).shapes;
+      point.kind = VESICA_POINT;
+      if (wrong == 1) point.count = -1;
+      if (wrong == 2) point.reserved = 1;
+      const std::int64_t error = no_output ? VESICA_E_NULL : VESICA_E_KIND;
+      T* const to = no_output ? nullptr : numbers;
+      std::int64_t* const to_kept = no_output ? nullptr : &kept;
+      EXPECT_EQ(F::boxes_from_shapes(&point, VESICA_ANGLE_RADIANS, to), error) << wrong;
+      EXPECT_EQ(F::corners_of_shapes(&point, to), error) << wrong;
+      EXPECT_EQ(F::nms(&point, &score, T{0.5}, scratch, sizeof scratch, &keep, to_kept), error) << wrong;
+      EXPECT_EQ(F::suppress(&point, &score, nullptr, VESICA_RATIO_OVER_UNION, T{0.5}, 0, 1, scratch, sizeof scratch,
+                            &keep, to_kept),
+                error)
+          << wrong;
+      EXPECT_EQ(F::suppress_soft(&point, &score, nullptr, VESICA_RATIO_OVER_UNION, VESICA_DECAY_LINEAR, T{0.5}, 0, 1,
+                                 scratch, sizeof scratch, &keep, numbers, to_kept),
+                error)
+          << wrong;
+    }
+  }
+}
+
 /// Of an index, and a shape to look for in it without its sets.
 TYPED_TEST(ErrorOrder, OfAnIndex) {
   using T = TypeParam;
@@ -268,6 +306,11 @@ TYPED_TEST(ErrorOrder, OfAnIndex) {
       EXPECT_EQ(F::index_cast(built, sets, 1, one.array(), 1, 0, 1, null && no_output ? nullptr : &item, wrong ? -1 : 1,
                               state),
                 null && no_output && wrong ? first_of(chosen & ~null_pointer) : first_of(chosen))
+          << chosen;
+      std::int64_t wrong_state[4] = {wrong ? -7 : 0};
+      EXPECT_EQ(
+          F::index_cast(built, sets, 1, one.array(), 1, 0, 1, null && no_output ? nullptr : &item, 1, wrong_state),
+          first_of(chosen))
           << chosen;
       T distance;
       std::int64_t* const item_or_null = null && no_output ? nullptr : &item;

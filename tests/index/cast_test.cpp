@@ -125,8 +125,8 @@ TYPED_TEST(CastTest, AcrossManyBlocks) {
   EXPECT_GT(longest, 50U);
 }
 
-/// Contact later than the greatest number.
-TYPED_TEST(CastTest, OutOfRange) {
+/// Contact later than the greatest number is contact; which is the first cannot be told, unless another one is.
+TYPED_TEST(CastTest, LaterThanAllNumbers) {
   using T = TypeParam;
   constexpr T largest = std::numeric_limits<T>::max();
   const Indexed<T> many(Records<T>{VESICA_POINT, {largest / 2, 0, largest / 4, 0}});
@@ -138,9 +138,64 @@ TYPED_TEST(CastTest, OutOfRange) {
     return Face<T>::index_cast(many.index.get(), many.sets.data(), 1, &one, vx, 0, std::numeric_limits<T>::infinity(),
                                out, capacity, state);
   };
-  EXPECT_EQ(cast(T(0.125), 2), VESICA_E_RANGE);
-  EXPECT_EQ(cast(T(0.125), 0), VESICA_E_RANGE);
-  EXPECT_EQ(cast(1, 2), 2);
+  EXPECT_EQ(cast(T(0.125), 2), 2);
+  EXPECT_EQ(cast(T(0.125), 0), 2);
+  EXPECT_EQ(cast(1, 0), 2);
+  const auto first = [&one](const Indexed<T>& index, T vx) {
+    typename Face<T>::Impact impact;
+    return Face<T>::index_cast_first(index.index.get(), index.sets.data(), 1, &one, vx, 0,
+                                     std::numeric_limits<T>::infinity(), &impact);
+  };
+  EXPECT_EQ(first(many, T(0.125)), VESICA_E_RANGE);
+  EXPECT_EQ(first(many, 1), 1);
+  Records<T> points{VESICA_POINT, {}};
+  for (int i = 0; i < 300; ++i) points.numbers.insert(points.numbers.end(), {largest / T(2 + i % 7), 0});
+  points.numbers[2 * 170] = 5;
+  EXPECT_EQ(first(Indexed<T>(points), T(0.125)), 170);
+}
+
+/// Items whose place at the end has more digits than exact numbers: each is an error of a page of its own, and all
+/// other items are found, whatever the pages' length.
+TEST(CastOfAllThereIs, BesideItemsThatCannotBeTold) {
+  constexpr double vx = 0x1.0000000000001p-500, end = 0x1.0000000000001p-478;
+  const double origin[2] = {0, 0};
+  vesica_shapes_f64 one;
+  vesica_shapes_from_records_f64(VESICA_POINT, 1, origin, 0, &one);
+  Records<double> boxes{VESICA_AABB, {}};
+  std::vector<std::int64_t> sound, unknown;
+  for (int i = 0; i < 300; ++i) {
+    const bool is_unknown = i % 50 == 7;
+    boxes.numbers.insert(boxes.numbers.end(), {0x1p-990, -1, is_unknown ? 0x1p1020 : 0x1p-980, 1});
+    (is_unknown ? unknown : sound).push_back(i);
+    vesica_impact_f64 impact;
+    ASSERT_EQ(vesica_cast_f64(VESICA_AABB, &boxes.numbers[4 * static_cast<std::size_t>(i)], VESICA_POINT, origin, vx, 0,
+                              end, &impact),
+              is_unknown ? VESICA_E_RANGE : VESICA_CAST_HIT);
+  }
+  const Indexed<double> many(boxes);
+  const auto cast = [&](std::int64_t* out, std::int64_t capacity, std::int64_t* state) {
+    return vesica_index_cast_f64(many.index.get(), many.sets.data(), 1, &one, vx, 0, end, out, capacity, state);
+  };
+  EXPECT_EQ(cast(nullptr, 0, nullptr), VESICA_E_RANGE);
+  for (const std::int64_t capacity : {1, 2, 7, 64, 1000}) {
+    std::vector<std::int64_t> got, out(static_cast<std::size_t>(capacity));
+    std::int64_t state[4] = {};
+    std::size_t errors = 0;
+    while (state[0] != -1 && errors <= unknown.size()) {
+      std::fill(out.begin(), out.end(), -7);
+      const std::int64_t n = cast(out.data(), capacity, state);
+      if (n < 0) {
+        EXPECT_EQ(n, VESICA_E_RANGE);
+        EXPECT_EQ(out[0], -7);
+        ++errors;
+        continue;
+      }
+      got.insert(got.end(), out.begin(), out.begin() + n);
+    }
+    std::sort(got.begin(), got.end());
+    EXPECT_EQ(got, sound) << capacity;
+    EXPECT_EQ(errors, unknown.size()) << capacity;
+  }
 }
 
 /// Two sides whose times round down to one float: the lesser number is the first, though it is met later.

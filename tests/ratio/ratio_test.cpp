@@ -245,6 +245,39 @@ TEST_F(Ratios, OfAnyMagnitude) {
   EXPECT_EQ(ratio(VESICA_RATIO_GENERALIZED, whole), (Answer{0, 0.25}));
 }
 
+// Coordinates that are a few of the least numbers, whose halves are none: as the same multiples of 1.
+TEST_F(Ratios, OfTheLeastNumbers) {
+  constexpr double least = 0x1p-1074;
+  Random random(seed() + 77);
+  const auto shape = [&random](int kind) -> Numbers {
+    const auto number = [&random] { return static_cast<double>(random.below(5)); };
+    const double x = number() - 2, y = number() - 2;
+    switch (kind) {
+      case VESICA_POINT:
+        return {x, y};
+      case VESICA_SEGMENT:
+        return {x, y, number(), number()};
+      case VESICA_CIRCLE:
+        return {x, y, number()};
+      default:
+        return {x, y, x + number(), y + number()};
+    }
+  };
+  int answered = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const int kinds[] = {random.below(4), random.below(4)};
+    Pair p{kinds[0], kinds[1], shape(kinds[0]), shape(kinds[1])}, tiny = p;
+    for (double& x : tiny.a) x *= least;
+    for (double& x : tiny.b) x *= least;
+    for (int which = 0; which < ratios; ++which) {
+      const Answer expected = ratio(which, p);
+      ASSERT_EQ(ratio(which, tiny), expected) << which << ' ' << i;
+      answered += expected.code == 0;
+    }
+  }
+  EXPECT_GT(answered, 3000);
+}
+
 // Where the IoU underflows, and where even the shared area does, the share of the smaller shape does not.
 TEST_F(Ratios, OfShapesFarSmallerThanTheOther) {
   const Numbers tiny{0, 0, 0x1p-900, 0x1p-900};

@@ -220,6 +220,20 @@ TEST(SoftSuppression, Errors) {
   EXPECT_EQ(kept, 0);
 }
 
+/// Infinite scores times 0 are 0, and so are kept where that is enough.
+TEST(SoftSuppression, InfiniteScores) {
+  const vesica_rect_f64 one{0, 0, 1, 0, 1, 1}, apart{9, 9, 1, 0, 1, 1};
+  const Scene s{{one, one, apart, one}, {infinity, infinity, infinity, 1}, {}};
+  for (const std::int32_t decay : {VESICA_DECAY_LINEAR, VESICA_DECAY_GAUSSIAN}) {
+    // A Gaussian so narrow that nothing is left of a score.
+    const Kept all = suppress(s, {VESICA_RATIO_OVER_UNION, decay, 0.001, 0, 9, false});
+    EXPECT_EQ(all.items, (std::vector<std::int64_t>{0, 2, 1, 3}));
+    EXPECT_EQ(all.scores, (std::vector<double>{infinity, infinity, 0, 0}));
+    const Kept some = suppress(s, {VESICA_RATIO_OVER_UNION, decay, 0.001, 1e-300, 9, false});
+    EXPECT_EQ(some.items, (std::vector<std::int64_t>{0, 2}));
+  }
+}
+
 TEST(SoftSuppression, FloatsAreWidened) {
   const std::vector<vesica_rect_f32> shapes{{0, 0, 1, 0, 1, 1}, {1, 0, 1, 0, 1, 1}};
   const std::vector<vesica_rect_f64> wide{{0, 0, 1, 0, 1, 1}, {1, 0, 1, 0, 1, 1}};

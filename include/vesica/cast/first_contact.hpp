@@ -202,6 +202,14 @@ VESICA_COLD inline std::int32_t first_contact_of_undecided(const Body& a, const 
                     : static_cast<std::int32_t>(cast_miss);
 }
 
+/// Whether a line that is still to be asked meets M after the start and by the end: 1, or 0, or error_range where the
+/// place at the end is beyond exact numbers. Neither the time nor a point has to be a number.
+VESICA_COLD inline std::int32_t exactly_meets(const Body& a, const Body& b, const Motion& motion) noexcept {
+  const ExactPair exact(a, b, motion);
+  const LineMeeting line = exact_line(exact, motion.end);
+  return line.late ? exact_contact_at(exact, motion.end) : line.meets ? 1 : 0;
+}
+
 /// The answer, or error_range, where the filter has told `known`. Contact at the start is for the caller to describe.
 /// overlap_at_start() answers as overlap_or_error() does.
 template <class Overlap>

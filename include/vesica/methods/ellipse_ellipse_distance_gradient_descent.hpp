@@ -26,6 +26,7 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
+#include <vesica/arithmetic/exponential.hpp>
 #include <vesica/methods/ellipse_outline.hpp>
 #include <vesica/overlap.hpp>
 
@@ -172,7 +173,7 @@ Descent descend(const OutlinePair& p, Angles at, const DescentSettings<T>& setti
   const double tolerance = static_cast<double>(settings.tolerance), cube_root = std::cbrt(tolerance);
   // At contact descent ends this far from the minimum, in distance and in second derivatives.
   const double threshold = 4 * cube_root * cube_root;
-  const double decay = std::exp(-static_cast<double>(settings.decay));
+  const double decay = vesica::detail::arithmetic::exp_of_minus(static_cast<double>(settings.decay), 0);
   double rate = static_cast<double>(settings.rate);
   for (std::int32_t i = 1;; ++i, rate *= decay) {
     const Slope s = slope(p, at);

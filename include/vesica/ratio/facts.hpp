@@ -20,25 +20,33 @@ struct Facts {
 /// Whether products and squares of such lengths, or quotients of such areas, are normal numbers.
 inline bool is_moderate(double x) noexcept { return x >= 0x1p-400 && x <= 0x1p400; }
 
-/// The parts of a form as doubles. Differences are halved before they are taken, so that none overflows; the axis, or
-/// the size, beside them is twice as large.
-struct Halves {
+/// The parts of a form as doubles. Of coordinates so large that a difference may overflow they are halved before, and
+/// the axis, or the size, beside them is twice as large; of others they are not, for halves of the least numbers are
+/// none.
+struct Parts {
+  double scale;  // 1 or 0.5
+
+  explicit Parts(const form::Corners<double>& place) noexcept
+      : scale(is_usual(place.x0) && is_usual(place.y0) && is_usual(place.x1) && is_usual(place.y1) ? 1 : 0.5) {}
+  static bool is_usual(double x) noexcept { return std::fabs(x) <= 0x1p1000; }
+
   double operator()(const form::Length<double>& l) const noexcept { return l.x; }
   double operator()(const form::Ratio<double>& r) const noexcept { return r.x; }
   double operator()(form::Constant c) const noexcept { return static_cast<double>(c.x); }
-  double operator()(form::WidthAxis) const noexcept { return 1; }
-  double operator()(const form::Difference<double>& d) const noexcept { return 0.5 * d.to - 0.5 * d.from; }
-  double operator()(const form::HalfWidth<double>& w) const noexcept { return 0.5 * w.to - 0.5 * w.from; }
+  double operator()(form::WidthAxis) const noexcept { return 0.5 / scale; }
+  double operator()(const form::Difference<double>& d) const noexcept { return scale * d.to - scale * d.from; }
+  double operator()(const form::HalfWidth<double>& w) const noexcept { return scale * w.to - scale * w.from; }
 };
 
 /// Of a valid shape with this area as a double, which says all if it is of usual magnitude.
 template <class Shape>
 VESICA_INLINE Facts facts(const Shape& shape, double area) noexcept {
-  constexpr Halves number;
   const auto f = form::of(shape);
-  const double size = decltype(f)::axis_may_vanish ? 2 : 1;
+  const form::Corners<double> place = form::corners(f.place);
+  const Parts number(place);
+  const double size = decltype(f)::axis_may_vanish ? 1 / number.scale : 1;
   return {is_moderate(area) ? area::Measure{area, 0} : area::shape_measure(shape),
-          form::corners(f.place),
+          place,
           number(f.ux),
           number(f.uy),
           size * number(f.hx),

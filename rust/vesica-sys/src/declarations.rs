@@ -484,9 +484,10 @@ extern "C" {
     ///
     /// Accuracy: at aspect ratios up to 1e6 the depth is right to 4 u scale; for circles and points, to its last place.
     /// The length of (x, y) is 1 to 3 u. After the move at most 8 u scale of overlap is left. Whether the depth is 0 is
-    /// exact. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the
-    /// largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of
-    /// at most 4 u times the scale. An aspect ratio is longer over shorter size.
+    /// exact at any ratio; beyond 1e6 no bound on its error is stated. In bounds on errors u is 2^-53, half a unit in
+    /// the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their
+    /// half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over
+    /// shorter size.
     ///
     /// Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to 5 us if
     /// only exact arithmetic can tell the depth from 0; at worst 25 us.
@@ -519,10 +520,10 @@ extern "C" {
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
     ///
     /// Accuracy: right to 64 u times the smaller shape's area times the larger aspect ratio, at aspect ratios up to
-    /// 10^4, even if the outlines nearly touch or coincide and whatever the sizes are. In bounds on errors u is 2^-53,
-    /// half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their
-    /// centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect
-    /// ratio is longer over shorter size.
+    /// 10^4, even if the outlines nearly touch or coincide and whatever the sizes are. Beyond 10^4 no bound is stated;
+    /// what is said above holds at any ratio. In bounds on errors u is 2^-53, half a unit in the last place of 1. The
+    /// scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4
+    /// u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
     /// Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if
     /// outlines nearly touch or coincide, or if one shape is far larger; at worst 30 us.
@@ -951,7 +952,8 @@ extern "C" {
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: in cache, from columns, with AVX-512: 0.6 to 1.1 ns a pair in double, 0.3 to 0.5 ns in float.
+    /// Cost: in cache, from columns, with AVX-512: 0.5 to 2 ns a pair in double, 0.3 to 0.8 ns in float; about half of
+    /// that if one array is a single shape.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_many_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut u8) -> i64;
@@ -1236,7 +1238,7 @@ extern "C" {
         capacity: i64) -> i64;
     /// How many bytes of scratch do vesica_nms_f64, vesica_suppress_f64 and their float forms need for `count` shapes?
     ///
-    /// Returns: 380,416 bytes and about 97 a shape.
+    /// Returns: 0.4 MB and at most 140 bytes a shape, 97 of many.
     ///
     /// Errors: VESICA_E_ARGUMENT (a negative count, or one above 2147483647).
     ///
@@ -1246,6 +1248,7 @@ extern "C" {
     /// whose vesica_iou_f64 with every shape kept before is at most the threshold.
     ///
     /// Of equal scores the lower index comes first. Infinite scores are legal. At threshold 1 all shapes are kept.
+    /// Shapes without an area suppress none and are not suppressed.
     ///
     /// Requires: shapes, of a kind from VESICA_CIRCLE to VESICA_ELLIPSE; scores, one for each; threshold from 0 to 1;
     /// scratch, of vesica_nms_scratch bytes or more, with any alignment and content; keep, with room for all indices.
@@ -1258,7 +1261,8 @@ extern "C" {
     /// VESICA_E_KIND (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f64, threshold, too
     /// little scratch).
     ///
-    /// Cost: 0.3 to 1.2 us a shape.
+    /// Cost: 0.3 to 1.2 us a shape; in a crowd, that of vesica_iou_many_f64 for each pair of a shape and one that is
+    /// kept near it: 20,000 in one place, nearly all kept, took 0.5 to 1 ms a shape.
     ///
     /// Since: 0.1.
     pub fn vesica_nms_f64(shapes: *const Shapes<f64>, scores: *const f64, threshold: f64, scratch: *mut c_void,
@@ -1409,10 +1413,10 @@ extern "C" {
     ///
     /// Accuracy: at aspect ratios up to 1e6 the depth is right to 4 u scale; for circles and points, to its last place.
     /// The length of (x, y) is 1 to 3 u. After the move at most 8 u scale of overlap is left. Whether the depth is 0 is
-    /// exact. Each number is computed in double, within these bounds, and then rounded to float once. In bounds on
-    /// errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy|
-    /// between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the
-    /// scale. An aspect ratio is longer over shorter size.
+    /// exact at any ratio; beyond 1e6 no bound on its error is stated. Each number is computed in double, within these
+    /// bounds, and then rounded to float once. In bounds on errors u is 2^-53, half a unit in the last place of 1. The
+    /// scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4
+    /// u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
     /// Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to 5 us if
     /// only exact arithmetic can tell the depth from 0; at worst 25 us.
@@ -1446,11 +1450,11 @@ extern "C" {
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
     ///
     /// Accuracy: right to 64 u times the smaller shape's area times the larger aspect ratio, at aspect ratios up to
-    /// 10^4, even if the outlines nearly touch or coincide and whatever the sizes are. Each number is computed in
-    /// double, within these bounds, and then rounded to float once. In bounds on errors u is 2^-53, half a unit in the
-    /// last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
-    /// lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over
-    /// shorter size.
+    /// 10^4, even if the outlines nearly touch or coincide and whatever the sizes are. Beyond 10^4 no bound is stated;
+    /// what is said above holds at any ratio. Each number is computed in double, within these bounds, and then rounded
+    /// to float once. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is
+    /// the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an
+    /// error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
     /// Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if
     /// outlines nearly touch or coincide, or if one shape is far larger; at worst 30 us.
@@ -1880,7 +1884,8 @@ extern "C" {
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: in cache, from columns, with AVX-512: 0.6 to 1.1 ns a pair in double, 0.3 to 0.5 ns in float.
+    /// Cost: in cache, from columns, with AVX-512: 0.5 to 2 ns a pair in double, 0.3 to 0.8 ns in float; about half of
+    /// that if one array is a single shape.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_many_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut u8) -> i64;
@@ -2167,6 +2172,7 @@ extern "C" {
     /// whose vesica_iou_f32 with every shape kept before is at most the threshold.
     ///
     /// Of equal scores the lower index comes first. Infinite scores are legal. At threshold 1 all shapes are kept.
+    /// Shapes without an area suppress none and are not suppressed.
     ///
     /// Requires: shapes, of a kind from VESICA_CIRCLE to VESICA_ELLIPSE; scores, one for each; threshold from 0 to 1;
     /// scratch, of vesica_nms_scratch bytes or more, with any alignment and content; keep, with room for all indices.
@@ -2179,7 +2185,8 @@ extern "C" {
     /// VESICA_E_KIND (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f32, threshold, too
     /// little scratch).
     ///
-    /// Cost: 0.3 to 1.2 us a shape.
+    /// Cost: 0.3 to 1.2 us a shape; in a crowd, that of vesica_iou_many_f32 for each pair of a shape and one that is
+    /// kept near it: 20,000 in one place, nearly all kept, took 0.5 to 1 ms a shape.
     ///
     /// Since: 0.1.
     pub fn vesica_nms_f32(shapes: *const Shapes<f32>, scores: *const f32, threshold: f32, scratch: *mut c_void,
@@ -2459,7 +2466,7 @@ extern "C" {
     ///
     /// Since: 0.1.
     pub fn vesica_index_order(index: *const c_void, out: *mut i64, capacity: i64) -> i64;
-    /// Builds the index of some sets of shapes.
+    /// Builds the index of some sets of shapes. There may be none; sets may then be NULL.
     ///
     /// If shapes are invalid, the call returns VESICA_E_SHAPE, and the index is complete without them. When shapes have
     /// moved, build it again.
@@ -2520,7 +2527,8 @@ extern "C" {
         one: *const Shapes<f64>, out: *mut i64, capacity: i64, state: *mut i64) -> i64;
     /// Join: all pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
     ///
-    /// If both indexes are the same pointer, pairs are those of two different items a \< b. Pair i is out_a\[i\] and
+    /// If both indexes are the same pointer, pairs are those of two different items a \< b: VESICA_JOIN_CONTAINS then
+    /// finds those of which the lower item contains the higher one, _INSIDE the others. Pair i is out_a\[i\] and
     /// out_b\[i\]. The order of pairs depends on the bytes of the indexes and the query alone. The work may be divided
     /// into `parts` of about equal work, which may run at the same time, each with its own scratch. The pairs of all
     /// parts, one part after the other, are those of a call with part 0 and parts 1.
@@ -2583,7 +2591,7 @@ extern "C" {
     /// Accuracy: distances are those of vesica_nearest_f64, bit for bit.
     ///
     /// Cost: 3 to 5 us for 10 of a million AABBs near a point; mostly that of vesica_nearest_f64 for some 10 more than
-    /// k.
+    /// k. Of items that overlap the shape all are asked, as the lowest come first.
     ///
     /// Since: 0.1.
     pub fn vesica_index_nearest_f64(index: *const c_void, sets: *const Shapes<f64>, set_count: i32,
@@ -2613,7 +2621,7 @@ extern "C" {
     pub fn vesica_join_nearest_f64(sets_a: *const Shapes<f64>, set_count_a: i32, index_b: *const c_void,
         sets_b: *const Shapes<f64>, set_count_b: i32, k: i64, within: f64, part: i64, parts: i64, out: *mut i64,
         distance: *mut f64) -> i64;
-    /// Builds the index of some sets of shapes.
+    /// Builds the index of some sets of shapes. There may be none; sets may then be NULL.
     ///
     /// If shapes are invalid, the call returns VESICA_E_SHAPE, and the index is complete without them. When shapes have
     /// moved, build it again.
@@ -2674,7 +2682,8 @@ extern "C" {
         one: *const Shapes<f32>, out: *mut i64, capacity: i64, state: *mut i64) -> i64;
     /// Join: all pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
     ///
-    /// If both indexes are the same pointer, pairs are those of two different items a \< b. Pair i is out_a\[i\] and
+    /// If both indexes are the same pointer, pairs are those of two different items a \< b: VESICA_JOIN_CONTAINS then
+    /// finds those of which the lower item contains the higher one, _INSIDE the others. Pair i is out_a\[i\] and
     /// out_b\[i\]. The order of pairs depends on the bytes of the indexes and the query alone. The work may be divided
     /// into `parts` of about equal work, which may run at the same time, each with its own scratch. The pairs of all
     /// parts, one part after the other, are those of a call with part 0 and parts 1.
@@ -2737,7 +2746,7 @@ extern "C" {
     /// Accuracy: distances are those of vesica_nearest_f32, bit for bit.
     ///
     /// Cost: 3 to 5 us for 10 of a million AABBs near a point; mostly that of vesica_nearest_f32 for some 10 more than
-    /// k.
+    /// k. Of items that overlap the shape all are asked, as the lowest come first.
     ///
     /// Since: 0.1.
     pub fn vesica_index_nearest_f32(index: *const c_void, sets: *const Shapes<f32>, set_count: i32,
@@ -3000,8 +3009,8 @@ extern "C" {
     ///
     /// Requires: shapes, scores and labels as vesica_suppress_f64; ratio, any but VESICA_RATIO_OVER_FIRST and
     /// _OVER_SECOND; decay, VESICA_DECAY_LINEAR or _GAUSSIAN, with its parameter; least_score \>= 0; scratch of at
-    /// least vesica_suppress_soft_scratch(count) bytes, aligned to 8; keep and decayed with room for as many as are
-    /// kept.
+    /// least vesica_suppress_soft_scratch(count) bytes, aligned to 8; keep and decayed with room for `most` numbers or
+    /// for all shapes, whichever is less.
     ///
     /// Returns: 0, with \*kept set to how many are kept.
     ///
@@ -3009,8 +3018,8 @@ extern "C" {
     /// the result of the others is written.
     ///
     /// Accuracy: in every step a score is multiplied once, in double, by 1 - r, rounded once, or by the exponential,
-    /// right to 1 unit in the last place. So the same shapes are kept, with the same bits, on every machine. The float
-    /// function computes in double and rounds only the final scores.
+    /// right to 1 unit in the last place; times 0 an infinite score is 0. So the same shapes are kept, with the same
+    /// bits, on every machine. The float function computes in double and rounds only the final scores.
     ///
     /// Cost: for each kept shape, that of vesica_ratio_matrix_f64 with the shapes of its label that are left.
     ///
@@ -3249,8 +3258,8 @@ extern "C" {
     ///
     /// Requires: shapes, scores and labels as vesica_suppress_f32; ratio, any but VESICA_RATIO_OVER_FIRST and
     /// _OVER_SECOND; decay, VESICA_DECAY_LINEAR or _GAUSSIAN, with its parameter; least_score \>= 0; scratch of at
-    /// least vesica_suppress_soft_scratch(count) bytes, aligned to 8; keep and decayed with room for as many as are
-    /// kept.
+    /// least vesica_suppress_soft_scratch(count) bytes, aligned to 8; keep and decayed with room for `most` numbers or
+    /// for all shapes, whichever is less.
     ///
     /// Returns: 0, with \*kept set to how many are kept.
     ///
@@ -3258,8 +3267,8 @@ extern "C" {
     /// the result of the others is written.
     ///
     /// Accuracy: in every step a score is multiplied once, in double, by 1 - r, rounded once, or by the exponential,
-    /// right to 1 unit in the last place. So the same shapes are kept, with the same bits, on every machine. The float
-    /// function computes in double and rounds only the final scores.
+    /// right to 1 unit in the last place; times 0 an infinite score is 0. So the same shapes are kept, with the same
+    /// bits, on every machine. The float function computes in double and rounds only the final scores.
     ///
     /// Cost: for each kept shape, that of vesica_ratio_matrix_f32 with the shapes of its label that are left.
     ///
@@ -3307,13 +3316,14 @@ extern "C" {
     /// Velocity i is `i \* stride` bytes after vx and vy; stride 0 repeats one velocity.
     ///
     /// Requires: velocities and t_end as vesica_cast_f64; equal counts, or one count of 1, whose shape is used for all.
-    /// Each output has room for as many numbers as the larger count. Some, but not all, may be NULL.
+    /// Each output has room for as many numbers as the larger count. Some, but not all, may be NULL. vx and vy need no
+    /// alignment; without pairs they may be NULL.
     ///
     /// Returns: how many touch, including those that overlap at the start.
     ///
     /// Errors: those of vesica_cast_f64. An element with an invalid shape, a velocity that is not finite or a result
     /// out of range gets NaN for all its numbers, and all others are written as usual. The call then returns
-    /// VESICA_E_SHAPE if a shape is invalid, else the error of such an element.
+    /// VESICA_E_SHAPE if a shape is invalid, else the error of the last such element.
     ///
     /// Accuracy: every result has the same bits as vesica_cast_f64.
     ///
@@ -3364,12 +3374,15 @@ extern "C" {
     /// are more, and the same call continues (vesica_index.h).
     ///
     /// Errors: those of vesica_cast_f64, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets of another number of items
-    /// than the index, a pointer that is not aligned, or a state from another function (vesica_index.h). Invalid
-    /// items are never touched.
+    /// than the index, a pointer that is not aligned, or a state from another function (vesica_index.h). VESICA_E_RANGE
+    /// only if it cannot be told whether an item is touched, as its exact position at t_end would take more than 2000
+    /// bits. Then nothing is written, the state is behind that item, and the same call continues; with capacity 0 there
+    /// is no count. Invalid items are never touched.
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few us, and that of vesica_cast_f64 for each item whose box the swept box meets.
+    /// Cost: a few us, and about 150 ns for each item whose box the swept box meets, for a million circles in any
+    /// order. If only exact arithmetic can decide an item, that of vesica_cast_f64.
     ///
     /// Since: 0.1.
     pub fn vesica_index_cast_f64(index: *const c_void, sets: *const Shapes<f64>, set_count: i32,
@@ -3426,7 +3439,7 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_cast_f64.
     ///
-    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+    /// Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
     /// what vesica_cast_f64 does for other kinds.
     ///
     /// Since: 0.1.
@@ -3442,7 +3455,7 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_cast_f64.
     ///
-    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+    /// Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
     /// what vesica_cast_f64 does for other kinds.
     ///
     /// Since: 0.1.
@@ -3458,7 +3471,7 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_cast_f64.
     ///
-    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+    /// Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
     /// what vesica_cast_f64 does for other kinds.
     ///
     /// Since: 0.1.
@@ -3474,7 +3487,7 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_cast_f64.
     ///
-    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+    /// Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
     /// what vesica_cast_f64 does for other kinds.
     ///
     /// Since: 0.1.
@@ -3490,7 +3503,7 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_cast_f64.
     ///
-    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+    /// Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
     /// what vesica_cast_f64 does for other kinds.
     ///
     /// Since: 0.1.
@@ -3506,7 +3519,7 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_cast_f64.
     ///
-    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+    /// Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
     /// what vesica_cast_f64 does for other kinds.
     ///
     /// Since: 0.1.
@@ -3522,7 +3535,7 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_cast_f64.
     ///
-    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+    /// Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
     /// what vesica_cast_f64 does for other kinds.
     ///
     /// Since: 0.1.
@@ -3538,7 +3551,7 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_cast_f64.
     ///
-    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+    /// Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
     /// what vesica_cast_f64 does for other kinds.
     ///
     /// Since: 0.1.
@@ -3584,13 +3597,14 @@ extern "C" {
     /// Velocity i is `i \* stride` bytes after vx and vy; stride 0 repeats one velocity.
     ///
     /// Requires: velocities and t_end as vesica_cast_f32; equal counts, or one count of 1, whose shape is used for all.
-    /// Each output has room for as many numbers as the larger count. Some, but not all, may be NULL.
+    /// Each output has room for as many numbers as the larger count. Some, but not all, may be NULL. vx and vy need no
+    /// alignment; without pairs they may be NULL.
     ///
     /// Returns: how many touch, including those that overlap at the start.
     ///
     /// Errors: those of vesica_cast_f32. An element with an invalid shape, a velocity that is not finite or a result
     /// out of range gets NaN for all its numbers, and all others are written as usual. The call then returns
-    /// VESICA_E_SHAPE if a shape is invalid, else the error of such an element.
+    /// VESICA_E_SHAPE if a shape is invalid, else the error of the last such element.
     ///
     /// Accuracy: every result has the same bits as vesica_cast_f32.
     ///
@@ -3641,12 +3655,15 @@ extern "C" {
     /// are more, and the same call continues (vesica_index.h).
     ///
     /// Errors: those of vesica_cast_f32, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets of another number of items
-    /// than the index, a pointer that is not aligned, or a state from another function (vesica_index.h). Invalid
-    /// items are never touched.
+    /// than the index, a pointer that is not aligned, or a state from another function (vesica_index.h). VESICA_E_RANGE
+    /// only if it cannot be told whether an item is touched, as its exact position at t_end would take more than 2000
+    /// bits. Then nothing is written, the state is behind that item, and the same call continues; with capacity 0 there
+    /// is no count. Invalid items are never touched.
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few us, and that of vesica_cast_f32 for each item whose box the swept box meets.
+    /// Cost: a few us, and about 150 ns for each item whose box the swept box meets, for a million circles in any
+    /// order. If only exact arithmetic can decide an item, that of vesica_cast_f32.
     ///
     /// Since: 0.1.
     pub fn vesica_index_cast_f32(index: *const c_void, sets: *const Shapes<f32>, set_count: i32,
@@ -3682,7 +3699,7 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_cast_f32.
     ///
-    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+    /// Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
     /// what vesica_cast_f32 does for other kinds.
     ///
     /// Since: 0.1.
@@ -3698,7 +3715,7 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_cast_f32.
     ///
-    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+    /// Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
     /// what vesica_cast_f32 does for other kinds.
     ///
     /// Since: 0.1.
@@ -3714,7 +3731,7 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_cast_f32.
     ///
-    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+    /// Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
     /// what vesica_cast_f32 does for other kinds.
     ///
     /// Since: 0.1.
@@ -3730,7 +3747,7 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_cast_f32.
     ///
-    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+    /// Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
     /// what vesica_cast_f32 does for other kinds.
     ///
     /// Since: 0.1.
@@ -3746,7 +3763,7 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_cast_f32.
     ///
-    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+    /// Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
     /// what vesica_cast_f32 does for other kinds.
     ///
     /// Since: 0.1.
@@ -3762,7 +3779,7 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_cast_f32.
     ///
-    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+    /// Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
     /// what vesica_cast_f32 does for other kinds.
     ///
     /// Since: 0.1.
@@ -3778,7 +3795,7 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_cast_f32.
     ///
-    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+    /// Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
     /// what vesica_cast_f32 does for other kinds.
     ///
     /// Since: 0.1.
@@ -3794,7 +3811,7 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_cast_f32.
     ///
-    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+    /// Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
     /// what vesica_cast_f32 does for other kinds.
     ///
     /// Since: 0.1.

@@ -2,6 +2,7 @@
 // Every bad argument is an error code, and nothing is written.
 #include <gtest/gtest.h>
 
+#include <cerrno>
 #include <cstring>
 #include <limits>
 
@@ -108,6 +109,21 @@ TYPED_TEST(GradientDescentErrors, Settings) {
 TYPED_TEST(GradientDescentErrors, Capacity) {
   this->expect(VESICA_E_ARGUMENT, &this->a, &this->b, nullptr, -1);
   this->expect(VESICA_E_ARGUMENT, &this->a, &this->b, nullptr, INT32_MIN);
+}
+
+// Settings at which what is left of the rate underflows, and then the step.
+TYPED_TEST(GradientDescentErrors, LeaveErrnoAlone) {
+  using T = TypeParam;
+  for (const std::int32_t schedule : {VESICA_SCHEDULE_SCALE_AWARE, VESICA_SCHEDULE_LITERAL}) {
+    for (const T decay : {T{0}, T{740}, T{1000}, std::numeric_limits<T>::max()}) {
+      auto s = settings<T>(schedule);
+      s.decay = decay;
+      typename Face<T>::Result result;
+      errno = 0;
+      EXPECT_GE(Face<T>::run(&this->a, &this->b, &s, &result, nullptr, 0), 0);
+      EXPECT_EQ(errno, 0) << schedule << ' ' << decay;
+    }
+  }
 }
 
 // Centres a distance apart that no number holds.
