@@ -204,6 +204,48 @@ TEST(Known, ABoxThatComesFromOneSideAndSlowlyFromAnother) {
   EXPECT_EQ(cast(Scalar::f64, p, {vx, vy, 0.25}).code, VESICA_CAST_MISS);
 }
 
+/// The greatest number is a time as any other; later contact has none.
+TEST(Known, AtTheGreatestTime) {
+  constexpr double most = std::numeric_limits<double>::max();
+  const struct {
+    std::int32_t kind;
+    double numbers[6];
+  } still[] = {{VESICA_POINT, {most, 0}},
+               {VESICA_SEGMENT, {most, -1, most, 1}},
+               {VESICA_CIRCLE, {most, 0, 0}},
+               {VESICA_AABB, {most, -1, most, 1}},
+               {VESICA_RECT, {most, 0, 0, 1, 2, 0}},
+               {VESICA_ELLIPSE, {most, 0, 0, 1, 2, 0}}},
+    moving[] = {
+        {VESICA_POINT, {0, 0}},        {VESICA_SEGMENT, {-5, 0, 0, 0}},    {VESICA_CIRCLE, {-1, 0, 1}},
+        {VESICA_AABB, {-2, -1, 0, 1}}, {VESICA_RECT, {-2, 0, 0, 1, 1, 2}}, {VESICA_ELLIPSE, {-2, 0, 1, 0, 2, 1}}};
+  for (const auto& a : still) {
+    for (const auto& b : moving) {
+      const auto ask = [&](double shift, double vx, double end, vesica_impact_f64& out) {
+        auto shifted = b;
+        shifted.numbers[0] += shift;
+        if (b.kind == VESICA_SEGMENT || b.kind == VESICA_AABB) shifted.numbers[2] += shift;
+        const std::int32_t code = vesica_cast_f64(a.kind, a.numbers, b.kind, shifted.numbers, vx, 0, end, &out);
+        vesica_impact_f64 exchanged;
+        EXPECT_EQ(vesica_cast_f64(b.kind, shifted.numbers, a.kind, a.numbers, -vx, 0, end, &exchanged), code);
+        return code;
+      };
+      vesica_impact_f64 out;
+      for (const double end : {most, infinity}) {
+        EXPECT_EQ(ask(0, 1, end, out), VESICA_CAST_HIT) << a.kind << ' ' << b.kind;
+        EXPECT_EQ(out.t, most) << a.kind << ' ' << b.kind;
+        EXPECT_EQ(out.x, most);
+      }
+      EXPECT_EQ(ask(0, 1, std::nextafter(most, 0), out), VESICA_CAST_MISS);
+      EXPECT_EQ(ask(0, 0.5, infinity, out), VESICA_E_RANGE);
+      EXPECT_EQ(ask(-0.25, 1, infinity, out), VESICA_E_RANGE) << a.kind << ' ' << b.kind;
+      EXPECT_EQ(ask(-0.25, 1, most, out), VESICA_CAST_MISS);
+      EXPECT_EQ(ask(0.25, 1, infinity, out), VESICA_CAST_HIT);
+      EXPECT_EQ(out.t, std::nextafter(most, 0)) << a.kind << ' ' << b.kind;
+    }
+  }
+}
+
 TEST(Known, AtTheStart) {
   const Pair touching{VESICA_AABB, VESICA_AABB, {0, 0, 1, 1}, {1, 0, 3, 1}};
   for (const double vx : {-1.0, 0.0, 1.0}) {

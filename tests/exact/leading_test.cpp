@@ -198,12 +198,13 @@ TEST(Leading, RoundsTiesByWhatIsFarBelow) {
 }
 
 /// 2^383 and some more, with a last kept place of 1: less than 2^error is missing.
-exact::Leading<6> with_error(std::int64_t error, std::initializer_list<int> bits) {
+exact::Leading<6> with_error(std::int64_t error, std::initializer_list<int> bits, int low = 0) {
   exact::Leading<6> x;
   x.sign = 1;
+  x.low = low;
   x.limb[5] = Limb{1} << 63;
   for (const int bit : bits) x.limb[bit / 64] |= Limb{1} << bit % 64;
-  x.error = error;
+  x.error = error == exact::Leading<6>::nothing ? error : error + std::int64_t{64} * low;
   return x;
 }
 
@@ -222,9 +223,13 @@ TEST(Leading, RoundsSurelyWhereWhatIsMissingMakesNoDifference) {
   EXPECT_TRUE(out.value == 0.5 + 0x1p-53 && out.exponent == 384);
   EXPECT_FALSE(surely(with_error(383, {}))) << "not even the sign";
   EXPECT_FALSE(surely(with_error(-1, {}))) << "beyond the digits kept";
-  EXPECT_FALSE(surely(with_error(10, {half}))) << "up, with more";
-  EXPECT_FALSE(surely(with_error(10, {half, 5}))) << "down, with less";
-  EXPECT_TRUE(surely(with_error(10, {half, 12})));
+  for (const int low : {0, -7, 5, -1000}) {
+    EXPECT_FALSE(surely(with_error(10, {half}, low))) << "up, with more";
+    EXPECT_FALSE(surely(with_error(10, {half, 5}, low))) << "down, with less";
+    EXPECT_TRUE(surely(with_error(10, {half, 12}, low))) << low;
+    EXPECT_FALSE(surely(with_error(300, {half, 300}, low))) << "as much less";
+    EXPECT_TRUE(surely(with_error(299, {half, 300}, low))) << low;
+  }
 }
 
 /// The sum of eight numbers, asked in each of the ways in which leading digits may tell.

@@ -99,7 +99,7 @@ VESICA_COLD inline std::int32_t searched_floor(const ExactPair& pair, EllipseTri
   };
   double after;
   const std::int32_t error = search(start, contact_before, after);
-  if (error == 0) out = arithmetic::at_rank<double>(arithmetic::rank(after) - 1) + 0.0;
+  if (error == 0) out = arithmetic::at_rank<double>(arithmetic::rank(after) - 1);
   return error;
 }
 
@@ -126,11 +126,9 @@ VESICA_COLD inline std::int32_t tried_floor(const ExactPair& pair, double end, b
   return error != 0 ? error : 1;
 }
 
-/// For a line that enters M after the start, and a witness that comes after the end if that is `late`. `bounds`: what
-/// is known of the time. Returns 1, or 0 where there is no contact up to the end, or error_range where the time or a
-/// place is beyond the numbers.
-VESICA_COLD inline std::int32_t exact_floor(const ExactPair& pair, double end, bool late, double estimate,
-                                            const WideTime& bounds, double& out) noexcept {
+/// exact_floor(), but an error where the time is the largest double: none after it has contact before.
+VESICA_COLD inline std::int32_t floor_below_largest(const ExactPair& pair, double end, bool late, double estimate,
+                                                    const WideTime& bounds, double& out) noexcept {
   const Start start(estimate);
   const WideTime found = bounds.tells() ? bounds : known_time(pair);
   if (!found.tells() && pair.of_ellipses() && !pair.line_grazes()) {
@@ -146,6 +144,19 @@ VESICA_COLD inline std::int32_t exact_floor(const ExactPair& pair, double end, b
     error = searched_floor(pair, nullptr, start.time, out);
   }
   return error != 0 ? error : 1;
+}
+
+/// For a line that enters M after the start, and a witness that comes after the end if that is `late`. `bounds`: what
+/// is known of the time. Returns 1, or 0 where there is no contact up to the end, or error_range where the time or a
+/// place is beyond the numbers.
+VESICA_COLD inline std::int32_t exact_floor(const ExactPair& pair, double end, bool late, double estimate,
+                                            const WideTime& bounds, double& out) noexcept {
+  constexpr double largest = std::numeric_limits<double>::max();
+  const std::int32_t reached = floor_below_largest(pair, end, late, estimate, bounds, out);
+  const bool is_at_largest = reached == error_range && end >= largest && pair.contact_before(largest) == 0 &&
+                             exact_contact_at(pair, largest) > 0;
+  if (is_at_largest) out = largest;
+  return is_at_largest ? 1 : reached;
 }
 
 }  // namespace vesica::detail::cast
