@@ -296,6 +296,36 @@ TEST(ExactCastParts, FloorOfEllipsesBeyondTheDigits) {
   };
   EXPECT_EQ(floor(0), before(0.25));
   EXPECT_EQ(floor(0x1p-1074), -1);
+  // At these ends there is room: whether there is contact by then is told, and the time, 5/16, is not.
+  const Ellipse<double> farther{0x1.2p1001, 0, 1, 0, 0x1p-54, 0x1p-54};
+  const ExactPair pair = pair_of(large, farther, -0x1p1002, 0x1p-1072);
+  ASSERT_TRUE(pair.holds_place(0.25) && pair.holds_place(0.5) && !pair.holds_place(0.3125));
+  ASSERT_GT(pair.witness_after(0.5), 0);
+  ASSERT_EQ(EllipseTrials(pair).floor(next(0.3125), 0), -1);
+  double t = 7;
+  EXPECT_EQ(tried_floor(pair, 0.25, true, Start(0.3125), {}, t), 0);
+  EXPECT_EQ(tried_floor(pair, 0.5, true, Start(0.3125), {}, t), error_range);
+  EXPECT_EQ(tried_floor(pair, infinity, false, Start(0.3125), {}, t), error_range);
+}
+
+/// Contact so short that few digits tell of no double near it on which side of the witness that is.
+TEST(ExactCastParts, TrialAfterTheBriefestContact) {
+  const Ellipse<double> a{0, 0x1p-110, 1, 0, 1, 1}, b{8, 2, 0, 1, 1, 1};
+  const ExactPair pair = pair_of(a, b, -1, 0);
+  for (const double t : {before(8), 8.0, next(8)}) {
+    EXPECT_EQ(pair.contact_at(t), t == 8 ? Contact::inside : Contact::none) << t;
+    EllipseTrials trials(pair);
+    EXPECT_EQ(trials.contact_before(t), t > 8 || pair.contact_before(t) == 1 ? 1 : 0) << t;
+    EXPECT_EQ(EllipseTrials(pair).floor(t, 0), before(8)) << t;
+  }
+  // Between two doubles, and so near the second that its trial could be of a time before contact.
+  const Ellipse<double> shifted{-0x1.fffffffffffffp-50, 0x1p-210, 1, 0, 1, 1};
+  const ExactPair between_doubles = pair_of(shifted, b, -1, 0);
+  ASSERT_LT(between_doubles.witness_after(next(8)), 0);
+  for (const double t : {before(8), 8.0, next(8)}) {
+    EXPECT_EQ(between_doubles.contact_at(t), Contact::none) << t;
+    EXPECT_EQ(EllipseTrials(between_doubles).floor(t, 0), 8) << t;
+  }
 }
 
 /// Times beside the witness, of which few digits do not tell on which side they are: after it no place is asked for,
@@ -341,6 +371,7 @@ TEST(ExactCastParts, TrialsFromTheWitness) {
   EXPECT_EQ(trials.floor(8, 0), 6);
   for (const double t : {0.0, 0x1p-1074, 6.0, next(6), 7.0, before(8), 8.0, next(8), largest}) {
     EXPECT_EQ(trials.contact_before(t), t > 6 ? 1 : 0) << t;
+    EXPECT_EQ(EllipseTrials(pair).contact_before(t), t > 6 ? 1 : 0) << t;
   }
 }
 
