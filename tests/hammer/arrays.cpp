@@ -166,31 +166,43 @@ class Arrays {
   struct First {
     std::int64_t item;
     Answer impact;
+    bool or_range;  // a cast that is out of range may be the first
   };
+  /// Of casts that are out of range those count that are not misses before the earliest is met.
   First first_of_all(double end) const {
-    First first{static_cast<std::int64_t>(pairs_.size()), {}};
-    std::int64_t error = 0;
+    const auto none = static_cast<std::int64_t>(pairs_.size());
+    First first{none, {}, false};
+    std::vector<std::size_t> out_of_range;
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
       const Answer r = ask_cast(i, 0, {motions_[0].vx, motions_[0].vy, end});
-      error = error_of(error, r.code);
-      const bool any = first.item != static_cast<std::int64_t>(pairs_.size());
-      if (r.code > 0 && (!any || r.numbers[0] < first.impact.numbers[0])) first = {static_cast<std::int64_t>(i), r};
+      if (r.code == VESICA_E_SHAPE) return {VESICA_E_SHAPE, {}, false};
+      if (r.code == VESICA_E_RANGE) out_of_range.push_back(i);
+      const bool is_first = first.item == none || r.numbers[0] < first.impact.numbers[0];
+      if (r.code > 0 && is_first) first = {static_cast<std::int64_t>(i), r, false};
     }
-    if (error != 0) first.item = error;
+    if (first.item == none && !out_of_range.empty()) return {VESICA_E_RANGE, {}, true};
+    const auto next = static_cast<double>(
+        std::nextafter(static_cast<T>(first.impact.numbers[0]), std::numeric_limits<T>::infinity()));
+    for (const std::size_t i : out_of_range) {
+      const Answer r = ask_cast(i, 0, {motions_[0].vx, motions_[0].vy, std::fmin(next, end)});
+      first.or_range = first.or_range || r.code != VESICA_CAST_MISS;
+    }
     return first;
+  }
+  void demand_first(const First& expected, std::int64_t got, const typename F::Impact& impact) {
+    if (expected.or_range && got == VESICA_E_RANGE) return;
+    demand_equal(0, expected.item, got);
+    if (got == expected.item && got >= 0 && got < a_.view().count) demand_impact(expected.impact, impact);
   }
 
   void judge_first_cast(T end) {
-    const First expected = first_of_all(static_cast<double>(end));
-    if (expected.item == VESICA_E_RANGE) return;  // one that need not be looked at
     auto one = b_.view();
     one.count = 1;
     typename F::Impact impact;
     const std::int64_t got = run("cast_first", [&] {
       return VESICA_FIND(*library_, T, cast_first)(&one, &a_.view(), vx_[0], vy_[0], end, &impact);
     });
-    demand_equal(0, expected.item, got);
-    if (got == expected.item && got >= 0 && got < a_.view().count) demand_impact(expected.impact, impact);
+    demand_first(first_of_all(static_cast<double>(end)), got, impact);
   }
   void demand_impact(const Answer& expected, const typename F::Impact& got) {
     const T numbers[] = {got.t, got.x, got.y, got.nx, got.ny};
@@ -323,9 +335,10 @@ class Arrays {
   void judge_index_cast(Aligned& index) {
     const T end{2};
     std::vector<std::int64_t> expected;
+    bool any_out_of_range = false;
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
       const Answer r = ask_cast(i, 0, {motions_[0].vx, motions_[0].vy, 2});
-      if (r.code == VESICA_E_RANGE) return;
+      any_out_of_range = any_out_of_range || r.code == VESICA_E_RANGE;
       if (r.code > 0) expected.push_back(static_cast<std::int64_t>(i));
     }
     auto one = b_.view();
@@ -336,18 +349,15 @@ class Arrays {
       return VESICA_FIND(*library_, T, index_cast)(index.data(), &a_.view(), 1, &one, vx_[0], vy_[0], end, out.data(),
                                                    a_.view().count, state);
     });
-    demand_sorted(expected, out, found);
+    if (!any_out_of_range) demand_sorted(expected, out, found);
     typename F::Impact impact;
     const std::int64_t first = run("index_cast_first", [&] {
       return VESICA_FIND(*library_, T, index_cast_first)(index.data(), &a_.view(), 1, &one, vx_[0], vy_[0], end,
                                                          &impact);
     });
-    First earliest = first_of_all(2);
-    // Single calls refuse what an index leaves out. And an index asks for contact before the earliest so far, a time
-    // whose digits may be too many beside wildly unlike exponents.
-    if (earliest.item == VESICA_E_SHAPE || first == VESICA_E_RANGE) return;
-    demand_equal(0, earliest.item, first);
-    if (first == earliest.item && first < a_.view().count) demand_impact(earliest.impact, impact);
+    const First earliest = first_of_all(2);
+    // Single calls refuse what an index leaves out.
+    if (earliest.item != VESICA_E_SHAPE) demand_first(earliest, first, impact);
   }
 
   struct Near {
