@@ -64,6 +64,12 @@ struct Caller {
   double distance;
   const Environment& environment;
 
+  /// To T, in the default environment: the compiler may not move it into another one, which would flush subnormals.
+  static T rounded(double x) {
+    const volatile T to_t = static_cast<T>(x);
+    return to_t;
+  }
+
   Answer code(std::int32_t (*function)(std::int32_t, const T*, std::int32_t, const T*)) const {
     Answer answer;
     answer.code = run_in(environment, answer.environment_changed, [&] { return function(kind_a, a, kind_b, b); });
@@ -99,18 +105,19 @@ struct Caller {
 
   Answer cast() const {
     Marked<typename Face<T>::Impact> marked;
-    const T vx = static_cast<T>(motion.vx), vy = static_cast<T>(motion.vy), end = static_cast<T>(motion.end);
+    const T vx = rounded(motion.vx), vy = rounded(motion.vy), end = rounded(motion.end);
     return finish(marked, [&] { return Face<T>::cast(kind_a, a, kind_b, b, vx, vy, end, &marked.out); });
   }
   Answer sweep_bounds() const {
     Marked<typename Face<T>::Aabb> marked;
-    const T vx = static_cast<T>(motion.vx), vy = static_cast<T>(motion.vy), end = static_cast<T>(motion.end);
+    const T vx = rounded(motion.vx), vy = rounded(motion.vy), end = rounded(motion.end);
     return finish(marked, [&] { return Face<T>::sweep_bounds(kind_a, a, vx, vy, end, &marked.out); });
   }
 
   Answer within() const {
     Answer answer;
-    const auto call = [&] { return Face<T>::within(kind_a, a, kind_b, b, static_cast<T>(distance)); };
+    const T limit = rounded(distance);
+    const auto call = [&] { return Face<T>::within(kind_a, a, kind_b, b, limit); };
     answer.code = run_in(environment, answer.environment_changed, call);
     return answer;
   }
