@@ -80,13 +80,10 @@ namespace queries {
   if (at_start != 0) return at_start;
   if (known.verdict == Verdict::reached) return 1;
   if (known.verdict == Verdict::passed || motion.is_still()) return 0;
-  if (known.verdict == Verdict::late) {
-    // Mostly double knows the time, and so whether it is before the end.
-    Impact<double> unused;
-    const std::int32_t code = cast_rest(a, b, motion, {known.verdict, true}, unused);
-    if (code != error_range) return code;
-  }
-  return exactly_meets(a, b, motion);
+  if (known.verdict == Verdict::undecided) return exactly_meets(a, b, motion);
+  // Double mostly knows the time, and so whether it is before the end. Of what the filter takes none is out of range.
+  Impact<double> unused;
+  return cast_rest(a, b, motion, {known.verdict, true}, unused);
 }
 
 template <class A, class B>

@@ -263,6 +263,9 @@ TYPED_TEST(ErrorOrder, OfKindsThatAFunctionDoesNotTake) {
       if (wrong == 1) point.count = -1;
       if (wrong == 2) point.reserved = 1;
       const std::int64_t error = no_output ? VESICA_E_NULL : VESICA_E_KIND;
+      auto without_field = operand<T>(false, false, false).shapes;
+      without_field.field[5] = nullptr;
+      EXPECT_EQ(F::corners_of_shapes(&without_field, numbers), VESICA_E_NULL);
       T* const to = no_output ? nullptr : numbers;
       std::int64_t* const to_kept = no_output ? nullptr : &kept;
       EXPECT_EQ(F::boxes_from_shapes(&point, VESICA_ANGLE_RADIANS, to), error) << wrong;
