@@ -661,7 +661,7 @@ VESICA_API int64_t vesica_overlap_select_f64(const vesica_shapes_f64 *one, const
 
 /**
  * How many bytes of scratch do vesica_nms_f64, vesica_suppress_f64 and their float forms need for `count` shapes?
- * Returns: 0.4 MB and at most 140 bytes a shape, 97 of many.
+ * Returns: 0.4 MB, and for each shape at most 140 bytes, about 97 from 10,000 shapes on.
  * Errors: VESICA_E_ARGUMENT (a negative count, or one above 2147483647).
  */
 VESICA_API int64_t vesica_nms_scratch(int64_t count);
