@@ -41,14 +41,13 @@ inline bool addressable(int64_t count, ptrdiff_t stride) noexcept {
   return count <= 1 || !__builtin_mul_overflow(count, stride, &extent);
 }
 
-/// Which kinds a function takes.
+/// Whether a function takes a kind, which need not be one.
 using Suits = bool (*)(int32_t kind) noexcept;
-inline bool any_kind(int32_t kind) noexcept { return is_kind(kind); }
 
 /// What is wrong with an array, but for its pointers: 0, VESICA_E_KIND or VESICA_E_ARGUMENT.
 template <class Array>
-int32_t check_array(const Array& shapes, Suits suits = any_kind) noexcept {
-  if (!is_kind(shapes.kind) || !suits(shapes.kind)) return VESICA_E_KIND;
+int32_t check_array(const Array& shapes, Suits suits = is_kind) noexcept {
+  if (!suits(shapes.kind)) return VESICA_E_KIND;
   const bool sound = shapes.reserved == 0 && shapes.count >= 0 && addressable(shapes.count, shapes.stride);
   return sound ? 0 : VESICA_E_ARGUMENT;
 }
@@ -64,9 +63,9 @@ bool has_null(const Array& shapes) noexcept {
 /// Checks both arrays and the output of a call with something to answer. The order of errors is NULL, kind, argument,
 /// except that fields are looked at only once the kind tells how many there are.
 template <class Array>
-int32_t check_call(const Array* a, const Array* b, const void* out, bool anything) noexcept {
+int32_t check_call(const Array* a, const Array* b, const void* out, bool anything, Suits suits = is_kind) noexcept {
   if (a == nullptr || b == nullptr || (anything && out == nullptr)) return VESICA_E_NULL;
-  const int32_t error = first_error(check_array(*a), check_array(*b));
+  const int32_t error = first_error(check_array(*a, suits), check_array(*b, suits));
   if (error != 0) return error;
   return anything && (has_null(*a) || has_null(*b)) ? VESICA_E_NULL : 0;
 }

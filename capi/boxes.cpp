@@ -129,10 +129,7 @@ int64_t from_boxes(int (*make)(const vesica::TurnedBox<T>&, AngleUnit, Shape&) n
 
 template <class T>
 int32_t check_shapes(const CShapesOf<T>* shapes, const T* out, Suits suits) noexcept {
-  if (shapes == nullptr || (shapes->count != 0 && out == nullptr)) return VESICA_E_NULL;
-  const int32_t error = check_array(*shapes, suits);
-  if (error != 0) return error;
-  return shapes->count != 0 && has_null(*shapes) ? VESICA_E_NULL : 0;
+  return check_call(shapes, shapes, out, shapes != nullptr && shapes->count != 0, suits);
 }
 
 /// The numbers of element i.
@@ -206,7 +203,7 @@ bool take_bounds(const double* const* columns, int32_t i, float* to) noexcept {
 template <class T>
 int64_t bounds_many(const CShapesOf<T>* shapes, T* out) noexcept {
   VESICA_DEFAULT_ENVIRONMENT(bounds_many<T>, shapes, out);
-  const int32_t error = check_shapes<T>(shapes, out, any_kind);
+  const int32_t error = check_shapes<T>(shapes, out, vesica::is_kind);
   if (error != 0) return error;
   const auto v = view<T>(*shapes);
   const auto bounds_of = [&](int64_t i, T(&numbers)[4]) {

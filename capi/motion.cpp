@@ -178,8 +178,8 @@ int64_t many(const CShapesOf<T>* a, const CShapesOf<T>* b, const T* vx, const T*
              T* const (&columns)[5]) noexcept {
   const void* some = nullptr;
   for (const T* column : columns) some = column != nullptr ? column : some;
-  if (vx == nullptr || vy == nullptr) some = nullptr;
-  const int32_t error = check_call(a, b, some, anything(a, b));
+  const bool has_velocities = vx != nullptr && vy != nullptr;
+  const int32_t error = check_call(a, b, has_velocities ? some : nullptr, anything(a, b));
   if (error != 0) return error;
   const int64_t n = pairs_in_step(*a, *b);
   if (n < 0 || !addressable(n, stride) || !(end >= 0)) return VESICA_E_ARGUMENT;

@@ -126,7 +126,8 @@ VESICA_COLD inline std::int32_t tried_floor(const ExactPair& pair, double end, b
   return error != 0 ? error : 1;
 }
 
-/// exact_floor(), but an error where the time is the largest double: none after it has contact before.
+/// exact_floor(), but a time that is the largest double is an error here: the search looks for the first double with
+/// contact before it, and there is none.
 VESICA_COLD inline std::int32_t floor_below_largest(const ExactPair& pair, double end, bool late, double estimate,
                                                     const WideTime& bounds, double& out) noexcept {
   const Start start(estimate);

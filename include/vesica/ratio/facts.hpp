@@ -21,8 +21,7 @@ struct Facts {
 inline bool is_moderate(double x) noexcept { return x >= 0x1p-400 && x <= 0x1p400; }
 
 /// The parts of a form as doubles. Of coordinates so large that a difference may overflow they are halved before, and
-/// the axis, or the size, beside them is twice as large; of others they are not, for halves of the least numbers are
-/// none.
+/// the axis, or the size, beside them is twice as large; others are not halved, for half of the least number is 0.
 struct Parts {
   double scale;  // 1 or 0.5
 
