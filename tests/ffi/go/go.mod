@@ -1,3 +1,0 @@
-module example.org/vesica
-
-go 1.19
