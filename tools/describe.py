@@ -19,7 +19,7 @@ import pathlib
 import re
 import sys
 
-HERE = pathlib.Path(__file__).resolve().parent
+CAPI = pathlib.Path(__file__).resolve().parent.parent / "capi"
 # Each header's library, without its version, and the version script of what that exports.
 QUESTIONS = ("vesica.h", "vesica_boxes.h", "vesica_index.h", "vesica_measures.h", "vesica_motion.h",
              "vesica_topology.h")
@@ -195,7 +195,7 @@ def complete(found, definition):
         entry["since"], entry["comment"] = since[1], joined(parts)
 
 
-def describe(directory=HERE):
+def describe(directory=CAPI):
     """The description of all headers as one dictionary; its form is that of vesica.json."""
     found = {"constants": [], "structs": [], "functions": []}
     for header in HEADERS:
@@ -224,7 +224,7 @@ def cdef(description, library):
     what = f"{headers[0]} says" if len(headers) == 1 else f"{' and '.join(headers)} say"
     lines = ["/* SPDX-License-Identifier: Apache-2.0 */",
              f"/* Vesica {description['version']} for cffi and LuaJIT: {description['libraries'][headers[0]]}{needed}.",
-             f" * Written by capi/describe.py; {what} what each means. */", "", "enum {"]
+             f" * Written by tools/describe.py; {what} what each means. */", "", "enum {"]
     lines += [f"    {entry['name']} = {entry['value']}," for entry in own["constants"]]
     lines += ["};", ""]
     for entry in own["structs"]:
@@ -239,8 +239,8 @@ def cdef(description, library):
 
 def texts():
     description = describe()
-    return {HERE / "vesica.json": json.dumps(description, indent=1, ensure_ascii=False) + "\n",
-            **{HERE / name: cdef(description, library) for library, name in CDEFS.items()}}
+    return {CAPI / "vesica.json": json.dumps(description, indent=1, ensure_ascii=False) + "\n",
+            **{CAPI / name: cdef(description, library) for library, name in CDEFS.items()}}
 
 
 def check():
@@ -252,7 +252,7 @@ def check():
             difference = difflib.unified_diff(old.split("\n"), text.split("\n"), path.name, "headers", n=1, lineterm="")
             print("\n".join(list(difference)[:40]))
     if not fresh:
-        print("describe: not what the headers say; to write it anew: capi/refresh.sh")
+        print("describe: not what the headers say; to write it anew: tools/refresh.sh")
     return fresh
 
 

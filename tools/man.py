@@ -122,9 +122,9 @@ def overview(header, text, description):
 def pages():
     """{name: lines} of all pages."""
     description = describe.describe()
-    texts = {header: (describe.HERE / header).read_text(encoding="utf-8") for header in describe.HEADERS}
+    texts = {header: (describe.CAPI / header).read_text(encoding="utf-8") for header in describe.HEADERS}
     result = {entry["name"]: page(entry, description) for entry in description["functions"]}
-    maps = "".join((describe.HERE / name).read_text(encoding="utf-8") for name in describe.MAPS.values())
+    maps = "".join((describe.CAPI / name).read_text(encoding="utf-8") for name in describe.MAPS.values())
     exported = set(re.findall(r"^\s+(vesica_\w+);", maps, re.M))
     if exported != set(result):
         raise describe.HeaderError(f"in only one of the maps and the headers: {sorted(exported ^ set(result))}")

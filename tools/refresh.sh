@@ -7,8 +7,8 @@
 # (ABI.md); before the first release, or with a new SONAME, delete the baseline first.
 set -euo pipefail
 
-capi=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-root=$(dirname "$capi")
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+capi=$root/capi
 build=${1:-$root/build/test}
 [ $# -gt 0 ] || (cd "$root" && cmake --preset test)
 
@@ -28,6 +28,6 @@ for library in vesica vesica-methods; do
   fi
   cat "$new" >"$baseline"
 done
-python3 -B "$capi/describe.py"
-python3 -B "$capi/declare"
+python3 -B "$tools/describe.py"
+python3 -B "$bindings/declare"
 echo "refreshed: $(cd "$capi" && echo vesica.json ./*.cdef abi/*.abi)"

@@ -10,8 +10,8 @@ mkdir -p "$1"
 work=$(cd "$1" && pwd)
 shift
 [ $# -gt 0 ] || set -- rust go java csharp python javascript
-static=$("$root/cmake/build_library.sh" static "$work/static")
-shared=$("$root/cmake/build_library.sh" shared "$work/shared")
+static=$("$root/tools/build_library.sh" static "$work/static")
+shared=$("$root/tools/build_library.sh" shared "$work/shared")
 export LD_LIBRARY_PATH=$shared${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
 # Go and numpy ask the kernel for huge pages themselves.
 export GLIBC_TUNABLES=glibc.malloc.hugetlb=1
@@ -22,12 +22,12 @@ c() {
   "$work/overhead"
 }
 rust() {
-  VESICA_LIBRARY=$static cargo run --quiet --offline --release --manifest-path "$root/rust/Cargo.toml" \
+  VESICA_LIBRARY=$static cargo run --quiet --offline --release --manifest-path "$root/bindings/rust/Cargo.toml" \
     --target-dir "$work/rust" -p vesica --example overhead
 }
 go() {
   rm -rf "$work/go" && mkdir -p "$work/go/include" "$work/go/lib"
-  cp -r "$root"/go/{*.go,*.h,go.mod,overhead} "$work/go"
+  cp -r "$root"/bindings/go/{*.go,*.h,go.mod,overhead} "$work/go"
   cp "$root"/capi/vesica*.h "$work/go/include"
   cp "$static/libvesica.a" "$work/go/lib"
   (cd "$work/go" && GOPROXY=off GOCACHE="$work/go-cache" command go run ./overhead)
@@ -35,24 +35,24 @@ go() {
 java() {
   local jdk
   jdk=$(dirname "$(dirname "$(readlink -f "$(command -v javac)")")")
-  javac -d "$work/java" "$root"/java/src/vesica/*.java "$root/java/overhead/Overhead.java"
+  javac -d "$work/java" "$root"/bindings/java/src/vesica/*.java "$root/bindings/java/overhead/Overhead.java"
   cc -std=c99 -O2 -fPIC -shared -I "$jdk/include" -I "$jdk/include/linux" -I "$root/capi" -o "$work/java/jni.so" \
-    "$root"/java/native/*.c "$static/libvesica.a" -lm
+    "$root"/bindings/java/native/*.c "$static/libvesica.a" -lm
   command java -XX:+UseTransparentHugePages "-Dvesica.library=$work/java/jni.so" -cp "$work/java" Overhead
 }
 csharp() {
   mkdir -p "$work/csharp"
-  mcs -langversion:latest -unsafe "-out:$work/csharp/overhead.exe" "$root"/csharp/src/*.cs \
-    "$root/csharp/overhead/Overhead.cs"
+  mcs -langversion:latest -unsafe "-out:$work/csharp/overhead.exe" "$root"/bindings/csharp/src/*.cs \
+    "$root/bindings/csharp/overhead/Overhead.cs"
   cp "$shared/libvesica.so.0" "$work/csharp/libvesica.so"
   mono "$work/csharp/overhead.exe"
 }
-python() { PYTHONPATH=$root/python /usr/bin/python3 -B "$root/python/overhead.py"; }
+python() { PYTHONPATH=$root/bindings/python /usr/bin/python3 -B "$root/bindings/python/overhead.py"; }
 javascript() {
   local modules=${VESICA_WASM:-$work/wasm}
-  [ -n "${VESICA_WASM:-}" ] || "$root/tests/ffi/wasm/build.sh" "$modules" >&2
+  [ -n "${VESICA_WASM:-}" ] || "$root/bindings/small/wasm/build.sh" "$modules" >&2
   mkdir -p "$work/javascript"
-  cp "$root"/javascript/*.mjs "$modules/vesica.wasm" "$work/javascript"
+  cp "$root"/bindings/javascript/*.mjs "$modules/vesica.wasm" "$work/javascript"
   cp "$modules/simd/vesica.wasm" "$work/javascript/vesica-simd.wasm"
   node "$work/javascript/overhead.mjs"
 }

@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char* head =
     "# SPDX-License-Identifier: Apache-2.0\n"
-    "# Calls of every function, which all packages must answer alike. Written by ffi_calls; a test keeps it so.\n"
+    "# Calls of every function, which all packages must answer alike. Written by bindings_calls; a test keeps it so.\n"
     "#\n"
     "#   function scalar | argument | argument ... = result values ...\n"
     "#\n"

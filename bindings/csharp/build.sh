@@ -10,15 +10,15 @@ mkdir -p "$1"
 directory=$(cd "$1" && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-library=$("$here/../cmake/build_library.sh" shared "$directory/shared")
-version=$(sed -n 's/ *"version": "\(.*\)",/\1/p' "$here/../capi/vesica.json")
+library=$("$here/../../tools/build_library.sh" shared "$directory/shared")
+version=$(sed -n 's/ *"version": "\(.*\)",/\1/p' "$here/../../capi/vesica.json")
 compile() { mcs -langversion:latest -unsafe -warn:4 -warnaserror "$@"; }
 
 mkdir "$work/vesica-csharp"
 compile -target:library "-doc:$work/vesica-csharp/Vesica.xml" "-out:$work/vesica-csharp/Vesica.dll" "$here"/src/*.cs
 cp "$library/libvesica.so.0" "$work/vesica-csharp/libvesica.so"
 strip --strip-unneeded "$work/vesica-csharp/libvesica.so"
-cp -r "$here/src" "$here/Vesica.csproj" "$here/README.md" "$here/../LICENSE" "$work/vesica-csharp"
+cp -r "$here/src" "$here/Vesica.csproj" "$here/README.md" "$here/../../LICENSE" "$work/vesica-csharp"
 rm -f "$directory"/vesica-csharp-*.zip
 (cd "$work" && zip -qr "$directory/vesica-csharp-$version.zip" vesica-csharp && rm -rf vesica-csharp)
 
@@ -36,7 +36,7 @@ compile -r:Vesica.dll -out:VesicaTests.exe "$here"/tests/*.cs
 } >Example.cs
 compile -r:Vesica.dll -out:Example.exe Example.cs
 mono Example.exe | grep -Fx 'True True True True True 2'
-mono VesicaTests.exe "$here/../tests/ffi/calls.txt" "${VESICA_CALLS:-5000}"
+mono VesicaTests.exe "$here/../calls/calls.txt" "${VESICA_CALLS:-5000}"
 
 if [ -n "${VESICA_OLDER:-}" ]; then
   cp "$VESICA_OLDER/libvesica.so.0" libvesica.so

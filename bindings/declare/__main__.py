@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Writes the declarations of every package, each with the headers' texts in its language's form, from ../vesica.json.
+"""Writes the declarations of every package, each with the headers' texts in its language's form, from capi/vesica.json.
 
-python3 capi/declare          writes them
-python3 capi/declare --check  exits with 1 if one is not what the description says
+python3 bindings/declare          writes them
+python3 bindings/declare --check  exits with 1 if one is not what the description says
 
 A language is a module with files(description): the text of each path.
 """
@@ -27,7 +27,7 @@ def main(arguments):
     stale = [path for path, text in files.items() if not path.exists() or path.read_text() != text]
     if arguments == ["--check"]:
         for path in stale:
-            print(f"{path} is not what {DESCRIPTION} says: run capi/refresh.sh", file=sys.stderr)
+            print(f"{path} is not what {DESCRIPTION} says: run tools/refresh.sh", file=sys.stderr)
         return bool(stale)
     for path in stale:
         path.write_text(files[path])

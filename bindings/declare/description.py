@@ -9,7 +9,7 @@ REPOSITORY = pathlib.Path(__file__).resolve().parent.parent.parent
 DESCRIPTION = REPOSITORY / "capi" / "vesica.json"
 # The named methods are another library, which no package has.
 LIBRARY = "libvesica.so"
-HEAD = "SPDX-License-Identifier: Apache-2.0", "Written by capi/declare from capi/vesica.json: not to be edited."
+HEAD = "SPDX-License-Identifier: Apache-2.0", "Written by bindings/declare from capi/vesica.json: not to be edited."
 GROUPS = {
     "KINDS": ("POINT", "SEGMENT", "CIRCLE", "AABB", "RECT", "ELLIPSE"),
     "RELATIONS": ("DISJOINT", "TOUCH", "CROSS", "INSIDE", "INSIDE_TOUCH", "CONTAINS", "CONTAINS_TOUCH", "EQUAL"),

@@ -196,11 +196,11 @@ def files(description):
     functions = called(description)
     version = next(entry for entry in description.constants if entry.short == "VERSION")
     return {
-        "go/declarations.h": "".join(f"/* {line} */\n" for line in HEAD)
+        "bindings/go/declarations.h": "".join(f"/* {line} */\n" for line in HEAD)
         + HEADER
         + "".join(function_in_c(entry, suffix) for entry in functions for suffix in SCALARS)
         + "#endif\n",
-        "go/declarations.go": OPENING
+        "bindings/go/declarations.go": OPENING
         + '\npackage vesica\n\n// #include "declarations.h"\nimport "C"\n\nimport "unsafe"\n\n'
         + f"// Version {version.comment}.\nconst Version = {version.value}\n\n"
         + "".join(constants(description, group) for group in GROUPS)

@@ -246,11 +246,11 @@ def files(description):
         + "".join(dispatcher(entry) for entry in functions if entry.scalar == "f64")
     ).rstrip("\n") + "\n}\n"
     return {
-        "java/src/vesica/Native.java": native,
-        "java/native/vesica_jni.c": "".join(f"/* {line} */\n" for line in HEAD)
+        "bindings/java/src/vesica/Native.java": native,
+        "bindings/java/native/vesica_jni.c": "".join(f"/* {line} */\n" for line in HEAD)
         + '#include "lend.h"\n\n'
         + "".join(map(function_in_c, functions)).rstrip("\n")
         + "\n",
-        **{f"java/src/vesica/{camel(entry.stem)}.java": record(entry) for entry in records},
-        **{f"java/src/vesica/{ENUMS[group][0]}.java": enum(description, group) for group in ENUMS},
+        **{f"bindings/java/src/vesica/{camel(entry.stem)}.java": record(entry) for entry in records},
+        **{f"bindings/java/src/vesica/{ENUMS[group][0]}.java": enum(description, group) for group in ENUMS},
     }

@@ -30,7 +30,7 @@ def constant(entry):
 def files(description):
     functions = "".join(map(function, description.functions))
     return {
-        "javascript/c.d.ts": f"{OPENING}{comment(ABOUT)}export interface C {{\n"
+        "bindings/javascript/c.d.ts": f"{OPENING}{comment(ABOUT)}export interface C {{\n"
         f"  memory: WebAssembly.Memory;\n{functions}}}\n",
-        "javascript/constants.mjs": OPENING + "".join(map(constant, description.constants)),
+        "bindings/javascript/constants.mjs": OPENING + "".join(map(constant, description.constants)),
     }

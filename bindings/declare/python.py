@@ -72,6 +72,6 @@ def files(description):
     structs = "\n\n".join(map(struct, description.structs))
     functions = "".join(map(function, description.functions))
     return {
-        "python/vesica/_declarations.py": f"{OPENING}{constants}\n\n\n{structs}"
+        "bindings/python/vesica/_declarations.py": f"{OPENING}{constants}\n\n\n{structs}"
         f"\n\n# A function's result, parameters and text.\nFUNCTIONS = {{\n{functions}}}\n{END}"
     }

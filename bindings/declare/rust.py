@@ -99,7 +99,7 @@ def files(description):
         f"{text(each, '    ')}{broken(f'    pub {signature(each, each.name)};')}\n" for each in description.functions
     )
     return {
-        "rust/vesica-sys/src/declarations.rs": OPENING
+        "bindings/rust/vesica-sys/src/declarations.rs": OPENING
         + "".join(map(constant, description.constants))
         + "\n"
         + "".join(map(struct, description.in_double("structs")))

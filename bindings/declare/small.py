@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Declarations for the small hosts of tests/ffi whose languages cannot read C's: all constants and functions, with the
-first sentences of their texts. Languages whose foreign interface reads C take ../vesica.cdef.
+"""Declarations for the small hosts of bindings/small whose languages cannot read C's: all constants and functions, with the
+first sentences of their texts. Languages whose foreign interface reads C take capi/vesica.cdef.
 """
 import re
 import textwrap
@@ -341,10 +341,10 @@ def ada(description):
 
 def files(description):
     return {
-        "tests/ffi/ada/vesica_c.ads": ada(description),
-        "tests/ffi/fortran/vesica_c.f90": fortran(description),
-        "tests/ffi/guile/vesica-c.scm": guile(description),
-        "tests/ffi/pascal/vesica_c.pas": pascal(description),
-        "tests/ffi/perl/VesicaDeclarations.pm": perl(description),
-        "tests/ffi/ruby/vesica_declarations.rb": ruby(description),
+        "bindings/small/ada/vesica_c.ads": ada(description),
+        "bindings/small/fortran/vesica_c.f90": fortran(description),
+        "bindings/small/guile/vesica-c.scm": guile(description),
+        "bindings/small/pascal/vesica_c.pas": pascal(description),
+        "bindings/small/perl/VesicaDeclarations.pm": perl(description),
+        "bindings/small/ruby/vesica_declarations.rb": ruby(description),
     }

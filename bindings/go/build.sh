@@ -11,13 +11,13 @@ directory=$(cd "$1" && pwd)
 work=$(mktemp -d)
 trap 'chmod -R u+w "$work"; rm -rf "$work"' EXIT
 export GOFLAGS=-mod=mod GOPROXY=off GOCACHE=$work/cache
-library=$("$here/../cmake/build_library.sh" static "$directory/static")
-version=$(sed -n 's/ *"version": "\(.*\)",/\1/p' "$here/../capi/vesica.json")
+library=$("$here/../../tools/build_library.sh" static "$directory/static")
+version=$(sed -n 's/ *"version": "\(.*\)",/\1/p' "$here/../../capi/vesica.json")
 
 module=$work/vesica-go
 mkdir -p "$module/include" "$module/lib"
-cp "$here"/*.go "$here/go.mod" "$here/declarations.h" "$here/README.md" "$here/../LICENSE" "$module"
-cp "$here"/../capi/vesica*.h "$module/include"
+cp "$here"/*.go "$here/go.mod" "$here/declarations.h" "$here/README.md" "$here/../../LICENSE" "$module"
+cp "$here"/../../capi/vesica*.h "$module/include"
 cp "$library/libvesica.a" "$module/lib"
 unformatted=$(cd "$here" && gofmt -l ./*.go)
 [ -z "$unformatted" ] || { echo "go: not as gofmt has it: $unformatted" >&2; exit 1; }
@@ -27,7 +27,7 @@ rm -f "$directory"/vesica-go-*.zip
 mkdir -p "$work/fresh/program"
 cd "$work/fresh"
 unzip -q "$directory/vesica-go-$version.zip"
-(cd vesica-go && go vet . && VESICA_CALLS_FILE=$here/../tests/ffi/calls.txt go test .)
+(cd vesica-go && go vet . && VESICA_CALLS_FILE=$here/../calls/calls.txt go test .)
 
 cd program
 cat >go.mod <<'END'

@@ -558,7 +558,7 @@ func isRight(line string) bool {
 func lines(t *testing.T) (out []string) {
 	path := os.Getenv("VESICA_CALLS_FILE")
 	if path == "" {
-		path = "../tests/ffi/calls.txt"
+		path = "../calls/calls.txt"
 	}
 	text, err := os.ReadFile(path)
 	if err != nil {

@@ -9,14 +9,14 @@ mkdir -p "$1"
 directory=$(cd "$1" && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-library=$("$here/../cmake/build_library.sh" static "$directory/static")
-version=$(sed -n 's/ *"version": "\(.*\)",/\1/p' "$here/../capi/vesica.json")
+library=$("$here/../../tools/build_library.sh" static "$directory/static")
+version=$(sed -n 's/ *"version": "\(.*\)",/\1/p' "$here/../../capi/vesica.json")
 jdk=$(dirname "$(dirname "$(readlink -f "$(command -v javac)")")")
 
 # native FILE LIBRARY...: the native methods, linked to a library.
 native() {
   "${CC:-cc}" -std=c99 -O2 -fPIC -shared -fvisibility=hidden -Wall -Wextra -Wl,--exclude-libs,ALL \
-    -I "$jdk/include" -I "$jdk/include/linux" -I "$here/../capi" -o "$1" "$here"/native/*.c "${@:2}" -lm
+    -I "$jdk/include" -I "$jdk/include/linux" -I "$here/../../capi" -o "$1" "$here"/native/*.c "${@:2}" -lm
 }
 
 javac -Xlint:all -Werror --release 17 -d "$work/classes" "$here"/src/vesica/*.java
@@ -24,7 +24,7 @@ system=Linux-$(java -XshowSettings:properties -version 2>&1 | sed -n 's/ *os.arc
 mkdir -p "$work/classes/native/$system"
 native "$work/classes/native/$system/libvesica_jni.so" "$library/libvesica.a"
 strip --strip-unneeded "$work/classes/native/$system/libvesica_jni.so"
-cp "$here/../LICENSE" "$work/classes/vesica"
+cp "$here/../../LICENSE" "$work/classes/vesica"
 jar --create --file "$directory/vesica-$version.jar" -C "$work/classes" .
 rm -rf "$work/classes"
 javadoc -quiet -Xdoclint:all,-missing -Werror -d "$work/javadoc" "$here"/src/vesica/*.java
@@ -41,7 +41,7 @@ javac -Xlint:all -Werror -cp "$directory/vesica-$version.jar" -d . "$here"/tests
 } >Example.java
 javac -cp "$directory/vesica-$version.jar" -d . Example.java
 java -cp "$directory/vesica-$version.jar:." Example | grep -Fx '[true, true][[0, 1], [2, 3]]'
-java -Xcheck:jni -cp "$directory/vesica-$version.jar:." vesica.Calls "$here/../tests/ffi/calls.txt"
+java -Xcheck:jni -cp "$directory/vesica-$version.jar:." vesica.Calls "$here/../calls/calls.txt"
 java -Xcheck:jni -Xmx150m -cp "$directory/vesica-$version.jar:." vesica.Arguments "${VESICA_CALLS:-5000}" |
   tee arguments.out
 grep 'WARNING.*JNI' arguments.out && exit 1
@@ -49,7 +49,7 @@ grep 'WARNING.*JNI' arguments.out && exit 1
 if [ -n "${VESICA_OLDER:-}" ]; then
   native older.so -L "$VESICA_OLDER" -lvesica "-Wl,-rpath,$VESICA_OLDER"
   run=(java -Dvesica.library=older.so -cp "$directory/vesica-$version.jar:." vesica.Calls)
-  "${run[@]}" "$here/../tests/ffi/calls.txt" >older.out 2>&1 && exit 1
+  "${run[@]}" "$here/../calls/calls.txt" >older.out 2>&1 && exit 1
   grep -q 'older than [0-9]*, which this package needs' older.out
 fi
 ls "$directory"/vesica-*.jar

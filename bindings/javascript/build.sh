@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # build.sh DIRECTORY [MODULES]: packs the npm package into DIRECTORY, installs it into a fresh folder without network,
-# and runs the tests there; tsc, of npm, reads the declarations. MODULES is where tests/ffi/wasm/build.sh has
+# and runs the tests there; tsc, of npm, reads the declarations. MODULES is where bindings/small/wasm/build.sh has
 # built the two modules already.
 set -euo pipefail
 
@@ -13,7 +13,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 if [ -z "$modules" ]; then
   modules=$directory/wasm
-  "$here/../tests/ffi/wasm/build.sh" "$modules"
+  "$here/../small/wasm/build.sh" "$modules"
 fi
 
 mkdir "$work/package" "$work/program"
@@ -25,7 +25,7 @@ rm -f "$directory"/vesica-*.tgz
 (cd "$work/package" && npm pack --silent --pack-destination "$directory")
 
 cd "$work/program"
-cp -r "$here"/tests/* "$here/../tests/ffi/vectors.txt" "$here/../tests/ffi/calls.txt" "$here/README.md" .
+cp -r "$here"/tests/* "$here/../vectors/vectors.txt" "$here/../calls/calls.txt" "$here/README.md" .
 echo '{ "private": true, "type": "module" }' >package.json
 npm install --silent --offline --no-audit --no-fund "$directory"/vesica-*.tgz
 node --test

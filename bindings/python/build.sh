@@ -14,15 +14,15 @@ export PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_NO_INDEX=1
 
 # The sources are built from a copy: setuptools writes beside them.
 mkdir "$work/repository"
-tar -C "$here/.." --exclude=./build --exclude=./.git --exclude=__pycache__ -cf - . | tar -C "$work/repository" -xf -
+tar -C "$here/../.." --exclude=./build --exclude=./.git --exclude=__pycache__ -cf - . | tar -C "$work/repository" -xf -
 rm -f "$directory"/vesica-*.whl
-/usr/bin/python3 -m pip wheel --quiet --no-build-isolation --no-deps -w "$directory" "$work/repository/python"
+/usr/bin/python3 -m pip wheel --quiet --no-build-isolation --no-deps -w "$directory" "$work/repository/bindings/python"
 
 # numpy is Debian's. Nothing of the sources is in reach of what is tested.
 /usr/bin/python3 -m venv --system-site-packages "$work/environment"
 "$work/environment/bin/pip" install --quiet --no-deps "$directory"/vesica-*.whl
 cp -r "$here/tests" "$work/tests"
-cp "$here/../tests/ffi/vectors.txt" "$here/../tests/ffi/calls.txt" "$here/README.md" "$work/tests"
+cp "$here/../vectors/vectors.txt" "$here/../calls/calls.txt" "$here/README.md" "$work/tests"
 cd "$work"
 "$work/environment/bin/python" -B -m unittest discover -s "$work/tests"
 "$work/environment/bin/python" -B -c 'import vesica; print("installed:", vesica.__version__, vesica.__file__)'

@@ -18,7 +18,7 @@ cp -r "$here" "$work/rust"
 rm -rf "$work/rust/target"
 sources=$work/rust/vesica-sys/vesica
 mkdir "$sources"
-(cd "$here/.." && cp -r CMakeLists.txt LICENSE cmake capi include pkgconfig src "$sources")
+(cd "$here/../.." && cp -r CMakeLists.txt LICENSE capi include pkgconfig src "$sources")
 cd "$work/rust"
 cargo package --quiet --offline --allow-dirty --no-verify -p vesica-sys
 # Not yet in a registry, the first crate is found by its path.
@@ -50,7 +50,7 @@ linked() {
 [ "$(linked here)" = vesica ] || { echo "rust: the library that is installed is not linked" >&2; exit 1; }
 [ "$(linked there)" = $'static=vesica\nm' ] || { echo "rust: for another machine, this one's is linked" >&2; exit 1; }
 
-export VESICA_CALLS_FILE=$here/../tests/ffi/calls.txt
+export VESICA_CALLS_FILE=$here/../calls/calls.txt
 cargo test --quiet --offline --release -p vesica
 cargo build --quiet --offline --release -p vesica --no-default-features
 RUSTDOCFLAGS='-D warnings' cargo doc --quiet --offline --no-deps -p vesica -p vesica-sys

@@ -11,8 +11,8 @@ trap 'rm -rf "$plain"' EXIT
 ln -s "$1" "$plain/moved"
 set -- "$plain/moved/" "${@:2}"
 
-. "$(dirname "${BASH_SOURCE[0]}")/../install/prefix.sh"
-host=$(cd "$here" && cd "$3" && pwd) older=$4 vectors=$here/vectors.txt failures=0
+. "$(dirname "${BASH_SOURCE[0]}")/../../tests/install/prefix.sh"
+host=$(cd "$here" && cd "$3" && pwd) older=$4 vectors=$here/../vectors/vectors.txt failures=0
 
 complain() {
   printf '%s: %s; it printed\n%s\n' "$host" "$1" "$(head -n 30 <<<"$output")" >&2
@@ -20,7 +20,7 @@ complain() {
 }
 
 # shellcheck source=/dev/null
-. "$host/host.sh"  # build, into $work; run VECTORS; run_index, if it has one
+. "$host/host.sh"  # build, into $work; run VECTORS
 cd "$work"
 # What a host needs may be missing: the command that failed is named, there and in `run`.
 trap 'echo "$host: failed: $BASH_COMMAND" >&2' ERR
@@ -35,12 +35,6 @@ grep -Fxq "$counts" <<<"$output" || complain "does not report '$counts'"
 grep -q '^NaN: .*a shape is invalid' <<<"$output" || complain "has no error to show for NaN"
 
 grep -Fxq 'nearest: as in C' <<<"$output" || complain 'has other closest points'
-
-# Index and join, where the folder has them: the same bytes and pairs as in C.
-if declare -F run_index >/dev/null; then
-  output=$(run_index 2>&1) || complain 'fails with the index'
-  grep -Fxq 'index: as in C' <<<"$output" || complain 'has another index'
-fi
 
 # The first line of each of these gets an answer that is not so.
 awk '/^(f64 1|f64 0|f64 -2|f64 -3|f32 1|f32 0|f32 -2|many 1|many 0) / && !seen[$1 $2]++ {

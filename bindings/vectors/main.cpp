@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char* head =
     "# SPDX-License-Identifier: Apache-2.0\n"
-    "# What every host must answer. Written by ffi_vectors; a test keeps it so.\n"
+    "# What every host must answer. Written by bindings_vectors; a test keeps it so.\n"
     "#\n"
     "# A line has 16 words: what  expected  kind_a a0 .. a5  kind_b b0 .. b5\n"
     "#   what      f64 or f32: a scalar call in that type; many: an element of the one batch, in double\n"

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""build.py OUT MODULES: writes the site into the folder OUT. MODULES is where tests/ffi/wasm/build.sh has built. Needs
+"""build.py OUT MODULES: writes the site into the folder OUT. MODULES is where bindings/small/wasm/build.sh has built. Needs
 doxygen and python3-markdown. A link that leads nowhere is an error."""
 import html
 import itertools
@@ -108,7 +108,7 @@ def write_playground(out, modules):
     page = out / "playground/index.html"
     page.write_text(page.read_text().replace("<!-- navigation -->", navigation("playground/", "../")))
     (out / "vesica").mkdir()
-    for module in (ROOT / "javascript").glob("*.mjs"):
+    for module in (ROOT / "bindings" / "javascript").glob("*.mjs"):
         shutil.copy(module, out / "vesica")
     for name in ("vesica.wasm", "vesica-methods.wasm"):
         shutil.copy(modules / name, out / "vesica")

@@ -19,7 +19,7 @@ cp -r "$here/../common" "$here" "$work"
 make -s -C "$work/postgresql" with_llvm=no install "DESTDIR=$work/package"
 strip --strip-unneeded "$work"/package/usr/lib/postgresql/15/lib/vesica.so
 install -D -m 644 "$here/README.md" "$work/package/usr/share/doc/postgresql-15-vesica/README.md"
-install -D -m 644 "$here/../../debian/copyright" "$work/package/usr/share/doc/postgresql-15-vesica/copyright"
+install -D -m 644 "$here/../../packaging/debian/copyright" "$work/package/usr/share/doc/postgresql-15-vesica/copyright"
 mkdir "$work/package/DEBIAN"
 cat >"$work/package/DEBIAN/control" <<CONTROL
 Package: postgresql-15-vesica

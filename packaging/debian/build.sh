@@ -2,15 +2,17 @@
 # SPDX-License-Identifier: Apache-2.0
 # build.sh DIRECTORY: the source and binary packages of this tree, as its files are now, into DIRECTORY.
 set -euo pipefail
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 mkdir -p "$1"
 out=$(cd "$1" && pwd)
 
-# The build is done in a copy, so that nothing of it is left in this tree; DIRECTORY may lie in build/.
+# dpkg-buildpackage wants the folder debian at the top. The build is done in a copy that has it there, so that nothing of
+# it is left in this tree; DIRECTORY may lie in build/.
 work=$out/work
 rm -rf "$work" "$out"/vesica_* "$out"/libvesica*
 mkdir -p "$work/vesica"
-tar -C "$root" --exclude=./build --exclude=./.git --exclude=__pycache__ -cf - . | tar -C "$work/vesica" -xf -
+tar -C "$root" --exclude=./build --exclude=./.git --exclude=./debian --exclude=__pycache__ -cf - . | tar -C "$work/vesica" -xf -
+cp -r "$work/vesica/packaging/debian" "$work/vesica/debian"
 
 cores=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
 if ! (cd "$work/vesica" && dpkg-buildpackage --no-sign --jobs-force="$cores") >"$out/build.log" 2>&1; then

@@ -4,19 +4,19 @@
 # definition file, headers, the CMake package and the licence. Built by g++ of mingw-w64 under build/windows, or taken
 # from TREE, a build tree that has it built.
 set -euo pipefail
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 [ $# = 1 ] || [ $# = 2 ] || { echo 'usage: build.sh OUT [TREE]' >&2; exit 2; }
 mkdir -p "$1"
 out=$(cd "$1" && pwd)
 
 # The time in the DLL and of the files is that of the last change: the same tree gives the same zip.
-SOURCE_DATE_EPOCH=$(date -d "$(sed -n 's/^ -- .*>  //p' "$root/debian/changelog" | head -n 1)" +%s)
+SOURCE_DATE_EPOCH=$(date -d "$(sed -n 's/^ -- .*>  //p' "$root/packaging/debian/changelog" | head -n 1)" +%s)
 export SOURCE_DATE_EPOCH
 
 tree=${2:-}
 if [ -z "$tree" ]; then
   tree=$root/build/windows
-  cmake -S "$root" -B "$tree" -G Ninja -DCMAKE_BUILD_TYPE=Release "-DCMAKE_TOOLCHAIN_FILE=$root/windows/mingw.cmake"
+  cmake -S "$root" -B "$tree" -G Ninja -DCMAKE_BUILD_TYPE=Release "-DCMAKE_TOOLCHAIN_FILE=$root/packaging/windows/mingw.cmake"
   cmake --build "$tree"
 fi
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """headers_test.py LIBRARY METHODS: headers, version scripts, libraries and tests/capi agree, with nothing left out.
 
-What exists is taken from the headers (capi/describe.py), so that what is added later is checked without a new line.
+What exists is taken from the headers (tools/describe.py), so that what is added later is checked without a new line.
 """
 import ctypes
 import json
@@ -10,7 +10,7 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "capi"))
+sys.path.insert(0, str(ROOT / "tools"))
 import describe  # noqa: E402
 
 failures = []

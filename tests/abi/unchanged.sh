@@ -12,7 +12,7 @@ fail() {
 [ $# = 5 ] || fail "usage: unchanged.sh ABIDW ABIDIFF LIBRARY MAP BASELINE"
 library=$3 map=$4 baseline=$5
 scripts=$(dirname "${BASH_SOURCE[0]}")/../../capi/abi
-[ -s "$baseline" ] || fail "no baseline $baseline; to write it: capi/refresh.sh"
+[ -s "$baseline" ] || fail "no baseline $baseline; to write it: tools/refresh.sh"
 now=$(mktemp)
 trap 'rm -f "$now"' EXIT
 "$scripts/dump.sh" "$1" "$library" "$now"
@@ -26,7 +26,7 @@ status=0
 "$scripts/compare.sh" "$2" "$baseline" "$now" || status=$?
 case $status in
   0) echo "$typed functions and their types, as in the baseline" ;;
-  4) fail "added to the ABI. If that is meant, refresh the baseline and commit it: capi/refresh.sh" ;;
+  4) fail "added to the ABI. If that is meant, refresh the baseline and commit it: tools/refresh.sh" ;;
   8) fail "BROKEN: programs built against the baseline would misbehave. This may not be released (capi/ABI.md)." ;;
   *) fail "the two could not be compared" ;;
 esac

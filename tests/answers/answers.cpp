@@ -7,12 +7,12 @@
 
 #include "capi/face.hpp"
 #include "environment/method_calls.hpp"
-#include "hammer/call.hpp"
+#include "stress/call.hpp"
 
 namespace answers {
 namespace {
 
-using hammer::Query;
+using stress::Query;
 using properties::Scalar;
 
 constexpr Scalar scalars[] = {Scalar::f64, Scalar::f32};
@@ -33,13 +33,13 @@ void append(Bytes& bytes, const T& value) {
 
 /// Within the very distance that nearest tells, and its neighbours.
 Bytes ask_within(const Case& c, Scalar scalar) {
-  const hammer::Answer nearest = hammer::ask(Query::nearest, scalar, c.pair);
+  const stress::Answer nearest = stress::ask(Query::nearest, scalar, c.pair);
   Bytes bytes;
   if (nearest.code < 0) return bytes;
   const std::int64_t place = properties::ordinal(scalar, nearest.numbers[0]);
   for (const std::int64_t p : {place - 1, place, place + 1}) {
     const double distance = properties::at_ordinal(scalar, p);
-    append(bytes, hammer::ask({Query::within, scalar, c.pair, {}, distance}).code);
+    append(bytes, stress::ask({Query::within, scalar, c.pair, {}, distance}).code);
   }
   return bytes;
 }
@@ -70,7 +70,7 @@ void ask_methods(const properties::Pair& pair, const environment::Input& input, 
 
 }  // namespace
 
-Bytes bytes_of(const hammer::Answer& answer) {
+Bytes bytes_of(const stress::Answer& answer) {
   Bytes bytes;
   append(bytes, answer.code);
   append(bytes, answer.numbers);
@@ -85,7 +85,7 @@ std::vector<Case> read_cases(const std::string& path, int kind_a, int kind_b) {
   const std::string middle = std::string(" | ") + properties::kind_name(kind_b) + ' ';
   while (std::getline(in, line)) {
     if (!line.starts_with(begin) || line.find(middle) == std::string::npos) continue;
-    const auto read = hammer::parse("cast " + line);
+    const auto read = stress::parse("cast " + line);
     if (!read) throw std::runtime_error("not a case: " + line);
     cases.push_back({read->pair, read->motion});
   }
@@ -100,8 +100,8 @@ void ask(Functions which, const Case& c, const Take& take) {
     }
     if (which == Functions::by_the_c_library) continue;
     for (const Query query : {Query::cast, Query::sweep_bounds}) {
-      const std::string name = std::string(hammer::name(query)) + " of a case";
-      take(row(name.c_str(), scalar), bytes_of(hammer::ask({query, scalar, c.pair, c.motion})));
+      const std::string name = std::string(stress::name(query)) + " of a case";
+      take(row(name.c_str(), scalar), bytes_of(stress::ask({query, scalar, c.pair, c.motion})));
     }
     take(row("within about the distance", scalar), ask_within(c, scalar));
   }

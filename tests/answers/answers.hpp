@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cast/face.hpp"
-#include "hammer/call.hpp"
+#include "stress/call.hpp"
 #include "properties/pair.hpp"
 
 namespace answers {
@@ -19,7 +19,7 @@ struct Case {
   cast_test::Motion motion;
 };
 
-Bytes bytes_of(const hammer::Answer& answer);
+Bytes bytes_of(const stress::Answer& answer);
 
 /// The cases of two kinds, in the file's order.
 std::vector<Case> read_cases(const std::string& path, int kind_a, int kind_b);

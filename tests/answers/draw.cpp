@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // answers_draw [SEED [GROUPS]]: draws tests/answers/cases.txt: of each ordered pair of kinds and scalar type some
-// groups of the hammer, and of each group the pair it began with, two about its contact and one further away, each with
+// groups of the stress test, and of each group the pair it began with, two about its contact and one further away, each with
 // a motion; then a broken pair.
 #include <cstdio>
 #include <cstdlib>
@@ -8,11 +8,11 @@
 #include <tuple>
 
 #include "cast/motions.hpp"
-#include "hammer/groups.hpp"
+#include "stress/groups.hpp"
 
 namespace {
 
-using namespace hammer;
+using namespace stress;
 
 /// One that only just hits or misses, where one can be found.
 Motion motion_of(const Pair& pair, Scalar scalar, properties::Random& random) {

@@ -9,7 +9,7 @@ root=$here/../..
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 compile() { "$compiler" -std=c++20 -Wall -Wextra -Werror -I"$root/include" -fsyntax-only "$1"; }
-cases() { python3 -B "$here/cases.py" "$root/tests/corpus/cases.csv" "$root/tests/ffi/vectors.txt" "$@"; }
+cases() { python3 -B "$here/cases.py" "$root/tests/corpus/cases.csv" "$root/bindings/vectors/vectors.txt" "$@"; }
 
 compile "$here/known.cpp"
 "$compiler" -std=c++20 -O1 -Wall -Wextra -Werror -I"$root/include" -o "$work/same_bits" "$here/same_bits.cpp"

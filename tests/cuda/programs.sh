@@ -19,7 +19,7 @@ fi
 "$root/bench/cuda/build.sh" "$work/bench" "$architecture" "$build/capi" "${pairs[@]}"
 flags=(-std=c++20 -O1 "-I$root/include" "-I$root/capi" "-I$root/bench" "-I$root/tests" -c --output-directory "$work"
   -x cu --expt-relaxed-constexpr "-arch=$architecture" "${pairs[@]}")
-nvcc "${flags[@]}" "-DVESICA_VECTORS=\"$root/tests/ffi/vectors.txt\"" "$here/device_test.cpp"
+nvcc "${flags[@]}" "-DVESICA_VECTORS=\"$root/bindings/vectors/vectors.txt\"" "$here/device_test.cpp"
 nvcc "${flags[@]}" "$root/bench/cuda/any_pair.cpp"
 nvcc -o "$work/test" "$work/device_test.o" "$work/any_pair.o" "-L$build/tests" -lvesica_workloads -lvesica_corpus \
   -lvesica_oracle "-L$build/capi" -lvesica -Xlinker "-rpath=$build/capi" -lgtest -lgmpxx -lgmp

@@ -3,8 +3,9 @@
 # demo_test.sh MOVED WORK: the demo's answers, complaints, exit statuses and pictures on scenes good and bad.
 . "$(dirname "${BASH_SOURCE[0]}")/prefix.sh"
 
+demo=$here/../../examples/demo
 warnings=(-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Werror)
-"$CC" -std=c99 -O1 "${warnings[@]}" -o "$work/demo" "$here"/demo/*.c "${flags[@]}" -lm
+"$CC" -std=c99 -O1 "${warnings[@]}" -o "$work/demo" "$demo"/*.c "${flags[@]}" -lm
 cd "$work"
 failures=0
 
@@ -97,7 +98,7 @@ check 'what about.txt counts' "267 $sources" "$(grep -Eo '[0-9]+ (questions|publ
 
 scene 'the example' 0 '' \
   '9 8 0 1, 0' \
-  <"$here/demo/example.scene"
+  <"$demo/example.scene"
 
 printf '\xef\xbb\xbfpoint 0 0 point 0 0=1\r\npoint 0 0 point 1 0=0' >text
 scene 'byte order mark, CR LF, no final line end' 0 '' \

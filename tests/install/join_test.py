@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """join_test.py JOIN: what it answers for files good and bad, in the folder it is called in."""
 import contextlib
+import ctypes
 import os
 import pty
 import random
@@ -10,9 +11,17 @@ import sys
 import time
 
 import numpy
-import vesica
 
-KINDS = ("point", "segment", "circle", "aabb", "rect", "ellipse")
+FIELDS = {
+    "point": ("x", "y"),
+    "segment": ("x0", "y0", "x1", "y1"),
+    "circle": ("cx", "cy", "r"),
+    "aabb": ("min_x", "min_y", "max_x", "max_y"),
+    "rect": ("cx", "cy", "ux", "uy", "hx", "hy"),
+    "ellipse": ("cx", "cy", "ux", "uy", "a", "b"),
+}
+KINDS = tuple(FIELDS)
+library = ctypes.CDLL("libvesica.so.0")
 HEADER = "a_from_0,b_from_0"
 failures = 0
 
@@ -72,7 +81,10 @@ def draw(kind, rng, dtype="f8"):
 
 def all_pairs(a, b=None):
     def overlap(one, other):
-        return vesica.overlap(KINDS.index(one[0]), one[1], KINDS.index(other[0]), other[1])
+        a, b = ((ctypes.c_double * len(numbers))(*numbers) for _, numbers in (one, other))
+        answer = library.vesica_overlap_f64(KINDS.index(one[0]), a, KINDS.index(other[0]), b)
+        assert answer in (0, 1), (one, other, answer)
+        return answer == 1
 
     if b is None:
         return [(i, j) for i in range(len(a)) for j in range(i + 1, len(a)) if overlap(a[i], a[j])]
@@ -118,7 +130,7 @@ for dtype in ("<f8", ">f8", "<f4", ">f4"):
     rows = numpy.array([numbers for _, numbers in boxes], dtype)
     numpy.save("rows.npy", rows)
     check(f"rows of {dtype}", all_pairs(boxes), pairs(dtype, "rows.npy", "--kind", "aabb"))
-for kind, fields in zip(KINDS, vesica.FIELDS):
+for kind, fields in FIELDS.items():
     shapes = [draw(kind, rng) for _ in range(40)]
     records = numpy.zeros(40, [("id", "<i2"), *((name, "<f4") for name in fields), ("label", "<U3")])
     for name, column in zip(fields, zip(*(numbers for _, numbers in shapes))):

@@ -2,7 +2,7 @@
 # Tests of pairs: overlap/<first>_<second>_test.cpp, or overlap/<second>_test.cpp for all pairs of one shape.
 # vesica_pair_tests(out stems): those of all pairs of VESICA_EACH_PAIR in include/vesica/each_shape.hpp, and the pairs'
 # names, which pairs_test compares with the list.
-set(vesica_shapes_file ${CMAKE_CURRENT_LIST_DIR}/../include/vesica/each_shape.hpp)
+set(vesica_shapes_file ${CMAKE_CURRENT_LIST_DIR}/../../include/vesica/each_shape.hpp)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${vesica_shapes_file})
 
 function(vesica_pair_tests out stems)

@@ -27,15 +27,15 @@ step() {
 
 step 'two builds'
 first=$work/first second=$work/another/place
-"$root/debian/build.sh" "$first"
+"$root/packaging/debian/build.sh" "$first"
 # The second is that of the source package: of the same files, whatever happens to the tree meanwhile.
 dpkg-source --no-check -x "$first"/*.dsc "$work/source" >/dev/null
-"$work/source/debian/build.sh" "$second"
+"$work/source/packaging/debian/build.sh" "$second"
 (cd "$first" && sha256sum ./*.deb ./*.tar.xz) | tee "$work/sums"
 (cd "$second" && sha256sum --check "$work/sums") || fail 'the second build is not the first'
 
 step 'lintian'
-# tests/ffi/rust/examples is where cargo looks for a program; it is no example to install. tests/ffi/calls.txt has a call a
+# bindings/small/rust/examples is where cargo looks for a program; it is no example to install. bindings/calls/calls.txt has a call a
 # line, some of them with whole arrays.
 lintian -EviI --pedantic --show-overrides --fail-on error,warning,info,pedantic,experimental,override \
   --suppress-tags package-does-not-install-examples,very-long-line-length-in-source-file \

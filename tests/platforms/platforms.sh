@@ -48,7 +48,7 @@ settings() {
       ;;
     windows)
       packages=(g++-mingw-w64-x86-64 wine wine64 zip)
-      arguments=("-DCMAKE_TOOLCHAIN_FILE=$root/windows/mingw.cmake" -DVESICA_INSTALL=ON
+      arguments=("-DCMAKE_TOOLCHAIN_FILE=$root/packaging/windows/mingw.cmake" -DVESICA_INSTALL=ON
         -DCMAKE_EXE_LINKER_FLAGS=-static -DCMAKE_BUILD_TYPE=Release)
       ;;
     *)
@@ -123,7 +123,7 @@ given_processor() {
 }
 
 check_c() {
-  program vectors "$root/tests/ffi/vectors.txt" | say || return 1
+  program vectors "$root/bindings/vectors/vectors.txt" | say || return 1
   (cd "$folder" && program demo -o demo.svg "$root/tests/corpus/cases.csv") | tail -n 1 | say || return 1
 }
 
@@ -191,9 +191,9 @@ check_dll() {
 check_zip() {
   local work=$folder/zip consumer=$root/tests/install/consumer program
   rm -rf "$work"
-  "$root/windows/build.sh" "$work" "$folder" || return 1
+  "$root/packaging/windows/build.sh" "$work" "$folder" || return 1
   (cd "$work" && cmake -E tar xf ./*.zip && mv vesica-*/ unpacked) || return 1
-  { cmake -S "$consumer" -B "$work/consumer" -G Ninja "-DCMAKE_TOOLCHAIN_FILE=$root/windows/mingw.cmake" \
+  { cmake -S "$consumer" -B "$work/consumer" -G Ninja "-DCMAKE_TOOLCHAIN_FILE=$root/packaging/windows/mingw.cmake" \
     "-Dvesica_DIR=$work/unpacked/lib/cmake/vesica" -DCMAKE_EXE_LINKER_FLAGS=-static && cmake --build "$work/consumer"; } >"$work/log" 2>&1 ||
     { tail -n 20 "$work/log" >&2; return 1; }
   for program in c_user methods_user cpp_user core_user; do

@@ -24,7 +24,7 @@ clang-thread-release  clang     thread      Release  slow
 # What is not of the library, or is sanitized already, or loads it as a program without sanitizers does. Stack.*
 # measures a stack that sanitizers make deeper.
 foreign='^(abi_|bench_|consumer|platforms|csharp_|cuda_bench|declarations_|demo_|description_|engines_|exact_sanitized_test'
-foreign+='|exact_stack_test|ffi_|figures_|flags_|go_|hammer|header_|index_isa_symbols|index_memory_test|index_threads_test|install'
+foreign+='|exact_stack_test|bindings_|figures_|flags_|go_|stress|header_|index_isa_symbols|index_memory_test|index_threads_test|install'
 foreign+='|isa_symbols|java_|javascript_|join_|lint_|near_tie_hash_portable|package_|python_|reach|readme_|run_|rust_|sanitize|site_'
 foreign+='|subproject_)'
 # Millions of random pairs: what a sanitizer can see in them, it sees in thousands.

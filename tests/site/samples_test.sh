@@ -20,11 +20,11 @@ says() {
 says first.c "$work/in_c"
 "$CXX" -std=c++20 -Wall -Wextra -Wpedantic -Werror -o "$work/in_cpp" "$samples/first.cpp" "${flags[@]}"
 says first.cpp "$work/in_cpp"
-says first.py env PYTHONPATH="$root/python" PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 "$samples/first.py"
+says first.py env PYTHONPATH="$root/bindings/python" PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 "$samples/first.py"
 rustc --edition 2021 -o "$work/in_rust" -L "$LD_LIBRARY_PATH" -l vesica "$samples/first.rs"
 says first.rs "$work/in_rust"
 mkdir -p "$work/node_modules/vesica"
-cp "$root"/javascript/*.mjs "$root/javascript/package.json" "$modules/vesica.wasm" "$work/node_modules/vesica"
+cp "$root"/bindings/javascript/*.mjs "$root/bindings/javascript/package.json" "$modules/vesica.wasm" "$work/node_modules/vesica"
 cp "$modules/simd/vesica.wasm" "$work/node_modules/vesica/vesica-simd.wasm"
 cp "$samples/first.mjs" "$work"
 says first.mjs node "$work/first.mjs"
@@ -35,7 +35,7 @@ block() {
 }
 printf 'import vesica\narray = [[0, 0, 4, 2, 30], [9, 1, 4, 2, 0]]\n%s\nassert vesica.iou_matrix(boxes, boxes)[0, 0] == 1\n' \
   "$(block python)" >"$work/lines.py"
-PYTHONPATH="$root/python" PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 "$work/lines.py" || failures=1
+PYTHONPATH="$root/bindings/python" PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 "$work/lines.py" || failures=1
 printf 'import { circle, load, rect } from "vesica";\nconst vesica = await load();\nconst hit = %s\nif (hit !== true) process.exit(1);\n' \
   "$(block js)" >"$work/lines.mjs"
 node "$work/lines.mjs" || failures=1

@@ -8,14 +8,14 @@ set -euo pipefail
 
 # shellcheck source=/dev/null
 . "$(dirname "${BASH_SOURCE[0]}")/../../run"  # root, test_packages, need, CMAKE_BUILD_PARALLEL_LEVEL
-here=$root/tests/coverage
+here=$root/tools/coverage
 folder=$root/build/coverage
 
 # Tests of other things than the library's own code.
-foreign='^(abi_|bench_|constexpr_|consumer|platforms|cuda_docs|declarations_|demo_|description_|ffi_|figures_|flags_|header_|install'
+foreign='^(abi_|bench_|constexpr_|consumer|platforms|cuda_docs|declarations_|demo_|description_|bindings_|figures_|flags_|header_|install'
 foreign+='|.*isa_symbols|join_|lint_|oracle_|package_|readme_|run_|sanitize|subproject_)'
 # Of the library's own tests those that only `./run test --all` has.
-later=(batch_portable_test cast_contracted_test filter_fused_test hammer_dearest hammer_rare
+later=(batch_portable_test cast_contracted_test filter_fused_test stress_slowest stress_rare
   invalid_shapes_every_pair_test relation_filter_fused_test)
 later_by_environment=(batch_queries_portable index_bytes_portable near_tie_hash_portable)
 
@@ -44,10 +44,10 @@ llvm-profdata-19 merge -sparse "$folder"/profiles/*.profraw -o "$folder/profile"
 # Every program and library that was run: a template is reached where any of them reaches it.
 objects=()
 while read -r object; do objects+=(-object "$object"); done < <(
-  find "$folder/capi" "$folder/tests" -maxdepth 3 -type f -perm -u+x ! -name '*.sh' ! -path '*/CMakeFiles/*')
+  find "$folder/capi" "$folder/tests" "$folder/tools" -maxdepth 3 -type f -perm -u+x ! -name '*.sh' ! -path '*/CMakeFiles/*')
 export_coverage() {
   llvm-cov-19 export "$@" -instr-profile "$folder/profile" "${objects[@]}" \
-    -ignore-filename-regex "^(/usr|$root/(tests|bench|docs))" 2>/dev/null
+    -ignore-filename-regex "^(/usr|$root/(tests|tools|bench|docs))" 2>/dev/null
 }
 export_coverage -format=lcov >"$folder/lines"
 export_coverage -format=text -skip-expansions >"$folder/details"

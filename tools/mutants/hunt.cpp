@@ -2,7 +2,7 @@
 // mutant_hunt one|all SECONDS SEED FILE MUTANT...: for mutants that no test finds, searches for cases that they answer
 // otherwise. Built of a tree of ./run mutate alone.
 //
-// It begins with the cases of a file (hammer/query.hpp) and changes those to which a mutant makes a difference inside:
+// It begins with the cases of a file (stress/query.hpp) and changes those to which a mutant makes a difference inside:
 // the fewer there are of a mutant, the more often. One query is asked of each case; or of its pair, all functions of
 // one pair and the named methods. What is found is printed, a line a mutant: its number, and the case, which "all"
 // writes as that of a cast.
@@ -23,13 +23,13 @@
 #include "answers/answers.hpp"
 #include "answers/table.hpp"
 #include "cast/motions.hpp"
-#include "hammer/change.hpp"
-#include "hammer/groups.hpp"
+#include "stress/change.hpp"
+#include "stress/groups.hpp"
 
 namespace {
 
-using hammer::Case;
-using hammer::Query;
+using stress::Case;
+using stress::Query;
 using properties::Random;
 
 std::uint64_t answer(const Case& c, bool asks_all) {
@@ -39,7 +39,7 @@ std::uint64_t answer(const Case& c, bool asks_all) {
     answers::ask(answers::Functions::own, {c.pair, c.motion}, take);
     answers::ask(answers::Functions::by_the_c_library, {c.pair, c.motion}, take);
   } else {
-    hash.add(answers::bytes_of(hammer::ask(c)));
+    hash.add(answers::bytes_of(stress::ask(c)));
   }
   return hash.value();
 }
@@ -109,7 +109,7 @@ class Hunt {
     const Hunted& one = *reached[any_of(reached.size())];
     const Hunted& other = *reached[any_of(reached.size())];
     const Hunted& rarer = one.reached < other.reached ? one : other;
-    ask(hammer::changed(rarer.cases[any_of(rarer.cases.size())], random_));
+    ask(stress::changed(rarer.cases[any_of(rarer.cases.size())], random_));
   }
 
   void report() const {
@@ -135,17 +135,17 @@ class Hunt {
   }
 
   void ask_drawn() {
-    const hammer::Group group = hammer::draw_group(seed_, groups_++);
+    const stress::Group group = stress::draw_group(seed_, groups_++);
     for (const auto& pair : group.pairs) {
       Case c{Query::cast, group.scalar, pair};
       if (!asks_all_) {
         do {
-          c.query = hammer::all_queries[any_of(hammer::all_queries.size())];
+          c.query = stress::all_queries[any_of(stress::all_queries.size())];
         } while (c.query == Query::invalid || c.query == Query::batch ||
-                 (c.query == Query::intersection && !hammer::has_intersection(pair.kind_a, pair.kind_b)));
+                 (c.query == Query::intersection && !stress::has_intersection(pair.kind_a, pair.kind_b)));
       }
       if (of_motion(c.query)) c.motion = cast_test::draw_motion(pair, group.scalar, random_);
-      if (c.query == Query::within) c.distance = hammer::draw_distance(group.scalar, pair, random_);
+      if (c.query == Query::within) c.distance = stress::draw_distance(group.scalar, pair, random_);
       ask(c);
     }
   }
@@ -163,7 +163,7 @@ int main(int argc, char** argv) {
   if (argc < 6) return 2;
   std::vector<int> mutants;
   for (int i = 5; i < argc; ++i) mutants.push_back(std::atoi(argv[i]));
-  const std::vector<Case> known = hammer::read_cases(argv[4]);
+  const std::vector<Case> known = stress::read_cases(argv[4]);
   for (const int signal : {SIGSEGV, SIGFPE, SIGBUS, SIGILL, SIGABRT, SIGVTALRM}) std::signal(signal, leave);
   Hunt hunt(std::strcmp(argv[1], "all") == 0, std::strtoull(argv[3], nullptr, 0), mutants);
   for (const Case& c : known) hunt.ask(c);

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""reach_test.py NM HAMMER MACHINE=OBJECT... ...: every exported function is attacked by every machine.
+"""reach_test.py NM STRESS MACHINE=OBJECT... ...: every exported function is attacked by every machine.
 
-The machines are the tests of floating-point environments, the fuzzer, the hammer and the search for the dearest input.
-What exists is taken from vesica.json, and what a machine calls from its objects; the hammer tells itself what it calls by
+The machines are the tests of floating-point environments, the fuzzer, the stress test and the search for the slowest input.
+What exists is taken from vesica.json, and what a machine calls from its objects; the stress test tells itself what it calls by
 name. A function that is not called needs a line in exceptions.txt, and a line there a function that is not called.
 """
 import collections
@@ -14,7 +14,7 @@ import subprocess
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
-MACHINES = ("environment", "fuzz", "hammer", "cost")
+MACHINES = ("environment", "fuzz", "stress", "slowest")
 
 
 def output(*command):
@@ -41,7 +41,7 @@ def exceptions():
 
 
 def main():
-    nm, hammer = sys.argv[1:3]
+    nm, stress = sys.argv[1:3]
     objects = collections.defaultdict(list)
     for argument in sys.argv[3:]:
         machine, path = argument.split("=", 1)
@@ -52,8 +52,8 @@ def main():
     excepted = exceptions()
     for machine in MACHINES:
         reached = called(nm, objects[machine])
-        if machine == "hammer":
-            reached.update(output(hammer, "--functions").split())
+        if machine == "stress":
+            reached.update(output(stress, "--functions").split())
         if not reached & functions:
             failures.append(f"{machine}: calls nothing")
         for name in sorted(functions - reached):

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cost/climb.hpp"
+#include "slowest/climb.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,16 +7,16 @@
 #include <vector>
 
 #include "cast/motions.hpp"
-#include "cost/measure.hpp"
-#include "hammer/call.hpp"
-#include "hammer/change.hpp"
+#include "slowest/measure.hpp"
+#include "stress/call.hpp"
+#include "stress/change.hpp"
 #include "properties/generators.hpp"
 
-namespace cost {
+namespace slowest {
 namespace {
 
-using hammer::Case;
-using hammer::Query;
+using stress::Case;
+using stress::Query;
 using properties::Random;
 using properties::Scalar;
 
@@ -32,13 +32,13 @@ class Climb {
   }
 
   /// A few climbers at a time; the cheapest begins anew when it has not risen for long.
-  Dearest run(double seconds) {
+  Slowest run(double seconds) {
     const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
     for (Climber& c : climbers_) c = begun();
     while (std::chrono::steady_clock::now() < end) {
       for (Climber& c : climbers_) step(c);
     }
-    return {dearest_.input, dearest_.cost, calls_};
+    return {slowest_.input, slowest_.cost, calls_};
   }
 
  private:
@@ -65,9 +65,9 @@ class Climb {
       auto workload = properties::all_workloads[static_cast<std::size_t>(random_.below(count))];
       if (workload == properties::Workload::near_contact) workload = properties::Workload::mixed_scale;
       Case c{query_, Scalar::f64,
-             hammer::changed(properties::draw(workload, kind_a_, kind_b_, Scalar::f64, random_), random_)};
+             stress::changed(properties::draw(workload, kind_a_, kind_b_, Scalar::f64, random_), random_)};
       if (of_motion(query_)) c.motion = cast_test::draw_motion(c.pair, Scalar::f64, random_);
-      if (query_ == Query::within) c.distance = hammer::draw_distance(Scalar::f64, c.pair, random_);
+      if (query_ == Query::within) c.distance = stress::draw_distance(Scalar::f64, c.pair, random_);
       const double cost = cost_of(c, calls);
       if (cost > best.cost) best = {c, cost, 0};
     }
@@ -76,7 +76,7 @@ class Climb {
   }
 
   void step(Climber& c) {
-    const Case p = hammer::changed(c.input, random_);
+    const Case p = stress::changed(c.input, random_);
     const double cost = cost_of(p, calls);
     if (cost < c.cost * 0.99) {
       if (++c.patience > patience) c = begun();
@@ -85,7 +85,7 @@ class Climb {
     const double confirmed = cost_of(p, more_calls);
     if (confirmed < c.cost * 0.99) return;
     c = {p, confirmed, confirmed > c.cost * 1.01 ? 0 : c.patience + 1};
-    if (confirmed > dearest_.cost) dearest_ = c;
+    if (confirmed > slowest_.cost) slowest_ = c;
   }
 
   Query query_;
@@ -93,15 +93,15 @@ class Climb {
   Random random_;
   std::vector<Case> known_;
   std::array<Climber, 4> climbers_;
-  Climber dearest_;
+  Climber slowest_;
   std::uint64_t calls_ = 0;
 };
 
 }  // namespace
 
-Dearest climb(Query query, int kind_a, int kind_b, double seconds, std::uint64_t seed,
-              const std::vector<hammer::Case>& known) {
+Slowest climb(Query query, int kind_a, int kind_b, double seconds, std::uint64_t seed,
+              const std::vector<stress::Case>& known) {
   return Climb(query, kind_a, kind_b, seed, known).run(seconds);
 }
 
-}  // namespace cost
+}  // namespace slowest

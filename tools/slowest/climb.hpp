@@ -5,19 +5,19 @@
 #include <cstdint>
 #include <vector>
 
-#include "hammer/query.hpp"
+#include "stress/query.hpp"
 
-namespace cost {
+namespace slowest {
 
-struct Dearest {
-  hammer::Case input;
+struct Slowest {
+  stress::Case input;
   double microseconds;
   std::uint64_t calls;  ///< inputs tried
 };
 
 /// Searches for so many seconds. Kinds are those of the first and the second shape; the numbers are doubles. From known
 /// inputs, where some are of this query and these kinds.
-Dearest climb(hammer::Query query, int kind_a, int kind_b, double seconds, std::uint64_t seed,
-              const std::vector<hammer::Case>& known);
+Slowest climb(stress::Query query, int kind_a, int kind_b, double seconds, std::uint64_t seed,
+              const std::vector<stress::Case>& known);
 
-}  // namespace cost
+}  // namespace slowest

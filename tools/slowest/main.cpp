@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The dearest input of every query and pair of kinds that a search finds, from random ones or from those of the file
-// that VESICA_FROM names. --replay measures inputs found before, one a line as in dearest.txt, and fails where one
+// The slowest input of every query and pair of kinds that a search finds, from random ones or from those of the file
+// that VESICA_FROM names. --replay measures inputs found before, one a line as in slowest.txt, and fails where one
 // takes longer than it may.
 #include <cstdio>
 #include <cstdlib>
@@ -11,25 +11,25 @@
 #include <string>
 #include <vector>
 
-#include "cost/climb.hpp"
-#include "cost/measure.hpp"
+#include "slowest/climb.hpp"
+#include "slowest/measure.hpp"
 #include "properties/random.hpp"
 
 namespace {
 
-using hammer::Query;
+using stress::Query;
 
-void print(const hammer::Case& input, double microseconds, double yardstick) {
-  std::printf("%8.1f us %7.1f x  %s\n", microseconds, microseconds / yardstick, hammer::notation(input).c_str());
+void print(const stress::Case& input, double microseconds, double yardstick) {
+  std::printf("%8.1f us %7.1f x  %s\n", microseconds, microseconds / yardstick, stress::notation(input).c_str());
   std::fflush(stdout);
 }
 
 /// VESICA_FROM names a file of inputs to climb from.
 void search(Query query, int kind_a, int kind_b, double seconds) {
   const char* const from = std::getenv("VESICA_FROM");
-  const auto known = from != nullptr ? hammer::read_cases(from) : std::vector<hammer::Case>();
-  const auto dearest = cost::climb(query, kind_a, kind_b, seconds, properties::seed(), known);
-  print(dearest.input, dearest.microseconds, cost::yardstick_microseconds());
+  const auto known = from != nullptr ? stress::read_cases(from) : std::vector<stress::Case>();
+  const auto found = slowest::climb(query, kind_a, kind_b, seconds, properties::seed(), known);
+  print(found.input, found.microseconds, slowest::yardstick_microseconds());
 }
 
 std::optional<int> kind_of(const char* name) {
@@ -41,17 +41,17 @@ std::optional<int> kind_of(const char* name) {
 
 int search_all(int count, char** words) {
   const double seconds = count > 0 ? std::strtod(words[0], nullptr) : 10;
-  const auto only = count > 1 ? hammer::find_query(words[1]) : std::nullopt;
+  const auto only = count > 1 ? stress::find_query(words[1]) : std::nullopt;
   const auto kind_a = count > 3 ? kind_of(words[2]) : std::nullopt,
              kind_b = count > 3 ? kind_of(words[3]) : std::nullopt;
   if (!(seconds > 0) || (count > 1 && !only) || (count > 3 && (!kind_a || !kind_b))) {
-    std::fputs("usage: vesica_cost [SECONDS a search] [QUERY [KIND KIND]] | --replay FILE [YARDSTICKS]\n", stderr);
+    std::fputs("usage: vesica_slowest [SECONDS a search] [QUERY [KIND KIND]] | --replay FILE [YARDSTICKS]\n", stderr);
     return 2;
   }
-  for (const Query query : hammer::all_queries) {
+  for (const Query query : stress::all_queries) {
     if (query == Query::invalid || query == Query::batch || (only && query != *only)) continue;
     for (int a = 0; a < properties::kinds; ++a) {
-      for (int b = hammer::of_one_shape(query) ? properties::kinds - 1 : a; b < properties::kinds; ++b) {
+      for (int b = stress::of_one_shape(query) ? properties::kinds - 1 : a; b < properties::kinds; ++b) {
         if (!kind_a || (a == *kind_a && b == *kind_b)) search(query, a, b, seconds);
       }
     }
@@ -61,15 +61,15 @@ int search_all(int count, char** words) {
 
 /// Returns 1 where an input takes more than `most` yardsticks, or where there is none.
 int replay(const char* file, double most) {
-  const auto inputs = hammer::read_cases(file);
-  int dear = 0;
-  for (const hammer::Case& input : inputs) {
-    const double yardstick = cost::yardstick_microseconds(), time = cost::microseconds(input, 500);
+  const auto inputs = stress::read_cases(file);
+  int slow = 0;
+  for (const stress::Case& input : inputs) {
+    const double yardstick = slowest::yardstick_microseconds(), time = slowest::microseconds(input, 500);
     print(input, time, yardstick);
-    dear += time > most * yardstick;
+    slow += time > most * yardstick;
   }
-  std::printf("%zu inputs, %d of them dearer than %g yardsticks\n", inputs.size(), dear, most);
-  return !inputs.empty() && dear == 0 ? 0 : 1;
+  std::printf("%zu inputs, %d of them slower than %g yardsticks\n", inputs.size(), slow, most);
+  return !inputs.empty() && slow == 0 ? 0 : 1;
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cost/measure.hpp"
+#include "slowest/measure.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,10 +8,10 @@
 #include <limits>
 #include <vesica/exact/number.hpp>
 
-#include "hammer/call.hpp"
+#include "stress/call.hpp"
 #include "vesica.h"
 
-namespace cost {
+namespace slowest {
 namespace {
 
 template <class Call>
@@ -49,10 +49,10 @@ void yardstick() {
   sink = product[n];
 }
 
-/// The dearest of the ratios, each a call of its own; hammer::ask() makes all these calls.
-double dearest_ratio(const properties::Pair& p, int calls) {
+/// The slowest of the ratios, each a call of its own; stress::ask() makes all these calls.
+double slowest_ratio(const properties::Pair& p, int calls) {
   double most = 0, out = 0;
-  for (std::int32_t which = 0; which < static_cast<std::int32_t>(hammer::ratio_count); ++which) {
+  for (std::int32_t which = 0; which < static_cast<std::int32_t>(stress::ratio_count); ++which) {
     const auto call = [&] {
       sink = static_cast<std::uint64_t>(vesica_ratio_f64(which, p.kind_a, p.a.data(), p.kind_b, p.b.data(), &out));
     };
@@ -63,11 +63,11 @@ double dearest_ratio(const properties::Pair& p, int calls) {
 
 }  // namespace
 
-double microseconds(const hammer::Case& c, int calls) {
-  if (c.query == hammer::Query::ratio && c.scalar == properties::Scalar::f64) return dearest_ratio(c.pair, calls);
+double microseconds(const stress::Case& c, int calls) {
+  if (c.query == stress::Query::ratio && c.scalar == properties::Scalar::f64) return slowest_ratio(c.pair, calls);
   return least_microseconds(calls, [&] { sink = static_cast<std::uint64_t>(ask(c).code); });
 }
 
 double yardstick_microseconds() { return least_microseconds(1000, yardstick); }
 
-}  // namespace cost
+}  // namespace slowest

@@ -2,15 +2,15 @@
 /// How long a call takes.
 #pragma once
 
-#include "hammer/query.hpp"
+#include "stress/query.hpp"
 
-namespace cost {
+namespace slowest {
 
 /// The least time of so many calls, in microseconds: what else the machine does only adds to it.
-double microseconds(const hammer::Case& c, int calls);
+double microseconds(const stress::Case& c, int calls);
 
 /// The same of a fixed piece of work that no mend changes: the square of a number of 32 limbs, 1,024 multiplications of
 /// 64 bits, 0.8 to 1 us. Costs in this unit can be compared between machines.
 double yardstick_microseconds();
 
-}  // namespace cost
+}  // namespace slowest

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hammer/arrays.hpp"
+#include "stress/arrays.hpp"
 
 #include <vesica.h>
 
@@ -9,9 +9,9 @@
 #include <numeric>
 
 #include "cast/motions.hpp"
-#include "hammer/libraries.hpp"
+#include "stress/libraries.hpp"
 
-namespace hammer {
+namespace stress {
 namespace {
 
 constexpr std::int64_t nearest_items = 3;
@@ -458,4 +458,4 @@ void judge_arrays(Scalar scalar, std::span<const Pair> pairs, unsigned layout, c
   }
 }
 
-}  // namespace hammer
+}  // namespace stress

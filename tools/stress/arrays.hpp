@@ -5,12 +5,12 @@
 #include <span>
 #include <vector>
 
-#include "hammer/batches.hpp"
+#include "stress/batches.hpp"
 
-namespace hammer {
+namespace stress {
 
 /// Ratios, casts, bounds, selection, suppression, and an index: of pairs as for judge_batches().
 void judge_arrays(Scalar scalar, std::span<const Pair> pairs, unsigned layout, const Environment& environment,
                   std::vector<BatchFault>& faults);
 
-}  // namespace hammer
+}  // namespace stress

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hammer/batches.hpp"
+#include "stress/batches.hpp"
 
 #include <vesica.h>
 
@@ -7,11 +7,11 @@
 #include <cmath>
 #include <cstring>
 
-#include "hammer/arrays.hpp"
-#include "hammer/deliberate.hpp"
-#include "hammer/libraries.hpp"
+#include "stress/arrays.hpp"
+#include "stress/deliberate.hpp"
+#include "stress/libraries.hpp"
 
-namespace hammer {
+namespace stress {
 namespace {
 
 constexpr Query batched[] = {Query::overlap,           Query::relation, Query::contains, Query::nearest,
@@ -223,4 +223,4 @@ void judge_copies(Judge& j, const Case& c, bool in_environments) {
   }
 }
 
-}  // namespace hammer
+}  // namespace stress

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "hammer/laws.hpp"
+#include "stress/laws.hpp"
 
-namespace hammer {
+namespace stress {
 
 /// The instruction sets this processor has, of those the library was built for.
 std::vector<std::string> instruction_sets();
@@ -28,4 +28,4 @@ std::vector<BatchFault> judge_batches(Scalar scalar, std::span<const Pair> pairs
 /// The same for many copies of one pair.
 void judge_copies(Judge& j, const Case& c, bool environments);
 
-}  // namespace hammer
+}  // namespace stress

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hammer/built_pairs.hpp"
+#include "stress/built_pairs.hpp"
 
 #include <vesica.h>
 
@@ -8,7 +8,7 @@
 
 #include "properties/shape_maker.hpp"
 
-namespace hammer {
+namespace stress {
 namespace {
 
 using properties::Random;
@@ -139,4 +139,4 @@ properties::Pair draw_tie_pair(Random& random) {
   return {kind_a, kind_b, shape_about(kind_a, axis, about, centre), shape_about(kind_b, other_axis, other, at)};
 }
 
-}  // namespace hammer
+}  // namespace stress

@@ -6,7 +6,7 @@
 #include "properties/pair.hpp"
 #include "properties/random.hpp"
 
-namespace hammer {
+namespace stress {
 
 /// A rectangle or an ellipse 8 to 2^80 times as long as it is wide, and a shape of a random kind that all but touches
 /// it, from outside or inside, along its axis or across it, by far less than a last place or more.
@@ -16,4 +16,4 @@ properties::Pair draw_needle_pair(properties::Random& random);
 /// but for a few last places or a little more; one of them may be larger or smaller.
 properties::Pair draw_tie_pair(properties::Random& random);
 
-}  // namespace hammer
+}  // namespace stress

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hammer/call.hpp"
+#include "stress/call.hpp"
 
 #include <bit>
 #include <cmath>
@@ -7,10 +7,10 @@
 #include <cstring>
 
 #include "capi/face.hpp"
-#include "hammer/deliberate.hpp"
+#include "stress/deliberate.hpp"
 #include "properties/exact_changes.hpp"
 
-namespace hammer {
+namespace stress {
 namespace {
 
 using capi_tests::Face;
@@ -249,4 +249,4 @@ std::string text(const Answer& answer) {
   return result;
 }
 
-}  // namespace hammer
+}  // namespace stress

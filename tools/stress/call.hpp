@@ -5,11 +5,11 @@
 #include <array>
 #include <cstdint>
 
-#include "hammer/environment.hpp"
-#include "hammer/query.hpp"
+#include "stress/environment.hpp"
+#include "stress/query.hpp"
 #include "properties/random.hpp"
 
-namespace hammer {
+namespace stress {
 
 /// The most numbers of a result: crossings' `shared` and 8 places.
 inline constexpr std::size_t most_numbers = 17;
@@ -47,4 +47,4 @@ std::int32_t check(Scalar scalar, int kind, const Numbers& numbers);
 /// The numbers as floats; unlike properties::narrow, for those of invalid shapes too.
 std::array<float, 6> as_floats(const Numbers& numbers);
 
-}  // namespace hammer
+}  // namespace stress

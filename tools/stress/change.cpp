@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hammer/change.hpp"
+#include "stress/change.hpp"
 
 #include <cmath>
 
 #include "cast/motions.hpp"
-#include "hammer/call.hpp"
+#include "stress/call.hpp"
 #include "properties/generators.hpp"
 
-namespace hammer {
+namespace stress {
 namespace {
 
 using properties::Random;
@@ -164,4 +164,4 @@ Case changed(Case c, Random& random) {
   return c;
 }
 
-}  // namespace hammer
+}  // namespace stress

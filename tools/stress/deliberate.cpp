@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hammer/deliberate.hpp"
+#include "stress/deliberate.hpp"
 
 #include <vesica.h>
 
 #include <cmath>
 
-namespace hammer {
+namespace stress {
 namespace {
 
 DeliberateFault in_use = nullptr;
@@ -123,4 +123,4 @@ std::string deliberate_fault_names() {
   return names;
 }
 
-}  // namespace hammer
+}  // namespace stress

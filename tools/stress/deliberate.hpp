@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Wrong answers put in on purpose, by which a test shows that the hammer finds and shrinks them.
+/// Wrong answers put in on purpose, by which a test shows that the stress test finds and shrinks them.
 #pragma once
 
 #include <string>
 
-#include "hammer/call.hpp"
+#include "stress/call.hpp"
 
-namespace hammer {
+namespace stress {
 
 /// Changes an answer of ask(), rarely.
 using DeliberateFault = void (*)(Query query, Scalar scalar, const Pair& pair, const Environment& environment,
@@ -24,4 +24,4 @@ bool use_deliberate_fault(const std::string& name);
 /// Their names, separated by spaces.
 std::string deliberate_fault_names();
 
-}  // namespace hammer
+}  // namespace stress

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hammer/environment.hpp"
+#include "stress/environment.hpp"
 
-namespace hammer {
+namespace stress {
 
 std::span<const Environment> environments() {
 #if defined(__x86_64__)
@@ -14,4 +14,4 @@ std::span<const Environment> environments() {
 #endif
 }
 
-}  // namespace hammer
+}  // namespace stress

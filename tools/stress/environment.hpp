@@ -8,7 +8,7 @@
 #include <immintrin.h>
 #endif
 
-namespace hammer {
+namespace stress {
 
 /// Bits of MXCSR beside the default ones.
 struct Environment {
@@ -18,7 +18,7 @@ struct Environment {
 
 inline constexpr Environment default_environment{"default", 0};
 
-/// Every other one that the hammer tries; none where the processor has no MXCSR.
+/// Every other one that the stress test tries; none where the processor has no MXCSR.
 std::span<const Environment> environments();
 
 /// Runs call() in an environment and goes back to the default one. changed: whether call() left other control bits
@@ -40,4 +40,4 @@ auto run_in(const Environment& environment, bool& changed, Call call) {
 #endif
 }
 
-}  // namespace hammer
+}  // namespace stress

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hammer/exact_stage.hpp"
+#include "stress/exact_stage.hpp"
 
 #include <cstring>
 #include <vesica/relation.hpp>
 
-namespace hammer {
+namespace stress {
 namespace {
 
 template <class Shape>
@@ -63,4 +63,4 @@ std::int32_t exact_contains(const Pair& p) {
   });
 }
 
-}  // namespace hammer
+}  // namespace stress

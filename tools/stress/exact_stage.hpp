@@ -4,13 +4,13 @@
 
 #include <cstdint>
 
-#include "hammer/query.hpp"
+#include "stress/query.hpp"
 
-namespace hammer {
+namespace stress {
 
 /// Of valid shapes, as the C functions return them.
 std::int32_t exact_overlap(const Pair& pair);
 std::int32_t exact_relation(const Pair& pair);
 std::int32_t exact_contains(const Pair& pair);
 
-}  // namespace hammer
+}  // namespace stress

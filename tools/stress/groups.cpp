@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hammer/groups.hpp"
+#include "stress/groups.hpp"
 
 #include <vesica.h>
 
@@ -9,13 +9,13 @@
 
 #include "area/hard_pairs.hpp"
 #include "boundary_distance/nested_pairs.hpp"
-#include "hammer/built_pairs.hpp"
-#include "hammer/call.hpp"
+#include "stress/built_pairs.hpp"
+#include "stress/call.hpp"
 #include "properties/exact_changes.hpp"
 #include "properties/generators.hpp"
 #include "properties/shape_maker.hpp"
 
-namespace hammer {
+namespace stress {
 namespace {
 
 using properties::Random;
@@ -275,4 +275,4 @@ Pair broken(const Pair& pair, std::uint64_t random_bits) {
   return p;
 }
 
-}  // namespace hammer
+}  // namespace stress

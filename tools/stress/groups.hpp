@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "hammer/query.hpp"
+#include "stress/query.hpp"
 
-namespace hammer {
+namespace stress {
 
 /// Pairs of the same two kinds and one scalar type.
 struct Group {
@@ -30,4 +30,4 @@ Group draw_group(std::uint64_t seed, std::uint64_t number, Drawn from = Drawn::a
 /// The pair with one number that makes a shape invalid.
 Pair broken(const Pair& pair, std::uint64_t random_bits);
 
-}  // namespace hammer
+}  // namespace stress

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hammer/laws.hpp"
+#include "stress/laws.hpp"
 
 #include <vesica.h>
 
@@ -9,10 +9,10 @@
 #include <cstdio>
 #include <utility>
 
-#include "hammer/batches.hpp"
+#include "stress/batches.hpp"
 #include "properties/exact_changes.hpp"
 
-namespace hammer {
+namespace stress {
 
 using properties::Role;
 
@@ -166,4 +166,4 @@ std::vector<Fault> judge(const Case& c, const Choice& choice) {
   return j.faults();
 }
 
-}  // namespace hammer
+}  // namespace stress

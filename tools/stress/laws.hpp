@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "hammer/call.hpp"
+#include "stress/call.hpp"
 
-namespace hammer {
+namespace stress {
 
 /// A promise that was not kept.
 struct Fault {
@@ -80,4 +80,4 @@ void demand_rounded(Judge& j, const Case& c, const Answer& narrow, std::size_t c
 void set_reference_precision(const Pair& p, const Answer& answer);
 std::string hex(double x);
 
-}  // namespace hammer
+}  // namespace stress

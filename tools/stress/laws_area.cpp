@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "area/reference.hpp"
-#include "hammer/exact_stage.hpp"
-#include "hammer/laws.hpp"
+#include "stress/exact_stage.hpp"
+#include "stress/laws.hpp"
 
-namespace hammer {
+namespace stress {
 namespace {
 
 constexpr double promised = 64, most_aspect = 1e4;
@@ -117,4 +117,4 @@ void judge_iou(Judge& j, const Case& c, Effort effort) {
   j.demand(off <= allowed, "accuracy", static_cast<double>(shared / all), r.numbers[0]);
 }
 
-}  // namespace hammer
+}  // namespace stress

@@ -6,9 +6,9 @@
 #include <cfloat>
 #include <cmath>
 
-#include "hammer/laws.hpp"
+#include "stress/laws.hpp"
 
-namespace hammer {
+namespace stress {
 namespace {
 
 constexpr mp_bitcnt_t unit = 1074;
@@ -69,4 +69,4 @@ void judge_bounds(Judge& j, const Case& c, Effort) {
   }
 }
 
-}  // namespace hammer
+}  // namespace stress

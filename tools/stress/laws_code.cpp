@@ -3,11 +3,11 @@
 #include <vesica.h>
 
 #include "capi/typed_pairs.hpp"
-#include "hammer/exact_stage.hpp"
-#include "hammer/laws.hpp"
+#include "stress/exact_stage.hpp"
+#include "stress/laws.hpp"
 #include "oracle/oracle.hpp"
 
-namespace hammer {
+namespace stress {
 namespace {
 
 constexpr std::int32_t converses[] = {VESICA_DISJOINT,       VESICA_TOUCH,  VESICA_CROSS,        VESICA_CONTAINS,
@@ -62,4 +62,4 @@ void judge_code(Judge& j, const Case& c, Effort effort) {
   demand_code(j, "and_contains", contains_by(code), ask(Query::contains, c.scalar, c.pair).code);
 }
 
-}  // namespace hammer
+}  // namespace stress

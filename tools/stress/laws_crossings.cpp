@@ -10,11 +10,11 @@
 
 #include "area/reference.hpp"
 #include "crossings/crossing_count.hpp"
-#include "hammer/exact_stage.hpp"
-#include "hammer/laws.hpp"
+#include "stress/exact_stage.hpp"
+#include "stress/laws.hpp"
 #include "nearest/reference.hpp"
 
-namespace hammer {
+namespace stress {
 namespace {
 
 using nearest_reference::Real;
@@ -176,4 +176,4 @@ void judge_crossings(Judge& j, const Case& c, Effort effort) {
   demand_on_outlines(j, p, r);
 }
 
-}  // namespace hammer
+}  // namespace stress

@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "boundary_distance/reference.hpp"
-#include "hammer/exact_stage.hpp"
-#include "hammer/laws.hpp"
+#include "stress/exact_stage.hpp"
+#include "stress/laws.hpp"
 
-namespace hammer {
+namespace stress {
 namespace {
 
 using outline_reference::Real;
@@ -101,4 +101,4 @@ void judge_depth(Judge& j, const Case& c, Effort effort) {
     judge_accuracy(j, c.pair, r, effort);
 }
 
-}  // namespace hammer
+}  // namespace stress

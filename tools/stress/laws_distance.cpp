@@ -8,12 +8,12 @@
 #include <utility>
 
 #include "boundary_distance/reference.hpp"
-#include "hammer/exact_stage.hpp"
-#include "hammer/laws.hpp"
+#include "stress/exact_stage.hpp"
+#include "stress/laws.hpp"
 #include "nearest/reference.hpp"
 #include "properties/exact_changes.hpp"
 
-namespace hammer {
+namespace stress {
 namespace {
 
 using nearest_reference::Real;
@@ -229,4 +229,4 @@ void judge_boundary(Judge& j, const Case& c, Effort effort) {
   if (relation == VESICA_INSIDE && has_area(c.pair.kind_b, c.pair.b)) judge_nested(j, swapped(c.pair), r);
 }
 
-}  // namespace hammer
+}  // namespace stress

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "hammer/laws.hpp"
+#include "stress/laws.hpp"
 
-namespace hammer {
+namespace stress {
 namespace {
 
 std::int32_t first_rule_broken(int kind, const Numbers& n) {
@@ -44,4 +44,4 @@ void judge_invalid(Judge& j, const Case& c, bool in_environments) {
   }
 }
 
-}  // namespace hammer
+}  // namespace stress

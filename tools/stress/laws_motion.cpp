@@ -7,12 +7,12 @@
 #include <cmath>
 #include <limits>
 
-#include "hammer/exact_stage.hpp"
-#include "hammer/laws.hpp"
+#include "stress/exact_stage.hpp"
+#include "stress/laws.hpp"
 #include "oracle/motion.hpp"
 #include "properties/shape_maker.hpp"
 
-namespace hammer {
+namespace stress {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -264,4 +264,4 @@ void judge_sweep_bounds(Judge& j, const Case& c, Effort) {
   }
 }
 
-}  // namespace hammer
+}  // namespace stress

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "hammer/exact_stage.hpp"
-#include "hammer/laws.hpp"
+#include "stress/exact_stage.hpp"
+#include "stress/laws.hpp"
 
-namespace hammer {
+namespace stress {
 namespace {
 
 constexpr double u = 0x1p-53;
@@ -101,4 +101,4 @@ void judge_ratio(Judge& j, const Case& c, Effort) {
   demand_of_areas(j, c, r);
 }
 
-}  // namespace hammer
+}  // namespace stress

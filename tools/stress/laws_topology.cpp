@@ -6,11 +6,11 @@
 #include <cmath>
 #include <string>
 
-#include "hammer/exact_stage.hpp"
-#include "hammer/laws.hpp"
+#include "stress/exact_stage.hpp"
+#include "stress/laws.hpp"
 #include "oracle/de9im.hpp"
 
-namespace hammer {
+namespace stress {
 namespace {
 
 constexpr double u = 0x1p-53;
@@ -115,4 +115,4 @@ void judge_intersection(Judge& j, const Case& c, Effort) {
   demand_shared(j, c, r);
 }
 
-}  // namespace hammer
+}  // namespace stress

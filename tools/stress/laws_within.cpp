@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "hammer/exact_stage.hpp"
-#include "hammer/laws.hpp"
+#include "stress/exact_stage.hpp"
+#include "stress/laws.hpp"
 #include "oracle/distance.hpp"
 
-namespace hammer {
+namespace stress {
 namespace {
 
 constexpr double u = 0x1p-53, last_place = 0x1p-1074;
@@ -69,4 +69,4 @@ void judge_signed_distance(Judge& j, const Case& c, Effort) {
   j.demand((r.numbers[0] > 0) == disjoint, "sign", disjoint ? "> 0" : "<= 0", text(r));
 }
 
-}  // namespace hammer
+}  // namespace stress

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hammer/libraries.hpp"
+#include "stress/libraries.hpp"
 
 #include <dlfcn.h>
 #include <sys/mman.h>
@@ -10,7 +10,7 @@
 #include <iterator>
 #include <stdexcept>
 
-namespace hammer {
+namespace stress {
 namespace {
 
 std::set<std::string> asked;
@@ -78,4 +78,4 @@ void* find_symbol(const Loaded& library, const std::string& symbol) {
 
 const std::set<std::string>& functions_asked() { return asked; }
 
-}  // namespace hammer
+}  // namespace stress

@@ -13,9 +13,9 @@
 
 #include "batch/guard_pages.hpp"
 #include "capi/face.hpp"
-#include "hammer/query.hpp"
+#include "stress/query.hpp"
 
-namespace hammer {
+namespace stress {
 
 using batch_tests::Edge;
 using batch_tests::GuardedMemory;
@@ -89,7 +89,7 @@ class Array {
 
 /// A function by its name without suffix, of the type that it has as Face<T>'s member.
 #define VESICA_FIND(library, T, name)                                                                 \
-  (::hammer::find<std::remove_pointer_t<std::remove_const_t<decltype(::capi_tests::Face<T>::name)>>>( \
-      library, std::string("vesica_" #name) + ::hammer::Types<T>::suffix))
+  (::stress::find<std::remove_pointer_t<std::remove_const_t<decltype(::capi_tests::Face<T>::name)>>>( \
+      library, std::string("vesica_" #name) + ::stress::Types<T>::suffix))
 
-}  // namespace hammer
+}  // namespace stress

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The differential hammer: attacks the library with pairs made at the contact and holds every answer against its laws,
+// The differential stress test: attacks the library with pairs made at the contact and holds every answer against its laws,
 // the exact stage and slow references. See usage below.
 #include <unistd.h>
 
@@ -13,21 +13,21 @@
 #include <optional>
 
 #include "cast/motions.hpp"
-#include "hammer/batches.hpp"
-#include "hammer/deliberate.hpp"
-#include "hammer/groups.hpp"
-#include "hammer/laws.hpp"
-#include "hammer/libraries.hpp"
-#include "hammer/progress.hpp"
-#include "hammer/shrink.hpp"
+#include "stress/batches.hpp"
+#include "stress/deliberate.hpp"
+#include "stress/groups.hpp"
+#include "stress/laws.hpp"
+#include "stress/libraries.hpp"
+#include "stress/progress.hpp"
+#include "stress/shrink.hpp"
 
 namespace {
 
-using namespace hammer;
+using namespace stress;
 using Clock = std::chrono::steady_clock;
 
 constexpr const char* usage =
-    R"(usage: vesica_hammer [N] [OPTION]...
+    R"(usage: vesica_stress [N] [OPTION]...
   N                 stop after so many pairs (default 1000000; 0: no limit)
   --seed S          draw from this seed (default: the date, as 20240229)
   --seconds T       stop after so many seconds
@@ -100,9 +100,9 @@ void crashed(int signal) {
   _exit(1);
 }
 
-class Hammer {
+class Attack {
  public:
-  explicit Hammer(const Options& options) : options_(options), end_(Clock::now() + to_duration(options.seconds)) {
+  explicit Attack(const Options& options) : options_(options), end_(Clock::now() + to_duration(options.seconds)) {
     read_known();
     if (!options.resume.empty() && progress_.load(options.resume)) {
       if (options.seed && *options.seed != progress_.seed) throw std::runtime_error("the resumed run has another seed");
@@ -346,9 +346,9 @@ int main(int count, char** arguments) {
   try {
     if (options->functions) return print_functions();
     if (!options->replay_all.empty()) return replay_all(*options);
-    return options->replay.empty() ? Hammer(*options).run() : replay(*options);
+    return options->replay.empty() ? Attack(*options).run() : replay(*options);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "vesica_hammer: %s\n", error.what());
+    std::fprintf(stderr, "vesica_stress: %s\n", error.what());
     return 2;
   }
 }

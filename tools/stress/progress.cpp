@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hammer/progress.hpp"
+#include "stress/progress.hpp"
 
 #include <cinttypes>
 #include <cstdio>
 #include <fstream>
 #include <stdexcept>
 
-namespace hammer {
+namespace stress {
 
 bool Progress::load(const std::string& file) {
   std::ifstream in(file);
@@ -15,7 +15,7 @@ bool Progress::load(const std::string& file) {
   while (in >> key) {
     std::uint64_t number = 0;
     if (key == "asked" || key == "slow" || key == "faults") in >> what;
-    if (!(in >> number)) throw std::runtime_error(file + ": not a file of the hammer's");
+    if (!(in >> number)) throw std::runtime_error(file + ": not a file of the stress test's");
     if (key == "seed") seed = number;
     if (key == "next_group") next_group = number;
     if (key == "pairs") pairs = number;
@@ -55,4 +55,4 @@ void Progress::report(const std::map<std::string, bool>& known) const {
   }
 }
 
-}  // namespace hammer
+}  // namespace stress

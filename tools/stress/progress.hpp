@@ -6,9 +6,9 @@
 #include <map>
 #include <string>
 
-#include "hammer/laws.hpp"
+#include "stress/laws.hpp"
 
-namespace hammer {
+namespace stress {
 
 class Progress {
  public:
@@ -27,4 +27,4 @@ class Progress {
   void report(const std::map<std::string, bool>& known) const;
 };
 
-}  // namespace hammer
+}  // namespace stress

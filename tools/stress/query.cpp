@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hammer/query.hpp"
+#include "stress/query.hpp"
 
 #include <cstdio>
 #include <cstdlib>
@@ -7,7 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace hammer {
+namespace stress {
 namespace {
 
 std::optional<int> find_kind(const std::string& word) {
@@ -123,4 +123,4 @@ std::vector<Case> read_cases(const std::string& file) {
   return cases;
 }
 
-}  // namespace hammer
+}  // namespace stress

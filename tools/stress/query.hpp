@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the hammer asks, and the one-line notation in which it prints and replays a case.
+/// What the stress test asks, and the one-line notation in which it prints and replays a case.
 #pragma once
 
 #include <vesica.h>
@@ -12,7 +12,7 @@
 #include "cast/face.hpp"
 #include "properties/pair.hpp"
 
-namespace hammer {
+namespace stress {
 
 using cast_test::Motion;
 using properties::has_area;
@@ -86,4 +86,4 @@ std::optional<Case> parse(const std::string& text);
 /// The cases of a file, a notation a line, but for comments after #. Throws std::runtime_error where it cannot be read.
 std::vector<Case> read_cases(const std::string& file);
 
-}  // namespace hammer
+}  // namespace stress

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hammer/shrink.hpp"
+#include "stress/shrink.hpp"
 
 #include <chrono>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "properties/shape_maker.hpp"
 
-namespace hammer {
+namespace stress {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -156,4 +156,4 @@ class Shrinking {
 
 Case shrunk(const Case& c, const std::function<bool(const Case&)>& fails) { return Shrinking(c, fails).run(); }
 
-}  // namespace hammer
+}  // namespace stress

@@ -6,7 +6,7 @@ using System.IO;
 using System.Linq;
 using Vesica;
 
-/// <summary>The calls that all packages answer alike (tests/ffi/calls.txt), and that wrong answers are found.</summary>
+/// <summary>The calls that all packages answer alike (bindings/calls/calls.txt), and that wrong answers are found.</summary>
 internal sealed unsafe class Calls
 {
     private static readonly string[] Kinds = { "point", "segment", "circle", "aabb", "rect", "ellipse" };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The calls that all packages answer alike (tests/ffi/calls.txt), and that wrong answers among them are found. Plain
+// The calls that all packages answer alike (bindings/calls/calls.txt), and that wrong answers among them are found. Plain
 // objects are double: in float they are arrays of one, and where there are none, functions of the C library.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The calls that all packages answer alike (tests/ffi/calls.txt), and that wrong answers among them are found."""
+"""The calls that all packages answer alike (bindings/calls/calls.txt), and that wrong answers among them are found."""
 import ctypes
 import math
 import pathlib

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Written by capi/declare from capi/vesica.json: not to be edited.
+# Written by bindings/declare from capi/vesica.json: not to be edited.
 """The constants, structs and functions of libvesica for ctypes. help() of a function has its text."""
 from ctypes import Structure, c_char_p, c_double, c_float, c_int32, c_int64, c_ssize_t, c_uint8, c_void_p
 

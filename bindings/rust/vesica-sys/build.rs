@@ -51,7 +51,7 @@ fn link_what_is_installed() -> bool {
 fn build() -> PathBuf {
     let here = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").unwrap());
     let packed = here.join("vesica");
-    let sources = if packed.exists() { packed } else { here.join("../..") };
+    let sources = if packed.exists() { packed } else { here.join("../../..") };
     let to = PathBuf::from(env::var_os("OUT_DIR").unwrap()).join("cmake");
     fs::create_dir_all(&to).unwrap();
     run(Command::new("cmake")

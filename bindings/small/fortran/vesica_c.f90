@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: Apache-2.0
-! Written by capi/declare from capi/vesica.json: not to be edited.
+! Written by bindings/declare from capi/vesica.json: not to be edited.
 !> The constants, types and functions of libvesica. Arrays that are written, and what may be NULL,
 !> are c_ptr: c_loc of an array that is a target, or c_null_ptr. The constants of the version are called
 !> vesica_declared_version, as names differ by more than case.

@@ -1,7 +1,7 @@
 # frozen_string_literal: true
 
 # SPDX-License-Identifier: Apache-2.0
-# Written by capi/declare from capi/vesica.json: not to be edited.
+# Written by bindings/declare from capi/vesica.json: not to be edited.
 
 # The constants and functions of libvesica.
 module Vesica

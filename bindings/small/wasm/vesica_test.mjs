@@ -79,7 +79,7 @@ assert.equal(vesica.c.vesica_overlap_f64(kinds.rect, 0, kinds.circle, 0), -1);
   assert.throws(() => vesica.shapes(kinds.rect, 1 << 20), RangeError);
 }
 
-// The vectors that every host has to answer; ../vectors.txt says what a line is.
+// The vectors that every host has to answer; ../../vectors/vectors.txt says what a line is.
 function readShape([kind, ...words]) {
   const view = new DataView(new ArrayBuffer(8));
   const numbers = words.map((word) => (view.setBigUint64(0, BigInt('0x' + word)), view.getFloat64(0)));

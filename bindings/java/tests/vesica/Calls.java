@@ -15,7 +15,7 @@ import java.util.stream.DoubleStream;
 import java.util.stream.LongStream;
 
 /**
- * The calls that all packages answer alike (tests/ffi/calls.txt), and that wrong answers among them are found. Single
+ * The calls that all packages answer alike (bindings/calls/calls.txt), and that wrong answers among them are found. Single
  * shapes are double in this package: in float they are arrays of one, and where there are none, native calls.
  */
 final class Calls {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Written by capi/declare from capi/vesica.json: not to be edited.
+// Written by bindings/declare from capi/vesica.json: not to be edited.
 use core::ffi::c_void;
 
 pub const VESICA_VERSION_MAJOR: i32 = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-//! The calls that all packages answer alike (tests/ffi/calls.txt), and that wrong answers among them are found.
+//! The calls that all packages answer alike (bindings/calls/calls.txt), and that wrong answers among them are found.
 use std::collections::HashSet;
 use vesica::*;
 
@@ -536,7 +536,7 @@ fn is_right(line: &str) -> bool {
 
 fn lines() -> Vec<String> {
     let path = std::env::var("VESICA_CALLS_FILE")
-        .unwrap_or_else(|_| concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/ffi/calls.txt").into());
+        .unwrap_or_else(|_| concat!(env!("CARGO_MANIFEST_DIR"), "/../../calls/calls.txt").into());
     let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}"));
     text.lines().filter(|line| !line.starts_with('#')).map(String::from).collect()
 }
