@@ -141,4 +141,4 @@ def files(description):
         + "".join(struct(entry, entry.scalar) for entry in structs).rstrip("\n")
         + "\n}\n"
     )
-    return {"bindings/csharp/src/Native.cs": native, "csharp/src/Types.cs": types}
+    return {"bindings/csharp/src/Native.cs": native, "bindings/csharp/src/Types.cs": types}

@@ -12,8 +12,8 @@
 namespace answers {
 namespace {
 
-using stress::Query;
 using properties::Scalar;
+using stress::Query;
 
 constexpr Scalar scalars[] = {Scalar::f64, Scalar::f32};
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "cast/face.hpp"
-#include "stress/call.hpp"
 #include "properties/pair.hpp"
+#include "stress/call.hpp"
 
 namespace answers {
 

@@ -28,9 +28,9 @@
 
 namespace {
 
+using properties::Random;
 using stress::Case;
 using stress::Query;
-using properties::Random;
 
 std::uint64_t answer(const Case& c, bool asks_all) {
   answers::Hash hash;

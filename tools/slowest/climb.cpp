@@ -7,18 +7,18 @@
 #include <vector>
 
 #include "cast/motions.hpp"
+#include "properties/generators.hpp"
 #include "slowest/measure.hpp"
 #include "stress/call.hpp"
 #include "stress/change.hpp"
-#include "properties/generators.hpp"
 
 namespace slowest {
 namespace {
 
-using stress::Case;
-using stress::Query;
 using properties::Random;
 using properties::Scalar;
+using stress::Case;
+using stress::Query;
 
 class Climb {
  public:

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "properties/random.hpp"
 #include "slowest/climb.hpp"
 #include "slowest/measure.hpp"
-#include "properties/random.hpp"
 
 namespace {
 

@@ -7,8 +7,8 @@
 #include <cstring>
 
 #include "capi/face.hpp"
-#include "stress/deliberate.hpp"
 #include "properties/exact_changes.hpp"
+#include "stress/deliberate.hpp"
 
 namespace stress {
 namespace {

@@ -5,9 +5,9 @@
 #include <array>
 #include <cstdint>
 
+#include "properties/random.hpp"
 #include "stress/environment.hpp"
 #include "stress/query.hpp"
-#include "properties/random.hpp"
 
 namespace stress {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "cast/motions.hpp"
-#include "stress/call.hpp"
 #include "properties/generators.hpp"
+#include "stress/call.hpp"
 
 namespace stress {
 namespace {

@@ -2,8 +2,8 @@
 /// Steps of searches that go from one case to a better one. The numbers are doubles.
 #pragma once
 
-#include "stress/query.hpp"
 #include "properties/random.hpp"
+#include "stress/query.hpp"
 
 namespace stress {
 

@@ -9,11 +9,11 @@
 
 #include "area/hard_pairs.hpp"
 #include "boundary_distance/nested_pairs.hpp"
-#include "stress/built_pairs.hpp"
-#include "stress/call.hpp"
 #include "properties/exact_changes.hpp"
 #include "properties/generators.hpp"
 #include "properties/shape_maker.hpp"
+#include "stress/built_pairs.hpp"
+#include "stress/call.hpp"
 
 namespace stress {
 namespace {

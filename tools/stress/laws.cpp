@@ -9,8 +9,8 @@
 #include <cstdio>
 #include <utility>
 
-#include "stress/batches.hpp"
 #include "properties/exact_changes.hpp"
+#include "stress/batches.hpp"
 
 namespace stress {
 

@@ -3,9 +3,9 @@
 #include <vesica.h>
 
 #include "capi/typed_pairs.hpp"
+#include "oracle/oracle.hpp"
 #include "stress/exact_stage.hpp"
 #include "stress/laws.hpp"
-#include "oracle/oracle.hpp"
 
 namespace stress {
 namespace {

@@ -10,9 +10,9 @@
 
 #include "area/reference.hpp"
 #include "crossings/crossing_count.hpp"
+#include "nearest/reference.hpp"
 #include "stress/exact_stage.hpp"
 #include "stress/laws.hpp"
-#include "nearest/reference.hpp"
 
 namespace stress {
 namespace {

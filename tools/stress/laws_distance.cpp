@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "boundary_distance/reference.hpp"
-#include "stress/exact_stage.hpp"
-#include "stress/laws.hpp"
 #include "nearest/reference.hpp"
 #include "properties/exact_changes.hpp"
+#include "stress/exact_stage.hpp"
+#include "stress/laws.hpp"
 
 namespace stress {
 namespace {

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <limits>
 
-#include "stress/exact_stage.hpp"
-#include "stress/laws.hpp"
 #include "oracle/motion.hpp"
 #include "properties/shape_maker.hpp"
+#include "stress/exact_stage.hpp"
+#include "stress/laws.hpp"
 
 namespace stress {
 namespace {

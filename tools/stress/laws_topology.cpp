@@ -6,9 +6,9 @@
 #include <cmath>
 #include <string>
 
+#include "oracle/de9im.hpp"
 #include "stress/exact_stage.hpp"
 #include "stress/laws.hpp"
-#include "oracle/de9im.hpp"
 
 namespace stress {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
+#include "oracle/distance.hpp"
 #include "stress/exact_stage.hpp"
 #include "stress/laws.hpp"
-#include "oracle/distance.hpp"
 
 namespace stress {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The differential stress test: attacks the library with pairs made at the contact and holds every answer against its laws,
+// The differential stress test: attacks the library with pairs made at contact and holds every answer against its laws,
 // the exact stage and slow references. See usage below.
 #include <unistd.h>
 

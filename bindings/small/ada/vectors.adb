@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: Apache-2.0
---  vectors FILE: the shared vectors (../../vectors/vectors.txt) by package Vesica. Exit status 0 when all answers are right.
+--  vectors FILE: the shared vectors (bindings/vectors) by package Vesica. Exit status 0 when all answers are right.
 with Ada.Command_Line; use Ada.Command_Line;
 with Ada.Exceptions;
 with Ada.Strings.Fixed;

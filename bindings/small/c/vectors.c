@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* vectors.c FILE: the shared vectors (../../vectors/vectors.txt) by plain C. Exit status 0 when all answers are right. */
+/* vectors.c FILE: the shared vectors (bindings/vectors) by plain C. Exit status 0 when all answers are right. */
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// vectors.cpp FILE: the shared vectors (../../vectors/vectors.txt) by overlap.hpp. Exit status 0 when all answers are right.
+// vectors.cpp FILE: the shared vectors (bindings/vectors) by overlap.hpp. Exit status 0 when all answers are right.
 #include <algorithm>
 #include <array>
 #include <bit>

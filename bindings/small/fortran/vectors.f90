@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: Apache-2.0
-!> vectors FILE: the shared vectors (../../vectors/vectors.txt) by module vesica. Exit status 0 when all answers are right.
+!> vectors FILE: the shared vectors (bindings/vectors) by module vesica. Exit status 0 when all answers are right.
 program vectors
   use, intrinsic :: iso_c_binding
   use, intrinsic :: ieee_arithmetic

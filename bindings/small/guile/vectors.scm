@@ -1,5 +1,5 @@
 ;; SPDX-License-Identifier: Apache-2.0
-;; vectors.scm FILE: the shared vectors (../../vectors/vectors.txt) by vesica.scm. Exit status 0 when all answers are right.
+;; vectors.scm FILE: the shared vectors (bindings/vectors) by vesica.scm. Exit status 0 when all answers are right.
 (use-modules (ice-9 match) (ice-9 rdelim) (rnrs bytevectors) (srfi srfi-1) (srfi srfi-4) (srfi srfi-11) (vesica))
 
 (define all-right #t)

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- vectors.lua FILE: the shared vectors (../../vectors/vectors.txt) by vesica.lua. Exit status 0 when all answers are right.
+-- vectors.lua FILE: the shared vectors (bindings/vectors) by vesica.lua. Exit status 0 when all answers are right.
 local ffi = require("ffi")
 local vesica = require("vesica")
 

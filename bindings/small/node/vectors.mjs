@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// vectors.mjs FILE: the shared vectors (../../vectors/vectors.txt) by vesica.mjs. Exit status 0 when all answers are right.
+// vectors.mjs FILE: the shared vectors (bindings/vectors) by vesica.mjs. Exit status 0 when all answers are right.
 import { readFileSync } from 'node:fs';
 import { constants, kinds, nearest, overlap, overlapMany, VesicaError } from './vesica.mjs';
 

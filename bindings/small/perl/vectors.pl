@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# vectors.pl FILE: the shared vectors (../../vectors/vectors.txt) by Vesica.pm. Exit status 0 when all answers are right.
+# vectors.pl FILE: the shared vectors (bindings/vectors) by Vesica.pm. Exit status 0 when all answers are right.
 use strict;
 use warnings;
 use FindBin;

@@ -1,6 +1,6 @@
 <?php
 // SPDX-License-Identifier: Apache-2.0
-// vectors.php FILE: the shared vectors (../../vectors/vectors.txt) by Vesica.php. Exit status 0 when all answers are right.
+// vectors.php FILE: the shared vectors (bindings/vectors) by Vesica.php. Exit status 0 when all answers are right.
 declare(strict_types=1);
 
 require __DIR__ . '/Vesica.php';

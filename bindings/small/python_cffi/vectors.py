@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""vectors.py FILE: the shared vectors (../../vectors/vectors.txt) by vesica.py. Exit status 0 when all answers are right."""
+"""vectors.py FILE: the shared vectors (bindings/vectors) by vesica.py. Exit status 0 when all answers are right."""
 import array
 import struct
 import sys

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# vectors.R FILE: the shared vectors (../../vectors/vectors.txt) by vesica.R. Exit status 0 when all answers are right.
+# vectors.R FILE: the shared vectors (bindings/vectors) by vesica.R. Exit status 0 when all answers are right.
 source("vesica.R")
 
 all_right <- TRUE

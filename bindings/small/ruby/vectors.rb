@@ -1,7 +1,7 @@
 # frozen_string_literal: true
 
 # SPDX-License-Identifier: Apache-2.0
-# vectors.rb FILE: the shared vectors (../../vectors/vectors.txt) by vesica.rb. Exit status 0 when all answers are right.
+# vectors.rb FILE: the shared vectors (bindings/vectors) by vesica.rb. Exit status 0 when all answers are right.
 require_relative 'vesica'
 
 Row = Struct.new(:line, :expected, :a, :b)

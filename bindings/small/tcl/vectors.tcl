@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# vectors.tcl LIBRARY FILE: the shared vectors (../../vectors/vectors.txt) by vesica_tcl.c. Exit status 0 when all are right.
+# vectors.tcl LIBRARY FILE: the shared vectors (bindings/vectors) by vesica_tcl.c. Exit status 0 when all are right.
 lassign $argv library path
 load $library Vesica
 
