@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // answers_draw [SEED [GROUPS]]: draws tests/answers/cases.txt. For each ordered pair of kinds and scalar type it draws
-// some groups of the stress test. It writes four pairs of a group, each with a motion: the one that the group began with,
-// two about its contact and one further away. A broken pair follows.
+// some groups of the stress test. It writes four pairs of a group, each with a motion: the one that the group began
+// with, two about its contact and one further away. A broken pair follows.
 #include <cstdio>
 #include <cstdlib>
 #include <map>

@@ -35,7 +35,8 @@ dpkg-source --no-check -x "$first"/*.dsc "$work/source" >/dev/null
 (cd "$second" && sha256sum --check "$work/sums") || fail 'the second build is not the first'
 
 step 'lintian'
-# The programs in examples/ are built by ./run, and not installed. bindings/calls/calls.txt has a call a line, some of them with whole arrays.
+# The programs in examples/ are built by ./run, and not installed. bindings/calls/calls.txt has a call a
+# line, some of them with whole arrays.
 lintian -EviI --pedantic --show-overrides --fail-on error,warning,info,pedantic,experimental,override \
   --suppress-tags package-does-not-install-examples,very-long-line-length-in-source-file \
   "$first"/*.changes | tee "$work/lintian"
