@@ -10,7 +10,7 @@ mkdir "$VESICA_ENGINES_DATA"
 echo "$(lscpu | sed -n 's/^Model name: *//p'), $(nproc) cores; load before: $(cut -d ' ' -f 1 /proc/loadavg)"
 echo '| engine | shapes | pairs | ns a shape | MiB | hash of the sorted pairs |'
 echo '|---|---|---|---|---|---|'
-programs=$here/../tests/install
+programs=$here/../examples
 "$CC" -std=c99 -O2 "-I$programs/demo" -o "$work/join" "$programs"/join/*.c "$programs"/demo/{fields,line}.c \
   "${flags[@]}" -lm
 "$work/join" "$data/a.csv" "$data/b.csv" 2>"$work/said" | tail -n +2 >"$work/pairs.csv"

@@ -6,7 +6,7 @@
 VESICA_ENGINES_DATA=$work
 . "$here/testing.sh"
 
-programs=$here/../../tests/install
+programs=$here/../../examples
 /usr/bin/python3 -B "$here/draw.py" 20000 "$work"
 "$CC" -std=c99 -O2 "-I$programs/demo" -o "$work/join" "$programs"/join/*.c "$programs"/demo/{fields,line}.c \
   "${flags[@]}" -lm
