@@ -116,8 +116,8 @@ answer tests/corpus/cases.csv' "$(steps)"
 check 'the tests' "$tests" "$(steps test | sed '/^$/d')"
 check 'all tests' "$tests
 cmake --preset test
-cmake --build --preset rest
-ctest --preset rest" "$(steps test --all)"
+cmake --build --preset slow
+ctest --preset slow" "$(steps test --all)"
 check 'the engines' 'cmake --preset test
 cmake --build --preset engines
 ctest --preset engines' "$(steps test --engines)"

@@ -27,7 +27,7 @@ cmake -S "$root" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release -DVESICA_TESTS
   -DCMAKE_C_FLAGS_RELEASE=-O1 -DCMAKE_CXX_FLAGS_RELEASE=-O1 >"$folder.log"
 if [ $# = 0 ]; then
   mapfile -t tests < <(
-    ctest --test-dir "$folder" -N -LE '^rest$' -E "$foreign" | sed -n 's/^ *Test *#[0-9]*: //p')
+    ctest --test-dir "$folder" -N -LE '^slow$' -E "$foreign" | sed -n 's/^ *Test *#[0-9]*: //p')
   set -- "${tests[@]}" "${later[@]}" "${later_by_environment[@]}"
 fi
 these="^($(IFS='|' && echo "$*"))\$"
