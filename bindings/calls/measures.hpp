@@ -180,7 +180,7 @@ void boxes() {
   rects_and_ellipses_from_boxes<T>({1, 2, -4, 2, 30, 0, 0, 3, 5, 30, 0, nan, 3, 5, 30},
                                    VESICA_ANGLE_DEGREES + VESICA_ANGLE_REVERSED);
   const auto rects = series<T>(VESICA_RECT, 3), ellipses = series<T>(VESICA_ELLIPSE, 2);
-  // Of these axes every machine's mathematical library has the same angles; of others the last place may differ.
+  // Every mathematical library gives the same angles for these axes. For others the last place may differ.
   const Array<T> turned{VESICA_RECT, {1, 2, 0, -3, 2, 1, -4, 0, 2, 2, T(0.5), 3, 0, 5, -1, 0, 1, T(0.25)}};
   boxes_from_shapes(turned, VESICA_ANGLE_RADIANS);
   boxes_from_shapes(with_invalid(turned), VESICA_ANGLE_DEGREES);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Calls of vesica_topology.h, and of what vesica_measures.h tells within a distance, signed, or softly suppressed.
+/// Calls of vesica_topology.h; and of vesica_measures.h, within a distance, signed distance and soft suppression.
 #pragma once
 
 #include <algorithm>

@@ -26,7 +26,7 @@ struct Region {
     return {in_frame(rect, x.x, y.x), in_frame(rect, x.y, y.x), in_frame(rect, x.y, y.y), in_frame(rect, x.x, y.y)};
   }
 
-  /// Where its text stands: in the middle, or out of the way of the ellipse that is drawn.
+  /// The place of its text: the middle, or beside the ellipse that is drawn.
   Point middle() const {
     const std::vector<Point> all = outline();
     return i > 0 && j > 0 ? in_frame(rect, 1.95, 2) : 0.5 * (all[0] + all[2]);

@@ -50,7 +50,7 @@ struct Corner {
   Ellipse arc_ellipse() const { return {at.x, at.y, ellipse.ux, ellipse.uy, ellipse.a, ellipse.b}; }
 };
 
-/// Whether the test, which looks at one corner, says that they overlap.
+/// Returns the answer of the test, which looks at one corner.
 bool overlaps_by(const Corner& corner) {
   if (!corner.wedge_holds(centre)) return true;
   return vesica::overlap(vesica::Point<double>{centre.x, centre.y}, corner.arc_ellipse());

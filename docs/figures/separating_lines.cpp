@@ -11,7 +11,7 @@ namespace {
 constexpr Rect first{0, 0, 1, 0, 2, 1};
 constexpr double root = std::numbers::sqrt2 / 2;
 
-/// Whether all corners of b lie beyond the line along one edge of a: the one at `side` half extents along x or y.
+/// Do all corners of b lie beyond the line along one edge of a, at `side` half extents along x or y?
 bool beyond(const Rect& a, const Rect& b, bool along_x, double side) {
   for (const Point& p : corners(b)) {
     const double dx = p.x - a.cx, dy = p.y - a.cy;

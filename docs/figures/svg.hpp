@@ -18,7 +18,7 @@ inline Point operator+(Point p, Point q) { return {p.x + q.x, p.y + q.y}; }
 inline Point operator-(Point p, Point q) { return {p.x - q.x, p.y - q.y}; }
 inline Point operator*(double s, Point p) { return {s * p.x, s * p.y}; }
 
-/// Okabe and Ito's colours, which readers of any colour vision tell apart, with two darker greys.
+/// Okabe and Ito's colours, distinct for readers of any colour vision, and two darker greys.
 inline constexpr std::string_view black = "#1a1a1a", grey = "#767676", light = "#d0d0d0", blue = "#0072b2",
                                   sky = "#56b4e9", green = "#009e73", orange = "#e69f00", red = "#d55e00",
                                   pink = "#cc79a7", brown = "#7a4a1e";

@@ -40,7 +40,7 @@ static enum outcome checked(int32_t code, char* fault) {
   return failed;
 }
 
-// ---- Answers for one row. The shape of a result stands in its text, as bytes; the first tells how many. ----
+// ---- Answers for one row. A result's shape is stored in its text, as bytes; the first is their number. ----
 
 static enum outcome put_shape(int read, const struct shape* shape, union result* out) {
   if (!read) return failed;
@@ -116,7 +116,7 @@ static enum outcome shared_area(const struct function* self, const union value* 
   return checked(vesica_area_f64(A, B, &out->number), fault);
 }
 
-// Of two shapes without area there is no ratio.
+// Two shapes without area have no ratio.
 static enum outcome iou(const struct function* self, const union value* v, union result* out, char* fault) {
   const int32_t code = vesica_iou_f64(A, B, &out->number);
   (void)self;

@@ -2,9 +2,9 @@
 /// All pairs of shapes that overlap, of two files, by the ranks of MPI: mpirun -n 4 join_mpi A.npy B.npy PAIRS
 ///
 /// Each rank reads a run of each file. A plan of cells, one a rank, is made from a sample, and each shape goes to the
-/// rank of its cell. All ranks are told the bounds of all pieces of A; each sends those of its shapes of B that meet
-/// them. A shape of A is in one place, so each pair is found once. Rank r writes its pairs, as lines `a,b` of places in
-/// the files from 0, to PAIRS.r.csv, which is there only when all ranks have ended well.
+/// rank of its cell. All ranks know the bounds of all pieces of A. Each sends its shapes of B to the pieces whose bounds
+/// they meet. A shape of A is in one place, so each pair is found once. Rank r writes its pairs, as lines `a,b` of
+/// places in the files from 0, to PAIRS.r.csv, which is there only when all ranks have ended well.
 #define _POSIX_C_SOURCE 200809L
 #include <mpi.h>
 #include <stdio.h>
@@ -126,7 +126,7 @@ static int64_t write_pairs(const struct piece* a, const struct piece* b, const c
   return pairs;
 }
 
-// Sums over all ranks, and the longest time and largest memory of any, told by rank 0.
+// Rank 0 prints the sums over all ranks, the longest time and the largest memory.
 static void report(int64_t sums[5], double seconds) {
   struct rusage usage;
   double most[2] = {seconds, 0}, all[2];

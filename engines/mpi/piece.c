@@ -23,7 +23,7 @@ void* memory(int64_t bytes) {
 
 enum { file_record = sizeof(struct record) - sizeof(int64_t) };
 
-// Where the records begin.
+// Returns the offset of the first record.
 static long read_header(FILE* file, const char* path) {
   static const char type[] = "'descr': [('kind', '<i8'), ('numbers', '<f8', (6,))], 'fortran_order': False";
   unsigned char start[10];

@@ -44,7 +44,7 @@ Datum vshape_gist_compress(PG_FUNCTION_ARGS) {
   PG_RETURN_POINTER(out);
 }
 
-// May the key be that of a shape, or of some among others, for which the operator holds?
+// Can this key belong to a shape, or a group of shapes, for which the operator holds?
 PG_FUNCTION_INFO_V1(vshape_gist_consistent);
 Datum vshape_gist_consistent(PG_FUNCTION_ARGS) {
   const GISTENTRY* entry = (const GISTENTRY*)PG_GETARG_POINTER(0);

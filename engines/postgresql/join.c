@@ -55,7 +55,7 @@ static const char* shape_column(Relation table, Oid type) {
   return name;
 }
 
-// A row's place tells it in one table only: partitions and views have none.
+// A row's ctid identifies it in one table only. Partitioned tables and views have none.
 static char* selection(Oid oid, Oid type) {
   Relation table = relation_open(oid, AccessShareLock);
   char* query;

@@ -88,7 +88,7 @@ CONSTRUCTOR(vs_ellipse, VESICA_ELLIPSE)
 
 // ---- Questions ----
 
-// What the library answers, or its error as one of SQL.
+// Returns the library's answer, or raises its error in SQL.
 static int32_t checked(int32_t answer) {
   if (answer >= 0) return answer;
   ereport(ERROR,
@@ -145,7 +145,7 @@ Datum vs_area(PG_FUNCTION_ARGS) {
   PG_RETURN_FLOAT8(area);
 }
 
-// Of two shapes without area there is no ratio: NULL.
+// Two shapes without area have no ratio: NULL.
 PG_FUNCTION_INFO_V1(vs_iou);
 Datum vs_iou(PG_FUNCTION_ARGS) {
   const struct shape *a = PG_GETARG_VSHAPE(0), *b = PG_GETARG_VSHAPE(1);

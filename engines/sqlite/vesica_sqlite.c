@@ -142,7 +142,7 @@ static void area(sqlite3_context* context, int count, sqlite3_value** values) {
   if (!failed(context, code)) sqlite3_result_double(context, out);
 }
 
-// Of two shapes without area there is no ratio: NULL.
+// Two shapes without area have no ratio: NULL.
 static void iou(sqlite3_context* context, int count, sqlite3_value** values) {
   struct shape s[2];
   double out;

@@ -69,8 +69,8 @@ static void find_place(struct contact* contact) {
   contact->place.y = along * normal.y + across * side.y;
 }
 
-// Whether the gap between the polygons is that between the shapes. Beside shapes that are far larger it may be lost in
-// rounding. Between two corners it is measured along an edge, and may be less by a factor of up to sqrt(2).
+// Is the gap between the polygons the gap between the shapes? Rounding may lose a gap that is tiny beside the shapes.
+// Between two corners the gap is measured along an edge, and may be too small by a factor of up to sqrt(2).
 static int is_true(const struct contact* contact, int overlap) {
   const long double width = overlap ? -contact->width : contact->width;
   return width >= 0.7L * contact->size && width <= 1.1L * contact->size;

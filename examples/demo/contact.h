@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Where two shapes only just meet, or only just miss each other.
+/// The contact: the place where two shapes only just overlap, or only just miss.
 #ifndef CONTACT_H
 #define CONTACT_H
 
@@ -14,8 +14,8 @@ struct contact {
   struct polygon a, b;
 };
 
-/// Finds the contact of a pair whose shapes overlap or not, as told. Returns 0, or a VESICA_E_ code: VESICA_E_RANGE for
-/// a gap so small beside the shapes that long double cannot draw it.
+/// Finds the contact of a pair; `overlap` says whether its shapes overlap. Returns 0, or a VESICA_E_ code:
+/// VESICA_E_RANGE if the gap is too small beside the shapes to be drawn in long double.
 int32_t find_contact(const struct pair* pair, int overlap, struct contact* out);
 
 #endif

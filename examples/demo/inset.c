@@ -35,7 +35,7 @@ static void write_gap(FILE* file, const struct contact* contact) {
   fprintf(file, "<path class=\"g\" d=\"M%.2f %.2fL%.2f %.2f\"/>\n", -x, y, x, -y);
 }
 
-// What is magnified, in a square of its own whose origin is its middle.
+// Writes the magnified part in a square of its own, with the origin in the middle.
 static void write_square(FILE* file, const struct contact* contact, int overlap, const struct view* view) {
   write_magnified(file, &contact->a, view, overlap ? "oa" : "aa");
   write_magnified(file, &contact->b, view, overlap ? "ob" : "ab");

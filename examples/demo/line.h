@@ -7,7 +7,7 @@
 
 enum { line_limit = 4095 };
 
-/// One line of a file, without its line end (LF or CR LF; the last line may lack one).
+/// One line of a file, without its line end (LF or CR LF; optional in the last line).
 struct line {
   long number;        ///< from 1
   const char* fault;  ///< why the line cannot be used, or NULL
@@ -15,7 +15,7 @@ struct line {
 };
 
 /// Reads the next line into `line`, whose number must be 0 before the first. Returns 1, or 0 at the end of the file
-/// or on a read error (ferror tells which).
+/// or on a read error (see ferror).
 int read_line(FILE* file, struct line* line);
 
 /// Writes at most `limit` characters of `text`, anything but printable ASCII as '?'.

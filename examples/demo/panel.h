@@ -10,7 +10,7 @@
 /// Pixels from one panel to the next.
 enum { panel_width = 168, panel_height = 216 };
 
-/// Whether the eye can tell how a pair stands, and if not, how it does.
+/// How a pair looks: plain to the eye, or too close to see whether the shapes are apart, overlap or touch.
 enum look { look_apart_close, look_overlap_close, look_touch, look_plain, look_count };
 
 struct panel {
@@ -28,7 +28,7 @@ void fill_panel(struct panel* panel, const struct pair* pair);
 /// Adds the answer to pair->query.
 void add_answer(struct panel* panel, const struct pair* pair, double answer, int wrong);
 
-/// Whether the panel shows the shapes of this pair, in either order.
+/// Does the panel show the shapes of this pair, in either order?
 int shows_pair(const struct panel* panel, const struct pair* pair);
 
 /// Writes a panel as a group of SVG elements.

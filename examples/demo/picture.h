@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// An SVG picture of answered pairs: a grid of panels, each as large as its pair, in the pair's own units. Pairs that
-/// the eye cannot tell apart come first, with the place that decides magnified. Questions about one pair that follow
-/// each other share a panel.
+/// An SVG picture of answered pairs: a grid of panels, each as large as its pair, in the pair's own units. Pairs
+/// whose answer the eye cannot see come first, with the deciding place magnified. Consecutive questions about one pair
+/// share a panel.
 #ifndef PICTURE_H
 #define PICTURE_H
 
@@ -21,7 +21,7 @@ struct picture {
 /// Adds an answered question.
 void add_question(struct picture* picture, const struct pair* pair, double answer, int wrong);
 
-/// Writes the picture. The file's ferror tells of a failure.
+/// Writes the picture. Check ferror for a failure.
 void write_picture(FILE* file, const struct picture* picture);
 
 #endif

@@ -34,7 +34,7 @@ static void add_even_ellipse(struct polygon* polygon, struct spot centre, struct
   add_ellipse(polygon, centre, p, a, b, start, angles, count);
 }
 
-// Where the focus is, as the cosine and sine of an angle on the ellipse. Returns 0 where there is no such angle.
+// Finds the direction of the focus, as the cosine and sine of an angle on the ellipse. Returns 0 if there is none.
 static int find_start(struct spot centre, struct spot p, long double a, long double b, struct spot focus,
                       struct spot* start) {
   const long double x = focus.x - centre.x, y = focus.y - centre.y;

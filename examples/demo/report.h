@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the demo prints: a table of answers when it is asked for, every wrong answer, and a summary by query.
+/// The demo's output: a table of answers on request, every wrong answer, and a summary by query.
 #ifndef REPORT_H
 #define REPORT_H
 

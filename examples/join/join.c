@@ -5,7 +5,7 @@
 
 #include "progress.h"
 
-// Parts are of about equal work: what has been done is told by how many are done.
+// Parts take about equal work, so the number of finished parts measures progress.
 enum { part_count = 64, room = 4096 };
 
 struct step {

@@ -2,7 +2,7 @@
 /// Writes all pairs of shapes that overlap, of two files or of one with itself. Start with operand.c and join.c: they
 /// have the calls of the library. source.c reads text, well-known text and arrays of numpy's.
 ///
-/// join [OPTION...] A [B] >pairs.csv; without arguments it tells the options. A shape's number is its place among the
+/// join [OPTION...] A [B] >pairs.csv; without arguments it prints the options. A shape's number is its place among the
 /// shapes of its file, from 0; a bad one keeps its number.
 ///
 /// Exit status: 0, or 2 when a file could not be read or written or, without --skip-bad, held a bad shape.

@@ -37,7 +37,7 @@ static int read_dictionary(FILE* file, char* text, struct fault* fault) {
   if (start[6] < 1 || start[6] > 3) return fail(fault, "version %d of numpy's format", start[6]);
   if (fread(more, 1, 2, file) != 2) return fail(fault, "its header is cut off");
   length = more[0] + 256u * more[1];
-  // From version 2 on the length has four bytes, of which two are enough.
+  // From version 2 on the length has four bytes; the upper two must be 0 here.
   if (start[6] > 1 && (fread(more, 1, 2, file) != 2 || more[0] || more[1]))
     return fail(fault, "its header is too long");
   if (fread(text, 1, length, file) != length) return fail(fault, "its header is cut off");
@@ -45,7 +45,7 @@ static int read_dictionary(FILE* file, char* text, struct fault* fault) {
   return 1;
 }
 
-// What stands behind a key, or NULL.
+// Returns the value that follows a key, or NULL.
 static const char* find_value(const char* dictionary, const char* key) {
   const char* at = strstr(dictionary, key);
   if (!at) return NULL;

@@ -9,7 +9,7 @@
 
 struct fault;
 
-/// Where one number of a shape lies in a row.
+/// The place of one number of a shape in a row.
 struct npy_number {
   size_t offset;
   int bytes;  ///< 8 or 4
@@ -25,8 +25,8 @@ struct npy_header {
 
 enum { most_row_bytes = 65536 };
 
-/// Reads the header of a file, whose rows then follow. `kind` is the kind of the shapes, or -1 where the names of
-/// fields are to tell. Returns 1, or 0 with the reason in `fault`.
+/// Reads the header of a file; the rows follow it. `kind` is the kind of the shapes, or -1 to take it from the names of
+/// the fields. Returns 1, or 0 with the reason in `fault`.
 int read_npy_header(FILE* file, int32_t kind, struct npy_header* header, struct fault* fault);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What is being done, on a terminal, where it takes longer than half a second.
+/// Shows progress on a terminal after half a second.
 #ifndef PROGRESS_H
 #define PROGRESS_H
 

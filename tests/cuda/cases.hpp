@@ -44,7 +44,7 @@ void with_each_pair_of_kinds(const Action& action) {
   }
 }
 
-// Each of these calls ask(scalar, pairs) with pairs of two kinds in order.
+// Each function below calls ask(scalar, pairs) with pairs of two kinds in order.
 
 template <class Ask>
 void ask_workloads(const Ask& ask) {

@@ -10,7 +10,7 @@ constexpr std::size_t index_room = 1 << 20, unit = 64;
 
 bool is_error(std::int64_t code) { return code < 0 && code >= VESICA_E_INDEX; }
 
-/// Aligned memory against the guard page behind, but for the bytes that fill a unit.
+/// Aligned memory that ends at the guard page, except for the padding of the last unit.
 std::byte* aligned(GuardedMemory& memory, std::int64_t size) {
   return memory.place((static_cast<std::size_t>(size) + unit - 1) / unit * unit, Edge::after);
 }

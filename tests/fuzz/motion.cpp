@@ -40,7 +40,7 @@ void call_cast(Bytes& bytes, Memory& memory) {
   demand((code == VESICA_CAST_START) == (overlap == 1));
 }
 
-/// By its structs, each of which ends where memory does, as by kind.
+/// Typed structs that end at a guard page, as in the calls by kind.
 template <class T>
 void call_typed_cast(Bytes& bytes, Memory& memory) {
   const auto& all = capi::typed_casts(T{});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How two shapes meet: distances asked for, matrices of nine, shared regions, turning shapes; and arrays of these.
+// Calls of within, DE-9IM, intersection and impact time, for single shapes and arrays.
 #include <algorithm>
 #include <iterator>
 

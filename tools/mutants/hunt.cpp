@@ -4,8 +4,8 @@
 //
 // It begins with the cases of a file (stress/query.hpp) and changes those to which a mutant makes a difference inside:
 // the fewer there are of a mutant, the more often. One query is asked of each case; or of its pair, all functions of
-// one pair and the named methods. What is found is printed, a line a mutant: its number, and the case, which "all"
-// writes as that of a cast.
+// one pair and the named methods. Each mutant found prints a line: its number and the case; "all" writes the case as a
+// cast.
 #include <sys/time.h>
 
 #include <chrono>

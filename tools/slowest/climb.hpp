@@ -15,8 +15,8 @@ struct Slowest {
   std::uint64_t calls;  ///< inputs tried
 };
 
-/// Searches for so many seconds. Kinds are those of the first and the second shape; the numbers are doubles. From known
-/// inputs, where some are of this query and these kinds.
+/// Searches for the given number of seconds, in double, for one query and two kinds. Starts from the known inputs of
+/// this query and these kinds, if there are any.
 Slowest climb(stress::Query query, int kind_a, int kind_b, double seconds, std::uint64_t seed,
               const std::vector<stress::Case>& known);
 

@@ -6,7 +6,7 @@
 
 namespace slowest {
 
-/// The least time of so many calls, in microseconds: what else the machine does only adds to it.
+/// The least time of `calls` calls, in microseconds. Other work on the machine only adds to a time.
 double microseconds(const stress::Case& c, int calls);
 
 /// The same of a fixed piece of work that no mend changes: the square of a number of 32 limbs, 1,024 multiplications of

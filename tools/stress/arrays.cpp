@@ -168,7 +168,7 @@ class Arrays {
     Answer impact;
     bool or_range;  // a cast that is out of range may be the first
   };
-  /// Of casts that are out of range those count that are not misses before the earliest is met.
+  /// A cast that is out of range counts unless it misses before the earliest contact.
   First first_of_all(double end) const {
     const auto none = static_cast<std::int64_t>(pairs_.size());
     First first{none, {}, false};

@@ -14,7 +14,7 @@ namespace {
 using properties::Random;
 using properties::Vector;
 
-/// A number of one of these binades, one in three a power of two.
+/// A random number between 2^low and 2^(high + 1); one in three is a power of two.
 double of_binades(Random& random, int low, int high) {
   const double mantissa = random.chance(0.3) ? 1 : 1 + random.unit();
   return std::ldexp(mantissa, random.integer(low, high));

@@ -18,7 +18,7 @@ inline constexpr std::size_t most_numbers = 17;
 inline constexpr std::size_t ratio_count = VESICA_RATIO_COMPLETE + 1;
 
 /// What a function returned and wrote, as doubles in the order of its struct; crossings: shared, x[8], y[8], and the
-/// count as the code; ratios: the seven numbers, then their codes, the first of which is the code; de9im: -1 for F.
+/// count as the code; ratios: the seven numbers, then their seven codes, of which code is the first; de9im: -1 for F.
 /// Numbers that the function does not write are 0.
 struct Answer {
   std::int32_t code = 0;

@@ -7,8 +7,8 @@
 
 namespace stress {
 
-/// The pair with some of its numbers changed: another exponent, that of another number, a neighbour, their sum; all of
-/// one role scaled; or moved to where the relation changes. It is valid if it was.
+/// Returns the pair with some numbers changed: a new exponent, a copy of another number, a neighbour, a sum; all
+/// numbers of one role scaled; or moved to where the relation changes. A valid pair stays valid.
 Pair changed(Pair pair, properties::Random& random);
 
 /// The case with another pair, or where a shape moves another motion.

@@ -36,7 +36,7 @@ void converse_forgotten(Query query, Scalar, const Pair& p, const Environment&, 
   }
 }
 
-/// The distance of thin ellipses is off by 2^-49 of itself.
+/// Thin ellipses: a distance with a relative error of 2^-49.
 void distance_off(Query query, Scalar scalar, const Pair& p, const Environment&, Answer& answer) {
   if (query == Query::nearest && scalar == Scalar::f64 && thin_ellipse(p.kind_a, p.a)) {
     answer.numbers[0] *= 1 + 0x1p-49;

@@ -21,7 +21,7 @@ enum class Drawn { all, needles, ties };
 /// The group of a seed and a number, the same in every run of one build. All shapes are valid.
 ///
 /// A random pair is drawn, thinned, shrunk, moved, scaled or degraded; one in eight has an exponent of its own for
-/// every number. With Drawn::needles it is that of draw_needle_pair() instead, in double; where this is not valid the
+/// every number. With Drawn::needles the pair comes from draw_needle_pair(), in double; if it is not valid, the
 /// group is empty. Then one number is bisected to where the library's answer (overlap, or the relation) changes, and
 /// the pair is taken with neighbours of that number up to 64 places away, and some further, exchanged, mirrored or
 /// turned. With Drawn::ties the group has eight pairs of draw_tie_pair(), less those that are not valid.

@@ -42,7 +42,7 @@ class Judge {
 /// All broken promises of one case.
 std::vector<Fault> judge(const Case& c, const Choice& choice);
 
-// The laws of single queries, by file. The shapes are valid but for judge_invalid.
+// The laws of single queries, by file. Shapes are valid, except for judge_invalid.
 void judge_code(Judge& j, const Case& c, Effort effort);             // laws_code.cpp
 void judge_nearest(Judge& j, const Case& c, Effort effort);          // laws_distance.cpp
 void judge_boundary(Judge& j, const Case& c, Effort effort);         // laws_distance.cpp
@@ -62,9 +62,9 @@ void judge_intersection(Judge& j, const Case& c, Effort effort);     // laws_top
 void judge_invalid(Judge& j, const Case& c, bool in_environments);   // laws_invalid.cpp
 void judge_environments(Judge& j, const Case& c);                    // laws.cpp
 
-// What several of them need.
+// Shared by several laws.
 bool valid(const Pair& p);
-/// An upper bound of all coordinates and half lengths but for a few roundings; infinite where it overflows.
+/// An upper bound of all coordinates and half lengths, up to a few roundings; infinite if it overflows.
 double extent(const Pair& p);
 /// Are all numbers, and the products of sizes and axes, so small that no result can overflow?
 bool far_from_overflow(Scalar scalar, const Pair& p);

@@ -124,7 +124,7 @@ void demand_rest_zero(Judge& j, const Answer& r) {
   }
 }
 
-/// Both outlines hold each place, but for what the header allows.
+/// Each place lies on both outlines, within the error that the header states.
 void demand_on_outlines(Judge& j, const Pair& p, const Answer& r) {
   const double size = extent(p);
   if (!(size < 0x1p1000) ||

@@ -89,7 +89,7 @@ void judge_common_point(Judge& j, const Shape& a, const Shape& b, const Answer& 
   }
 }
 
-/// Up to which error, in u of itself, a distance is right, and whether that is promised.
+/// Does the header promise a relative error for this distance?
 bool promised_of_itself(const Real& distance, const Real& scale, const Real& aspect) {
   return (aspect <= Real(1e6) && distance > Real(1e-10) * scale) ||
          (aspect <= Real(1000) && distance > Real(1e-14) * scale);

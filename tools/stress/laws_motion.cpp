@@ -93,7 +93,7 @@ bool is_nearly_along(double x, double y, const Motion& v) {
   return std::fabs((x / longer) * (v.vy / speed) - (y / longer) * (v.vx / speed)) < 0x1p-77;
 }
 
-/// A face that is met at so small an angle may be taken for the one beside it, as vesica_motion.h tells.
+/// At so small an angle a face may be mistaken for its neighbour, as vesica_motion.h says.
 bool is_nearly_along_a_face(int kind, const Numbers& n, const Motion& v) {
   switch (kind) {
     case VESICA_SEGMENT:

@@ -171,7 +171,7 @@ class Attack {
     return cast_test::draw_motion(c.pair, c.scalar, random);
   }
 
-  /// One pair in so many, whatever group the run began with.
+  /// True for one pair in `every`, whichever group the run began with.
   bool turn(std::uint64_t every) const { return (index_ * 7 + progress_.next_group * 13) % every == 0; }
 
   void run_case(Case c, bool slow) {

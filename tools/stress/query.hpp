@@ -62,7 +62,7 @@ constexpr bool of_one_shape(Query query) {
 /// Does a shape move?
 constexpr bool of_motion(Query query) { return query == Query::cast || query == Query::sweep_bounds; }
 
-/// Are regions of these kinds found? Both straight, or one a point or a segment.
+/// Does intersection support these kinds? Both must be straight, or one a point or a segment.
 constexpr bool has_intersection(int kind_a, int kind_b) {
   return kind_a <= VESICA_SEGMENT || kind_b <= VESICA_SEGMENT || (!is_round(kind_a) && !is_round(kind_b));
 }
@@ -83,7 +83,7 @@ std::string notation(const Case& c);
 /// The case of a notation; "_f64" may be left out, numbers may be decimal. Nothing where it cannot be read.
 std::optional<Case> parse(const std::string& text);
 
-/// The cases of a file, a notation a line, but for comments after #. Throws std::runtime_error where it cannot be read.
+/// Reads the cases of a file, one notation a line; # begins a comment. Throws std::runtime_error if it cannot.
 std::vector<Case> read_cases(const std::string& file);
 
 }  // namespace stress

@@ -34,7 +34,7 @@ int cost(const Pair& p, const Motion& m) {
   return sum;
 }
 
-/// x with so many bits of mantissa after the first, cut off.
+/// x with its mantissa cut to `bits` bits after the first.
 double cut(double x, int bits) {
   int exponent;
   const double fraction = std::frexp(x, &exponent);

@@ -3,7 +3,7 @@
 
 #include "lend.h"
 
-/* Where a direct buffer is; arrays move, and have no address that lasts. */
+/* The address of a direct buffer. Arrays move, so they have no lasting address. */
 JNIEXPORT jlong JNICALL Java_vesica_Shapes_address(JNIEnv* env, jclass type, jobject buffer) {
   (void)type;
   return (jlong)(intptr_t)(*env)->GetDirectBufferAddress(env, buffer);

@@ -7,7 +7,7 @@
 #include <jni.h>
 #include <vesica.h>
 
-/* What is answered where the machine cannot lend an array: it has thrown an OutOfMemoryError. */
+/* Returned if the JVM cannot lend an array; it has thrown an OutOfMemoryError. */
 #define NOT_LENT VESICA_E_NULL
 #define MAX_SETS 64
 /* Local references to the bases of two indexes, and to the 16 objects that the machine has room for unasked. */

@@ -85,7 +85,7 @@ vesica_shapes_f64 array(std::span<const Shape> shapes) {
 }
 
 /// Two arrays in step, or one shape against an array: out[i] is 1 where they overlap, else 0; returns how many are 1.
-/// Where a shape is invalid, out has a 0 for it and every other answer, and the error is thrown.
+/// Throws if a shape is invalid. Then out has 0 for that shape, and the answers for all others.
 template <class A, class B>
 std::int64_t overlap_many(std::span<const A> a, std::span<const B> b, std::span<std::uint8_t> out) {
   if (out.size() < (a.empty() || b.empty() ? 0 : std::max(a.size(), b.size())))

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* What vesica.R calls. Errors are returned as the library's codes; R makes conditions of them. */
+/* Functions for vesica.R. They return the library's error codes, and R turns these into conditions. */
 #include <Rinternals.h>
 #include <vesica.h>
 

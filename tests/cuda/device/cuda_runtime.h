@@ -23,8 +23,8 @@ __device__ inline unsigned atomicAdd(unsigned* at, unsigned added) {
   return __atomic_fetch_add(at, added, __ATOMIC_RELAXED);
 }
 
-// What the core calls of the C library: overloads for a device, of which Clang makes instructions. Those of
-// float are the C++ library's own.
+// Device overloads of the C functions that the core calls; Clang turns them into instructions. The overloads for float
+// are the C++ library's own.
 __device__ inline double fabs(double x) { return __builtin_fabs(x); }
 __device__ inline double sqrt(double x) { return __nvvm_sqrt_rn_d(x); }
 __device__ inline double fma(double x, double y, double z) { return __builtin_fma(x, y, z); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What src/isa/simd128_queries.cpp offers, for a module that is asked for relations alone.
+// The relations of src/isa/simd128_queries.cpp, for a module that answers nothing else.
 // clang-format off
 #include "kernels/flatten.hpp"
 #include "lanes/simd128.hpp"
