@@ -10,7 +10,7 @@
 set -euo pipefail
 
 # shellcheck source=/dev/null
-. "$(dirname "${BASH_SOURCE[0]}")/../../run"  # root, need, fail
+. "$(dirname "${BASH_SOURCE[0]}")/../../tools/run/common.sh"
 [ "$(id -u)" = 0 ] || fail "bare.sh has to be root, for chroot"
 need debootstrap git util-linux
 mkdir -p "${1:-$root/build/bare}"

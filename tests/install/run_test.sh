@@ -35,18 +35,42 @@ status=0
 complaint=$("$run" site --quietly 2>&1) || status=$?
 check 'status of an unknown way to have the site' 2 $status
 check 'its complaint' 'run: site takes --serve or nothing' "$complaint"
-check 'first line of help' 'usage: ./run [COMMAND]' "$("$run" help | head -n 1)"
+check 'first line of help' 'usage: ./run [COMMAND [ARGUMENT]...]' "$("$run" help | head -n 1)"
 check 'help by option' "$("$run" help)" "$("$run" --help)"
 
 status=0
 complaint=$("$run" test --everything 2>&1) || status=$?
 check 'status of an unknown size of test' 2 $status
-check 'its complaint' 'run: test takes --all, --cuda, --engines, --slow, --cross or nothing' "$complaint"
+check 'its complaint' 'run: test takes --all, --cross, --cuda, --engines, --sanitize or nothing' "$complaint"
+
+# Every command has a help of its own, and is in the list of all.
+list=$("$run" help)
+for script in "$(dirname "$run")"/tools/run/*.sh; do
+  command=$(basename "$script" .sh)
+  [[ " common packages join stress " != *" $command "* ]] || continue
+  check "help of $command" "$(sed -n '3s/^# //p' "$script")" "$("$run" "$command" --help | head -n 1)"
+  grep "^  $command  *[A-Z]" <<<"$list" >/dev/null || check "$command in the list of commands" there missing
+done
+
+# A step is one line; its output is printed if it fails, and is in a log.
+steps_of() {
+  (
+    # shellcheck source=/dev/null
+    . "$run"
+    root=$(mktemp -d)
+    trap 'rm -rf "$root"' EXIT
+    step "$@" 2>&1 | sed "s,$root,ROOT,; s/ [0-9.]* s$/ TIME/"
+  )
+}
+check 'a step' 'one                                TIME' "$(steps_of one echo quiet)"
+check 'a failed step' 'loud
+run: one failed; all of its output is in ROOT/build/log/one' "$(steps_of one bash -c 'echo loud; exit 3')"
 
 # pretend: within a subshell, only `here` and `twice` are installed, and nothing beyond this script is run.
 pretend() {
   # shellcheck source=/dev/null
   . "$run"
+  step() { "${@:2}"; }
   dpkg-query() {
     case ${*: -1} in
       here) echo installed ;;
@@ -71,9 +95,11 @@ needs() {
 }
 install='env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends'
 check 'with nothing missing' '' "$(needs 0 here twice)"
-check 'as root' "apt-get update
+check 'as root' "to be installed: removed away
+apt-get update
 $install removed away" "$(needs 0 here removed away)"
-check 'as another' "sudo apt-get update
+check 'as another' "to be installed: away
+sudo apt-get update
 sudo $install away" "$(needs 1000 away twice)"
 
 # What cannot be had is passed over and named; the others are installed.
@@ -88,10 +114,12 @@ possible() {
     need_if_possible "$@" 2>&1
   )
 }
-check 'with one that cannot be had' "apt-get update
+check 'with one that cannot be had' "to be installed: away nowhere
+apt-get update
 $install away
-run: cannot be had: apt-get install nowhere" "$(possible here away nowhere)"
-check 'with all that can be had' "apt-get update
+run: cannot be installed: nowhere" "$(possible here away nowhere)"
+check 'with all that can be had' "to be installed: away
+apt-get update
 $install away" "$(possible here away)"
 
 # steps ARGUMENT...: what ./run does for these arguments, but for asking Debian for packages.
@@ -111,7 +139,9 @@ cmake --build --preset test
 cmake --install build/test
 answer tests/corpus/cases.csv
 ctest --preset test'
-check 'without a command' 'cmake --workflow --preset release
+check 'without a command' 'cmake --preset release
+cmake --build --preset release
+cmake --install build/release
 answer tests/corpus/cases.csv' "$(steps)"
 check 'the tests' "$tests" "$(steps test | sed '/^$/d')"
 check 'all tests' "$tests

@@ -8,7 +8,7 @@
 set -euo pipefail
 
 # shellcheck source=/dev/null
-. "$(dirname "${BASH_SOURCE[0]}")/../../run"  # root, need, CMAKE_BUILD_PARALLEL_LEVEL
+. "$(dirname "${BASH_SOURCE[0]}")/../../tools/run/common.sh"
 here=$root/tests/platforms
 export WINEPREFIX=${WINEPREFIX:-$root/build/wine} WINEDEBUG=${WINEDEBUG:--all}
 

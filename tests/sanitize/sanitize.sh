@@ -7,7 +7,7 @@
 set -euo pipefail
 
 # shellcheck source=/dev/null
-. "$(dirname "${BASH_SOURCE[0]}")/../../run"  # root, test_packages, need, CMAKE_BUILD_PARALLEL_LEVEL
+. "$(dirname "${BASH_SOURCE[0]}")/../../tools/run/common.sh"
 
 table='
 # name                compiler  sanitizers  build    when

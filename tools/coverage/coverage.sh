@@ -7,7 +7,7 @@
 set -euo pipefail
 
 # shellcheck source=/dev/null
-. "$(dirname "${BASH_SOURCE[0]}")/../../run"  # root, test_packages, need, CMAKE_BUILD_PARALLEL_LEVEL
+. "$(dirname "${BASH_SOURCE[0]}")/../../tools/run/common.sh"
 here=$root/tools/coverage
 folder=$root/build/coverage
 
@@ -20,7 +20,7 @@ later=(batch_portable_test cast_contracted_test filter_fused_test stress_slowest
 later_by_environment=(batch_queries_portable index_bytes_portable near_tie_hash_portable)
 
 mkdir -p "$root/build"
-need "${test_packages[@]}" clang-19 llvm-19 libclang-rt-19-dev
+need "${coverage_packages[@]}"
 flags='-fprofile-instr-generate -fcoverage-mapping -fcoverage-mcdc'
 cmake -S "$root" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release -DVESICA_TESTS=ON -DVESICA_LINKER_HAS_z_defs=OFF \
   -DCMAKE_C_COMPILER=clang-19 -DCMAKE_CXX_COMPILER=clang++-19 "-DCMAKE_C_FLAGS=$flags" "-DCMAKE_CXX_FLAGS=$flags" \
