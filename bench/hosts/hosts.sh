@@ -15,6 +15,7 @@ shared=$("$root/tools/build_library.sh" shared "$work/shared")
 export LD_LIBRARY_PATH=$shared${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
 # Go and numpy ask the kernel for huge pages themselves.
 export GLIBC_TUNABLES=glibc.malloc.hugetlb=1
+/usr/bin/python3 -B "$root/bindings/declare" csharp java javascript python
 exec 3>&1 1>&2 # the table alone is the output
 
 c() {
@@ -35,14 +36,14 @@ go() {
 java() {
   local jdk
   jdk=$(dirname "$(dirname "$(readlink -f "$(command -v javac)")")")
-  javac -d "$work/java" "$root"/bindings/java/src/vesica/*.java "$root/bindings/java/overhead/Overhead.java"
+  javac -d "$work/java" "$root"/bindings/java/{src,generated}/vesica/*.java "$root/bindings/java/overhead/Overhead.java"
   cc -std=c99 -O2 -fPIC -shared -I "$jdk/include" -I "$jdk/include/linux" -I "$root/capi" -o "$work/java/jni.so" \
-    "$root"/bindings/java/native/*.c "$static/libvesica.a" -lm
+    -I "$root/bindings/java/native" "$root"/bindings/java/{native,generated}/*.c "$static/libvesica.a" -lm
   command java -XX:+UseTransparentHugePages "-Dvesica.library=$work/java/jni.so" -cp "$work/java" Overhead
 }
 csharp() {
   mkdir -p "$work/csharp"
-  mcs -langversion:latest -unsafe "-out:$work/csharp/overhead.exe" "$root"/bindings/csharp/src/*.cs \
+  mcs -langversion:latest -unsafe "-out:$work/csharp/overhead.exe" "$root"/bindings/csharp/{src,generated}/*.cs \
     "$root/bindings/csharp/overhead/Overhead.cs"
   cp "$shared/libvesica.so.0" "$work/csharp/libvesica.so"
   mono "$work/csharp/overhead.exe"

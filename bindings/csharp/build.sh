@@ -10,15 +10,17 @@ mkdir -p "$1"
 directory=$(cd "$1" && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+/usr/bin/python3 -B "$here/../declare" csharp
 library=$("$here/../../tools/build_library.sh" shared "$directory/shared")
 version=$(sed -n 's/ *"version": "\(.*\)",/\1/p' "$here/../../capi/vesica.json")
 compile() { mcs -langversion:latest -unsafe -warn:4 -warnaserror "$@"; }
 
 mkdir "$work/vesica-csharp"
-compile -target:library "-doc:$work/vesica-csharp/Vesica.xml" "-out:$work/vesica-csharp/Vesica.dll" "$here"/src/*.cs
+compile -target:library "-doc:$work/vesica-csharp/Vesica.xml" "-out:$work/vesica-csharp/Vesica.dll" \
+  "$here"/src/*.cs "$here"/generated/*.cs
 cp "$library/libvesica.so.0" "$work/vesica-csharp/libvesica.so"
 strip --strip-unneeded "$work/vesica-csharp/libvesica.so"
-cp -r "$here/src" "$here/Vesica.csproj" "$here/README.md" "$here/../../LICENSE" "$work/vesica-csharp"
+cp -r "$here/src" "$here/generated" "$here/Vesica.csproj" "$here/README.md" "$here/../../LICENSE" "$work/vesica-csharp"
 rm -f "$directory"/vesica-csharp-*.zip
 (cd "$work" && zip -qr "$directory/vesica-csharp-$version.zip" vesica-csharp && rm -rf vesica-csharp)
 

@@ -141,4 +141,4 @@ def files(description):
         + "".join(struct(entry, entry.scalar) for entry in structs).rstrip("\n")
         + "\n}\n"
     )
-    return {"bindings/csharp/src/Native.cs": native, "bindings/csharp/src/Types.cs": types}
+    return {"bindings/csharp/generated/Native.cs": native, "bindings/csharp/generated/Types.cs": types}

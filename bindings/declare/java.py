@@ -246,11 +246,11 @@ def files(description):
         + "".join(dispatcher(entry) for entry in functions if entry.scalar == "f64")
     ).rstrip("\n") + "\n}\n"
     return {
-        "bindings/java/src/vesica/Native.java": native,
-        "bindings/java/native/vesica_jni.c": "".join(f"/* {line} */\n" for line in HEAD)
+        "bindings/java/generated/vesica/Native.java": native,
+        "bindings/java/generated/vesica_jni.c": "".join(f"/* {line} */\n" for line in HEAD)
         + '#include "lend.h"\n\n'
         + "".join(map(function_in_c, functions)).rstrip("\n")
         + "\n",
-        **{f"bindings/java/src/vesica/{camel(entry.stem)}.java": record(entry) for entry in records},
-        **{f"bindings/java/src/vesica/{ENUMS[group][0]}.java": enum(description, group) for group in ENUMS},
+        **{f"bindings/java/generated/vesica/{camel(entry.stem)}.java": record(entry) for entry in records},
+        **{f"bindings/java/generated/vesica/{ENUMS[group][0]}.java": enum(description, group) for group in ENUMS},
     }

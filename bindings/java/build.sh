@@ -9,6 +9,7 @@ mkdir -p "$1"
 directory=$(cd "$1" && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+/usr/bin/python3 -B "$here/../declare" java
 library=$("$here/../../tools/build_library.sh" static "$directory/static")
 version=$(sed -n 's/ *"version": "\(.*\)",/\1/p' "$here/../../capi/vesica.json")
 jdk=$(dirname "$(dirname "$(readlink -f "$(command -v javac)")")")
@@ -16,10 +17,11 @@ jdk=$(dirname "$(dirname "$(readlink -f "$(command -v javac)")")")
 # native FILE LIBRARY...: the native methods, linked to a library.
 native() {
   "${CC:-cc}" -std=c99 -O2 -fPIC -shared -fvisibility=hidden -Wall -Wextra -Wl,--exclude-libs,ALL \
-    -I "$jdk/include" -I "$jdk/include/linux" -I "$here/../../capi" -o "$1" "$here"/native/*.c "${@:2}" -lm
+    -I "$jdk/include" -I "$jdk/include/linux" -I "$here/../../capi" -I "$here/native" -o "$1" \
+    "$here"/{native,generated}/*.c "${@:2}" -lm
 }
 
-javac -Xlint:all -Werror --release 17 -d "$work/classes" "$here"/src/vesica/*.java
+javac -Xlint:all -Werror --release 17 -d "$work/classes" "$here"/{src,generated}/vesica/*.java
 system=Linux-$(java -XshowSettings:properties -version 2>&1 | sed -n 's/ *os.arch = //p')
 mkdir -p "$work/classes/native/$system"
 native "$work/classes/native/$system/libvesica_jni.so" "$library/libvesica.a"
@@ -27,7 +29,7 @@ strip --strip-unneeded "$work/classes/native/$system/libvesica_jni.so"
 cp "$here/../../LICENSE" "$work/classes/vesica"
 jar --create --file "$directory/vesica-$version.jar" -C "$work/classes" .
 rm -rf "$work/classes"
-javadoc -quiet -Xdoclint:all,-missing -Werror -d "$work/javadoc" "$here"/src/vesica/*.java
+javadoc -quiet -Xdoclint:all,-missing -Werror -d "$work/javadoc" "$here"/{src,generated}/vesica/*.java
 
 # Nothing of the sources is in reach of what is tested.
 mkdir "$work/fresh"

@@ -16,6 +16,7 @@ if [ -z "$modules" ]; then
   "$here/../small/wasm/build.sh" "$modules"
 fi
 
+/usr/bin/python3 -B "$here/../declare" javascript
 mkdir "$work/package" "$work/program"
 cp "$here"/*.mjs "$here"/*.d.ts "$here/package.json" "$here/README.md" "$work/package"
 cp "$modules/vesica.wasm" "$modules/vesica-overlap.wasm" "$modules/vesica-methods.wasm" "$work/package"

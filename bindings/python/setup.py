@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Builds the C library by cmake, of the repository that this folder is in, and puts it inside the package."""
+"""Builds the C library by cmake, of the repository that this folder is in, and puts it inside the package; and writes
+the declarations."""
 import os
 import pathlib
 import re
 import shutil
 import subprocess
+import sys
 
 from setuptools import setup
 from setuptools.command.build_py import build_py
@@ -20,6 +22,7 @@ def version():
 
 class BuildWithLibrary(build_py):
     def run(self):
+        subprocess.check_call([sys.executable, "-B", REPOSITORY / "bindings" / "declare", "python"])
         super().run()
         build = pathlib.Path(os.environ.get("VESICA_BUILD") or self.get_finalized_command("build").build_temp).resolve()
         if "VESICA_BUILD" not in os.environ:  # a build folder of cmake's that has the library

@@ -108,6 +108,7 @@ def write_playground(out, modules):
     page = out / "playground/index.html"
     page.write_text(page.read_text().replace("<!-- navigation -->", navigation("playground/", "../")))
     (out / "vesica").mkdir()
+    subprocess.run([sys.executable, "-B", ROOT / "bindings" / "declare", "javascript"], check=True)
     for module in (ROOT / "bindings" / "javascript").glob("*.mjs"):
         shutil.copy(module, out / "vesica")
     for name in ("vesica.wasm", "vesica-methods.wasm"):

@@ -3,6 +3,7 @@
 # bench.sh MOVED WORK: a row for one worker and for two, each of one thread and 1 GiB.
 . "$(dirname "${BASH_SOURCE[0]}")/../../tests/install/prefix.sh"
 . "$here/../common/benching.sh"
+/usr/bin/python3 -B "$here/../../bindings/declare" python
 export PYTHONPATH=$here/../../bindings/python:$here
 for workers in 1 2; do
   rm -rf "$work/pairs" "$work/pairs.csv"

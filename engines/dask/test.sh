@@ -3,6 +3,7 @@
 # test.sh MOVED WORK: overlap_join with Debian's Dask and this tree's Python package.
 . "$(dirname "${BASH_SOURCE[0]}")/../../tests/install/prefix.sh"
 . "$here/../common/testing.sh"
+/usr/bin/python3 -B "$here/../../bindings/declare" python
 export PYTHONPATH=$here/../../bindings/python:$here
 /usr/bin/python3 -B "$here/test.py" "$data" "$work" 2>"$work/log" || {
   tail -n 40 "$work/log"

@@ -2,7 +2,7 @@
 /// All pairs of shapes that overlap, of two files, by the ranks of MPI: mpirun -n 4 join_mpi A.npy B.npy PAIRS
 ///
 /// Each rank reads a run of each file. A plan of cells, one a rank, is made from a sample, and each shape goes to the
-/// rank of its cell. All ranks know the bounds of all pieces of A. Each sends its shapes of B to the pieces whose bounds
+/// rank of its cell. All ranks know the bounds of all pieces of A. Each sends its shapes of B to pieces whose bounds
 /// they meet. A shape of A is in one place, so each pair is found once. Rank r writes its pairs, as lines `a,b` of
 /// places in the files from 0, to PAIRS.r.csv, which is there only when all ranks have ended well.
 #define _POSIX_C_SOURCE 200809L

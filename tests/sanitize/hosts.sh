@@ -12,6 +12,7 @@ work=$(cd "$1" && pwd)
 shift
 [ $# -gt 0 ] || set -- python rust go java csharp
 export VESICA_CALLS=${VESICA_CALLS:-100000} VESICA_CALLS_FILE=$root/bindings/calls/calls.txt
+/usr/bin/python3 -B "$root/bindings/declare" csharp java python
 flags='-O1 -fsanitize=address -fno-omit-frame-pointer'
 
 # The same objects twice: of the second build only the kernels are not made.
@@ -33,7 +34,8 @@ sanitized() {
   LD_PRELOAD=$(cc -print-file-name=libasan.so) LD_LIBRARY_PATH=$library ASAN_OPTIONS=detect_leaks=0:handle_segv=0 "$@"
 }
 python() {
-  PYTHONPATH=$root/bindings/python:$root/bindings/python/tests sanitized /usr/bin/python3 -B -m unittest test_any_arguments
+  PYTHONPATH=$root/bindings/python:$root/bindings/python/tests sanitized \
+    /usr/bin/python3 -B -m unittest test_any_arguments
 }
 rust() {
   VESICA_LIBRARY=$library RUSTFLAGS='-C link-arg=-lasan' cargo test --quiet --offline --release \
@@ -51,17 +53,17 @@ go() {
 java() {
   local jdk
   jdk=$(dirname "$(dirname "$(readlink -f "$(command -v javac)")")")
-  javac -d "$work/java" "$root"/bindings/java/src/vesica/*.java "$root"/bindings/java/tests/vesica/*.java
+  javac -d "$work/java" "$root"/bindings/java/{src,generated}/vesica/*.java "$root"/bindings/java/tests/vesica/*.java
   # shellcheck disable=SC2086
   cc -std=c99 $flags -fPIC -shared -I "$jdk/include" -I "$jdk/include/linux" -I "$root/capi" -o "$work/java/jni.so" \
-    "$root"/bindings/java/native/*.c -L "$library" -l:libvesica.so.0 -lm
+    -I "$root/bindings/java/native" "$root"/bindings/java/{native,generated}/*.c -L "$library" -l:libvesica.so.0 -lm
   sanitized "$jdk/bin/java" -Xcheck:jni -Xmx150m "-Dvesica.library=$work/java/jni.so" -cp "$work/java" \
     vesica.Arguments "$VESICA_CALLS"
 }
 csharp() {
   mkdir -p "$work/csharp"
   cd "$work/csharp"
-  mcs -langversion:latest -unsafe -target:library -out:Vesica.dll "$root"/bindings/csharp/src/*.cs
+  mcs -langversion:latest -unsafe -target:library -out:Vesica.dll "$root"/bindings/csharp/{src,generated}/*.cs
   mcs -langversion:latest -unsafe -r:Vesica.dll -out:VesicaTests.exe "$root"/bindings/csharp/tests/*.cs
   cp "$library/libvesica.so.0" libvesica.so
   sanitized mono VesicaTests.exe "$VESICA_CALLS_FILE" "$VESICA_CALLS"

@@ -4,6 +4,7 @@
 . "$(dirname "${BASH_SOURCE[0]}")/../install/prefix.sh"
 root=$here/../.. samples=$root/docs/site/samples modules=$3
 failures=0
+/usr/bin/python3 -B "$root/bindings/declare" javascript python
 
 # says PROGRAM COMMAND...: it prints the line that the start page has below the samples.
 expected=$(sed -n 's,.*<samp>\(.*\)</samp>.*,\1,p' "$root/docs/site/index.html")

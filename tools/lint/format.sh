@@ -7,10 +7,11 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 tool=clang-format-14
 command -v $tool >/dev/null || { echo "format: no $tool: nothing can be checked" >&2; exit 2; }
 
-# The public headers are C, laid out by hand: one operand a line where it helps. Written by bindings/declare are
-# declarations.h and vesica_jni.c.
-mapfile -d '' -t files < <(find include src capi bindings engines examples tests tools bench docs -name build -prune -o -type f \
-  ! -path 'capi/vesica*.h' ! -path 'bindings/go/declarations.h' ! -path 'bindings/java/native/vesica_jni.c' \
+# The public headers are C, laid out by hand: one operand a line where it helps. bindings/declare writes
+# declarations.h, and the folders `generated`.
+mapfile -d '' -t files < <(find include src capi bindings engines examples tests tools bench docs \
+  \( -name build -o -name generated \) -prune -o -type f \
+  ! -path 'capi/vesica*.h' ! -path 'bindings/go/declarations.h' \
   \( -name '*.c' -o -name '*.h' -o -name '*.cpp' -o -name '*.hpp' -o -name '*.cu' -o -name '*.cuh' \) -print0)
 [ ${#files[@]} -gt 400 ] || { echo "format: only ${#files[@]} files found" >&2; exit 2; }
 if [ "${1:-}" = --fix ]; then

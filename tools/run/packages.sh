@@ -13,10 +13,10 @@ command -v npm >/dev/null || npm=(npm)
 python_packages=(g++ cmake python3-numpy python3-pip python3-setuptools python3-venv python3-wheel)
 rust_packages=(g++ cmake cargo rustc)
 go_packages=(g++ cmake golang-go unzip zip)
-java_packages=(g++ cmake default-jdk-headless)
-csharp_packages=(g++ cmake mono-mcs mono-runtime unzip zip)
+java_packages=(g++ cmake default-jdk-headless python3)
+csharp_packages=(g++ cmake mono-mcs mono-runtime python3 unzip zip)
 wasm_packages=(binaryen clang lld wasi-libc libc++-14-dev-wasm32 libclang-rt-14-dev-wasm32 nodejs)
-javascript_packages=("${build_packages[@]}" "${wasm_packages[@]}" "${npm[@]}")
+javascript_packages=("${build_packages[@]}" "${wasm_packages[@]}" python3 "${npm[@]}")
 small_packages=(fp-compiler gfortran gnat guile-3.0 libffi-platypus-perl luajit php-cli r-base-core ruby tcl-dev
   "${npm[@]}")
 
