@@ -426,9 +426,10 @@ VESICA_API int32_t vesica_aabb_from_corners_f64(double x0, double y0, double x1,
  * Rectangle from centre, angle and full size: width along the angle, height across it.
  * Requires: the angle in radians, counter-clockwise from +x if y points up; width, height >= 0.
  * Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.
- * Accuracy: the axis is (cos, sin), each right to 1 unit in the last place. No double is exactly pi/2, so a quarter
- * turn has an exact axis only by vesica_rects_from_boxes_f64, which takes degrees too. Sizes are exact: if halving one
- * would round (an odd multiple of the smallest subnormal number), the axis is halved instead.
+ * Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place, and of equal components at the doubles
+ * nearest to +-pi/4 and +-3pi/4. No double is exactly pi/2, so a quarter turn has an exact axis only by
+ * vesica_rects_from_boxes_f64, which takes degrees too. Sizes are exact: if halving one would round (an odd multiple of
+ * the smallest subnormal number), the axis is halved instead.
  * Cost: about 40 ns.
  */
 VESICA_API int32_t vesica_rect_from_angle_f64(double cx, double cy, double angle, double width, double height,
@@ -479,7 +480,7 @@ VESICA_API int32_t vesica_ellipse_from_radius_vector_f64(double cx, double cy, d
  * Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE (k < 0), VESICA_E_ARGUMENT (not a covariance),
  * VESICA_E_RANGE (a half length overflows).
  * Accuracy: half lengths and both components of the axis are right to 8 units in their own last place, even if the
- * matrix is nearly singular or nearly a circle's.
+ * matrix is nearly singular or nearly a circle's. Exchanging cxx and cyy exchanges the components, but for their signs.
  * Cost: about 90 ns.
  */
 VESICA_API int32_t vesica_ellipse_from_covariance_f64(double mean_x, double mean_y, double cxx, double cxy, double cyy,

@@ -39,7 +39,9 @@ extern "C" {
  * Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; angle, a unit of angles, or
  * its sum with VESICA_ANGLE_REVERSED; out, room for `count`.
  * Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and
- * whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f64.
+ * whole quarter turns, give exact axes. In both units an angle and its complement have the same components, exchanged:
+ * a rectangle and the same one turned by a quarter, its width and height exchanged, are VESICA_EQUAL. In radians, as
+ * in vesica_rect_from_angle_f64. Sizes are those of vesica_rect_from_angle_f64.
  * Cost: about 30 ns a box.
  */
 VESICA_API int64_t vesica_rects_from_boxes_f64(const double *boxes, int64_t count, ptrdiff_t stride, int32_t angle,

@@ -146,7 +146,7 @@ VESICA_API int64_t vesica_signed_distance_matrix_f64(const vesica_shapes_f64 *a,
  * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
  * Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0, get no other
  * answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of vesica_nearest_f64 differs
- * by less than 5 u scale from the one asked for.
+ * by at most 5 u scale + 2^-1074 from the one asked for.
  * Since: 0.1.
  */
 

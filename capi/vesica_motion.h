@@ -106,7 +106,7 @@ VESICA_API int64_t vesica_cast_first_f64(const vesica_shapes_f64 *one, const ves
  * A box that holds a shape throughout its motion, t from 0 to t_end. The shape touches nothing outside it.
  * Returns: 0.
  * Errors: those of vesica_cast_f64; VESICA_E_RANGE if a side would overflow.
- * Accuracy: a side that does not move is that of vesica_bounds_f64. One that moves is too far out by at most four
+ * Accuracy: a side that does not move is that of vesica_bounds_f64. One that moves is too far out by less than 5.5
  * units in the last place of the largest of three numbers: the side at rest, the way it moves, and where it ends.
  * Cost: 15 ns more than vesica_bounds_f64.
  */

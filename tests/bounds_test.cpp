@@ -284,4 +284,47 @@ TYPED_TEST(RandomBounds, SmallestNearRepresentableRoots) {
   EXPECT_GT(this->met_.boxes, 5000 * repeat());
 }
 
+/// The unit in the last place of the largest of three numbers.
+double last_place(double a, double b, double c) {
+  const double largest = std::fmax(std::fabs(a), std::fmax(std::fabs(b), std::fabs(c)));
+  return largest < 0x1p-1022 ? 0x1p-1074 : std::ldexp(1, std::ilogb(largest) - 52);
+}
+
+/// How far a moving side of a point's swept box is beyond its end, in units in the last place of the largest of the
+/// three numbers that vesica_motion.h names.
+double sweep_excess(double x, double v, double end) {
+  const double point[] = {x, 0};
+  vesica_aabb_f64 box{};
+  EXPECT_EQ(vesica_sweep_bounds_f64(VESICA_POINT, point, v, 0, end, &box), 0);
+  EXPECT_EQ(v > 0 ? box.min_x : box.max_x, x);
+  const mpq_class way = mpq_class(v) * mpq_class(end), stop = x + way, excess = (v > 0 ? box.max_x : box.min_x) - stop;
+  // mpq_class::get_d rounds towards 0, as the unit in the last place does.
+  return mpq_class(excess / last_place(x, way.get_d(), stop.get_d())).get_d() * (v > 0 ? 1 : -1);
+}
+
+// Just below a power of two a rounding leads to numbers whose steps are twice as long.
+TEST(SweptBounds, EndBelowAPowerOfTwo) {
+  EXPECT_EQ(sweep_excess(0, 7, 0x1.2492492492492p-3), 4.5);
+  EXPECT_EQ(sweep_excess(0, -7, 0x1.2492492492492p-3), 4.5);
+  const double excess = sweep_excess(-0x1.fffffffffffffp-54, 7, 0x1.2492492492492p-3);
+  EXPECT_GT(excess, 5.49);
+  EXPECT_LT(excess, 5.5);
+}
+
+TEST(SweptBounds, HoldTheEndWithin5AndAHalfUnits) {
+  Random random(seed() + 4);
+  double worst = 0;
+  for (int i = 0; i < 50000 * repeat(); ++i) {
+    const double v = random.sign() * random.between(1, 16);
+    // Ways about a power of two, to the last place; sides that hardly count, or that end there.
+    const double end = std::nextafter(std::ldexp(1, random.integer(-3, 3)) / std::fabs(v), 0);
+    const double x = random.chance(0.8) ? std::ldexp(random.between(-1, 1), random.integer(-56, -48))
+                                        : random.between(-1, 1) - v * end;
+    const double excess = sweep_excess(x, v, end);
+    EXPECT_TRUE(excess >= 0 && excess < 5.5) << excess << ": " << x << ' ' << v << ' ' << end;
+    worst = std::fmax(worst, excess);
+  }
+  EXPECT_GT(worst, 4);
+}
+
 }  // namespace

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 #include "area/real.hpp"
@@ -77,14 +78,128 @@ TEST(Boxes, AxesAreAccurate) {
       EXPECT_LE(error_in_ulps(r.ux, cos(angle)), 1.1) << degrees;
       EXPECT_LE(error_in_ulps(r.uy, sin(angle)), 1.1) << degrees;
     }
-    const double quarters = random.between(-8, 8);
+    const double quarters = random.chance(0.1) ? random.integer(-3, 3) * (std::acos(0.0) / 2) : random.between(-8, 8);
     const auto q = rect({0, 0, 1, 1, quarters}, VESICA_ANGLE_QUARTERS);
     EXPECT_LE(error_in_ulps(q.ux, cos(Real(quarters) * pi() / Real(2))), 1.1) << quarters;
     EXPECT_LE(error_in_ulps(q.uy, sin(Real(quarters) * pi() / Real(2))), 1.1) << quarters;
     const auto plain = rect({0, 0, 1, 1, quarters}, VESICA_ANGLE_RADIANS);
+    EXPECT_LE(error_in_ulps(plain.ux, cos(Real(quarters))), 1.1) << quarters;
+    EXPECT_LE(error_in_ulps(plain.uy, sin(Real(quarters))), 1.1) << quarters;
     vesica_rect_f64 alone;
     ASSERT_EQ(vesica_rect_from_angle_f64(0, 0, quarters, 1, 1, &alone), 0);
     EXPECT_EQ(std::memcmp(&plain, &alone, sizeof plain), 0);
+  }
+}
+
+template <class T>
+using RectOf = std::conditional_t<std::is_same_v<T, double>, vesica_rect_f64, vesica_rect_f32>;
+template <class T>
+using EllipseOf = std::conditional_t<std::is_same_v<T, double>, vesica_ellipse_f64, vesica_ellipse_f32>;
+
+template <class T>
+RectOf<T> rect_of(T width, T height, T angle, std::int32_t unit) {
+  const T box[] = {5, 5, width, height, angle};
+  RectOf<T> out{};
+  if constexpr (std::is_same_v<T, double>) {
+    EXPECT_EQ(vesica_rects_from_boxes_f64(box, 1, 0, unit, &out), 0);
+  } else {
+    EXPECT_EQ(vesica_rects_from_boxes_f32(box, 1, 0, unit, &out), 0);
+  }
+  return out;
+}
+template <class T>
+EllipseOf<T> ellipse_of(T width, T height, T angle, std::int32_t unit) {
+  const T box[] = {5, 5, width, height, angle};
+  EllipseOf<T> out{};
+  if constexpr (std::is_same_v<T, double>) {
+    EXPECT_EQ(vesica_ellipses_from_boxes_f64(box, 1, 0, unit, &out), 0);
+  } else {
+    EXPECT_EQ(vesica_ellipses_from_boxes_f32(box, 1, 0, unit, &out), 0);
+  }
+  return out;
+}
+std::int32_t relation(const RectOf<double>& a, const RectOf<double>& b) {
+  return vesica_relation_f64(VESICA_RECT, &a.cx, VESICA_RECT, &b.cx);
+}
+std::int32_t relation(const RectOf<float>& a, const RectOf<float>& b) {
+  return vesica_relation_f32(VESICA_RECT, &a.cx, VESICA_RECT, &b.cx);
+}
+std::int32_t relation(const EllipseOf<double>& a, const EllipseOf<double>& b) {
+  return vesica_relation_f64(VESICA_ELLIPSE, &a.cx, VESICA_ELLIPSE, &b.cx);
+}
+std::int32_t relation(const EllipseOf<float>& a, const EllipseOf<float>& b) {
+  return vesica_relation_f32(VESICA_ELLIPSE, &a.cx, VESICA_ELLIPSE, &b.cx);
+}
+
+template <class T>
+class BoxesOf : public testing::Test {
+ protected:
+  /// The axis at an angle, the complement's, the opposite's, and those some quarter turns on.
+  static void expect_mirrored(T angle, T quarter, std::int32_t unit) {
+    SCOPED_TRACE(testing::Message() << "angle " << angle << ", unit " << unit);
+    const auto r = rect_of<T>(10, 6, angle, unit), complement = rect_of<T>(10, 6, quarter - angle, unit),
+               opposite = rect_of<T>(10, 6, -angle, unit);
+    const T sense = unit >= VESICA_ANGLE_REVERSED ? -1 : 1;
+    EXPECT_EQ(complement.ux, sense * r.uy);
+    EXPECT_EQ(complement.uy, sense * r.ux);
+    EXPECT_EQ(opposite.ux, r.ux);
+    EXPECT_EQ(opposite.uy, -r.uy);
+    for (int k = -4; k <= 4; ++k) {
+      const T turned = angle + static_cast<T>(k) * quarter;
+      if (turned - static_cast<T>(k) * quarter != angle) continue;  // rounded: another angle
+      const auto t = rect_of<T>(10, 6, turned, unit);
+      const T x[] = {r.ux, -r.uy, -r.ux, r.uy}, y[] = {r.uy, r.ux, -r.uy, -r.ux};
+      const int turns = sense < 0 ? -k & 3 : k & 3;
+      EXPECT_EQ(t.ux, x[turns]);
+      EXPECT_EQ(t.uy, y[turns]);
+      const T width = k % 2 == 0 ? 10 : 6, height = k % 2 == 0 ? 6 : 10;
+      EXPECT_EQ(relation(r, rect_of<T>(width, height, turned, unit)), VESICA_EQUAL) << k;
+      EXPECT_EQ(relation(ellipse_of<T>(10, 6, angle, unit), ellipse_of<T>(width, height, turned, unit)), VESICA_EQUAL);
+    }
+  }
+};
+using Scalars = testing::Types<double, float>;
+TYPED_TEST_SUITE(BoxesOf, Scalars);
+
+// At 45 degrees the components were a unit in the last place apart, so one rectangle said in two ways was CROSS.
+TYPED_TEST(BoxesOf, ComplementsAreMirrored) {
+  using T = TypeParam;
+  for (const std::int32_t sense : {0, VESICA_ANGLE_REVERSED}) {
+    for (int degrees = -360; degrees <= 360; degrees += 5) {
+      this->expect_mirrored(static_cast<T>(degrees), 90, VESICA_ANGLE_DEGREES + sense);
+    }
+    for (int sixteenths = -64; sixteenths <= 64; ++sixteenths) {
+      this->expect_mirrored(static_cast<T>(sixteenths) / 16, 1, VESICA_ANGLE_QUARTERS + sense);
+    }
+  }
+  Random random(seed());
+  for (int i = 0; i < 2000 * repeat(); ++i) {
+    // Digits that leave room for 360 degrees before the point: complements are then exact.
+    constexpr int digits = std::numeric_limits<T>::digits - 10;
+    const int exponent = random.integer(1, digits);
+    const T fraction = static_cast<T>(std::ldexp(std::floor(std::ldexp(random.unit(), exponent)), -exponent));
+    this->expect_mirrored(static_cast<T>(random.integer(-360, 359)) + fraction, 90, VESICA_ANGLE_DEGREES);
+    this->expect_mirrored(static_cast<T>(random.integer(-4, 3)) + fraction, 1, VESICA_ANGLE_QUARTERS);
+    const T beside = static_cast<T>(random.integer(-7, 7)) * static_cast<T>(std::ldexp(1, -digits));
+    this->expect_mirrored(45 + beside, 90, VESICA_ANGLE_DEGREES);
+  }
+}
+
+// In radians no number is an eighth turn: the nearest ones are taken for it from -pi to pi.
+TYPED_TEST(BoxesOf, EighthTurnsInRadiansAreMirrored) {
+  using T = TypeParam;
+  const T eighth = static_cast<T>(std::acos(0.0) / 2), three = static_cast<T>(3 * (std::acos(0.0) / 2));
+  for (const T angle : {eighth, -eighth, three, -three}) {
+    const auto r = rect_of<T>(10, 6, angle, VESICA_ANGLE_RADIANS);
+    EXPECT_EQ(std::fabs(r.ux), std::fabs(r.uy)) << angle;
+    EXPECT_EQ(std::signbit(r.ux), std::fabs(angle) == three);
+    EXPECT_EQ(std::signbit(r.uy), angle < 0);
+    for (const T other : {eighth, -eighth, three, -three}) {
+      const T between = std::fabs(angle - other);
+      const bool along = between == 0 || (between > 3 && between < 4);
+      const T width = along ? 10 : 6, height = along ? 6 : 10;
+      EXPECT_EQ(relation(r, rect_of<T>(width, height, other, VESICA_ANGLE_RADIANS)), VESICA_EQUAL) << other;
+    }
   }
 }
 

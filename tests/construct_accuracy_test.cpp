@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <vesica/arithmetic/length.hpp>
 
 #include "capi/constructors.hpp"
 #include "properties/random.hpp"
@@ -327,6 +328,23 @@ TYPED_TEST(ConstructAccuracy, CornersOfAxisParallelRectanglesRoundTrip) {
     typename TypeParam::Rect r{};
     ASSERT_EQ(TypeParam::rect_from_corners(p, &r), 0);
     EXPECT_TRUE(r.cx == cx && r.cy == cy && r.ux == 1 && r.uy == 0 && r.hx == hx && r.hy == hy) << cx << ' ' << cy;
+  }
+}
+
+// Lengths have the same bits everywhere: the nearest double, but where the length is halfway between two to 2^-48 units.
+TEST(Length, IsTheNearest) {
+  namespace arithmetic = vesica::detail::arithmetic;
+  EXPECT_EQ(arithmetic::length(0, -0.0), 0);
+  EXPECT_EQ(arithmetic::length(3, -4), 5);
+  EXPECT_EQ(arithmetic::length(-0x5p1020, 0xcp1020), 0xdp1020);
+  EXPECT_EQ(arithmetic::length(0x3p-1074, 0x4p-1074), 0x5p-1074);
+  EXPECT_EQ(arithmetic::length(std::numeric_limits<double>::max(), 0x1p1000), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(arithmetic::length(std::numeric_limits<double>::max(), 1), std::numeric_limits<double>::max());
+  Random random(seed());
+  for (int i = 0; i < 20000 * repeat(); ++i) {
+    const double x = std::ldexp(random.between(-1, 1), random.integer(-60, 60));
+    const double y = random.chance(0.5) ? x * random.between(0, 2) : std::ldexp(random.unit(), random.integer(-60, 60));
+    EXPECT_LE(error_in_ulps(arithmetic::length(x, y), length(Real(x), Real(y))), 0.5 + 0x1p-48) << x << ' ' << y;
   }
 }
 

@@ -87,6 +87,19 @@ TYPED_TEST(Construct, SizesThatCannotBeHalved) {
   this->expect(rect, {0, 0, 1, 0, tiny, 2 * tiny});
 }
 
+TYPED_TEST(Construct, EighthTurnsHaveEqualComponents) {
+  using T = typename TypeParam::Scalar;
+  const T eighth = static_cast<T>(std::acos(0.0) / 2), root = std::sqrt(T{1} / 2);
+  typename TypeParam::Rect rect{};
+  typename TypeParam::Ellipse ellipse{};
+  for (const T sign : {T{1}, T{-1}}) {
+    EXPECT_EQ(TypeParam::rect_from_angle(1, 2, sign * eighth, 6, 4, &rect), 0);
+    this->expect(rect, {1, 2, root, sign * root, 3, 2});
+    EXPECT_EQ(TypeParam::ellipse_from_angle(1, 2, sign * 3 * eighth, 6, 4, &ellipse), 0);
+    this->expect(ellipse, {1, 2, -root, sign * root, 6, 4});
+  }
+}
+
 TYPED_TEST(Construct, FromRadiusVectorIsExact) {
   using T = typename TypeParam::Scalar;
   const T third = T{1} / 3, tiny = std::numeric_limits<T>::denorm_min(), max = std::numeric_limits<T>::max();
@@ -136,6 +149,23 @@ TYPED_TEST(Construct, RectFromCornersAtTheEndsOfTheRange) {
   EXPECT_EQ(this->rect_from_corners({max, 0, 0, max, -max, 0, 0, -max}).cx, 0);
   this->expect(this->rect_from_corners({-max, -max, max, max, max, max, -max, -max}, VESICA_E_RANGE),
                {1, 2, 3, 4, 5, 6});
+}
+
+// A covariance that the diagonal mirrors gives an ellipse that the diagonal mirrors.
+TYPED_TEST(Construct, EqualVariancesGiveTheDiagonal) {
+  using T = typename TypeParam::Scalar;
+  for (const T variance : {T{5}, T{1} / 3, T{1e-30f}}) {
+    for (const T correlation : {T{-0.8f}, T{1e-6f}, T{0.5f}, T{1}}) {
+      const auto e = this->covariance(variance, correlation * variance, variance, 1);
+      EXPECT_EQ(e.ux, std::fabs(e.uy)) << variance << ' ' << correlation;
+      EXPECT_EQ(e.uy < 0, correlation < 0);
+      if (correlation == 1) continue;
+      const auto m = this->matrix(variance, correlation * variance, variance);
+      EXPECT_EQ(m.ux, std::fabs(m.uy)) << variance << ' ' << correlation;
+    }
+  }
+  const auto e = this->covariance(7, 3, 2, 1), exchanged = this->covariance(2, 3, 7, 1);
+  this->expect(exchanged, {e.cx, e.cy, e.uy, e.ux, e.a, e.b});
 }
 
 TYPED_TEST(Construct, EllipseFromCovariance) {

@@ -23,12 +23,17 @@ export function checkRoom(numbers, scalar) {
   return numbers;
 }
 
-/** Cosine and sine of an angle; in degrees, whole quarter turns are taken out first, which is exact. */
+/**
+ * Cosine and sine of an angle; in degrees, whole quarter turns are taken out first, which is exact. Eighth turns have
+ * equal components, as the library's have.
+ */
 function axis(angle, degrees) {
-  if (!degrees) return [Math.cos(angle), Math.sin(angle)];
-  const turned = angle % 360, quarters = Math.round(turned / 90);
-  const rest = ((turned - 90 * quarters) * Math.PI) / 180;
-  const c = Math.cos(rest), s = Math.sin(rest);
+  const turned = degrees ? angle % 360 : angle, quarters = degrees ? Math.round(turned / 90) : 0;
+  const rest = degrees ? ((turned - 90 * quarters) * Math.PI) / 180 : turned;
+  let c = Math.cos(rest), s = Math.sin(rest);
+  const eighths = Math.abs(rest) / (Math.PI / 4);
+  if (eighths === 1 || eighths === 3) [c, s] = [Math.sign(c) * Math.SQRT1_2, Math.sign(s) * Math.SQRT1_2];
+  if (!degrees) return [c, s];
   return [[c, s], [-s, c], [-c, -s], [s, -c]][((quarters % 4) + 4) % 4] ?? [NaN, NaN];
 }
 

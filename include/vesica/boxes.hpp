@@ -2,7 +2,6 @@
 /// Boxes as detectors write them, with centre, width, height and angle: to and from rectangles and ellipses; corners.
 #pragma once
 
-#include <vesica/arithmetic/turn.hpp>
 #include <vesica/construct.hpp>
 
 namespace vesica {

@@ -120,7 +120,10 @@ int sweep_bounds(const Shape<T>& s, std::type_identity_t<T> vx, std::type_identi
   const int error = bounds(s, box);
   if (error != 0) return error;
   using detail::all_finite, detail::arithmetic::next_above;
-  // Each of the two roundings is less than a step between numbers of its size, or than the least number above 0.
+  // Each rounding is at most half a step between numbers of its size, and one step outward exceeds it. In units in the
+  // last place of the largest of side, way and end: a way that rounds up to a power of two has steps of 2 units, so it
+  // is at most 2.5 too long. The sum may reach that power too: its rounding is at most 1 and its step 2. So a side is
+  // less than 5.5 too far out.
   const auto sweep = [t_end](T v, T& low, T& high) {
     if (v == 0 || t_end == 0) return;
     const auto outward = [v](T x) { return v > 0 ? next_above(x) : -next_above(-x); };

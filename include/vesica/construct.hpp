@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vesica/arithmetic/rounding.hpp>
 #include <vesica/arithmetic/spectrum.hpp>
+#include <vesica/arithmetic/turn.hpp>
 #include <vesica/check.hpp>
 #include <vesica/shapes.hpp>
 
@@ -20,15 +21,6 @@ int store(const Shape& s, Shape& out) noexcept {
   if (check(s) != 0) return error_range;
   out = s;
   return 0;
-}
-
-template <class T>
-T cosine(T angle) noexcept {
-  return static_cast<T>(std::cos(static_cast<double>(angle)));
-}
-template <class T>
-T sine(T angle) noexcept {
-  return static_cast<T>(std::sin(static_cast<double>(angle)));
 }
 
 /// A product rounded once; 0 or infinite where it leaves the range.
@@ -116,7 +108,8 @@ template <class T>
 int rect_from_angle(T cx, T cy, T angle, T width, T height, Rect<T>& out) noexcept {
   if (!detail::all_finite(cx, cy, angle, width, height)) return error_not_finite;
   if (width < 0 || height < 0) return error_negative_size;
-  out = detail::rect_along(cx, cy, detail::cosine(angle), detail::sine(angle), width, height);
+  const auto u = detail::arithmetic::direction(static_cast<double>(angle));
+  out = detail::rect_along(cx, cy, static_cast<T>(u.x), static_cast<T>(u.y), width, height);
   return 0;
 }
 
@@ -150,7 +143,8 @@ template <class T>
 int ellipse_from_angle(T cx, T cy, T angle, T a, T b, Ellipse<T>& out) noexcept {
   if (!detail::all_finite(cx, cy, angle, a, b)) return error_not_finite;
   if (a < 0 || b < 0) return error_negative_size;
-  out = {cx, cy, detail::cosine(angle), detail::sine(angle), a, b};
+  const auto u = detail::arithmetic::direction(static_cast<double>(angle));
+  out = {cx, cy, static_cast<T>(u.x), static_cast<T>(u.y), a, b};
   return 0;
 }
 

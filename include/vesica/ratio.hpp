@@ -41,12 +41,13 @@ constexpr bool is_of_area(Ratio which) noexcept {
   return which == Ratio::over_first || which == Ratio::over_second || which == Ratio::over_smaller;
 }
 
-/// x / y as a number, which underflows to 0.
+/// The double nearest to x / y, whatever exponents the two carry: also among the subnormal ones.
 inline double quotient(const area::Measure& x, const area::Measure& y) noexcept {
   if (x.exponent == 0 && y.exponent == 0 && !(x.value > 0 && x.value < 0x1p-900)) [[likely]]
     return x.value / y.value;
   const area::Measure s = area::standard(x), t = area::standard(y);
-  return arithmetic::scale(s.value / t.value, s.exponent - t.exponent);
+  const double high = s.value / t.value, low = std::fma(-high, t.value, s.value) / t.value;
+  return arithmetic::scale_rounded(high, low, s.exponent - t.exponent);
 }
 
 inline const area::Measure& divisor(Ratio which, const Facts& a, const Facts& b) noexcept {

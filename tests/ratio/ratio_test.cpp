@@ -321,6 +321,59 @@ TEST_F(Ratios, OfAnAreaThatUnderflows) {
   }
 }
 
+/// A shape with an area, about the origin: its lengths are from 2^exponent to 2^(exponent + 3).
+Numbers about_origin(int kind, int exponent, Random& random) {
+  const auto length = [&] { return std::ldexp(random.between(1, 2), exponent); };
+  const double x = std::ldexp(random.between(-0.4, 0.4), exponent), y = std::ldexp(random.between(-0.4, 0.4), exponent);
+  switch (kind) {
+    case VESICA_CIRCLE:
+      return {x, y, length()};
+    case VESICA_AABB:
+      return {-length(), -length(), length(), length()};
+    default:
+      return {x, y, random.sign() * random.between(1, 2), random.between(-2, 2), length(), length()};
+  }
+}
+
+// Shares among the subnormal numbers were rounded twice by single calls, and once by those of arrays.
+TEST_F(Ratios, SubnormalSharesHaveTheBitsOfArrays) {
+  Random random(seed() + 78);
+  constexpr int count = 40;
+  const int kinds[] = {VESICA_CIRCLE, VESICA_AABB, VESICA_RECT, VESICA_ELLIPSE};
+  int subnormal = 0, nearest_quotients = 0;
+  for (int i = 0; i < 160 * repeat(); ++i) {
+    const int kind_a = kinds[random.below(4)], kind_b = kinds[random.below(4)];
+    const int small = random.integer(-350, -250), large = small + random.integer(511, 540);
+    Numbers a[count], b[count];
+    for (int k = 0; k < count; ++k) {
+      a[k] = about_origin(kind_a, small, random);
+      b[k] = about_origin(kind_b, large, random);
+    }
+    vesica_shapes_f64 as, bs;
+    ASSERT_EQ(vesica_shapes_from_records_f64(kind_a, count, a, sizeof a[0], &as), 0);
+    ASSERT_EQ(vesica_shapes_from_records_f64(kind_b, count, b, sizeof b[0], &bs), 0);
+    for (const int which : {VESICA_RATIO_OVER_SECOND, VESICA_RATIO_OVER_FIRST}) {
+      const bool second = which == VESICA_RATIO_OVER_SECOND;
+      double many[count], matrix[count * count];
+      ASSERT_GE(vesica_ratio_many_f64(which, second ? &as : &bs, second ? &bs : &as, many), 0);
+      ASSERT_GE(vesica_ratio_matrix_f64(which, second ? &as : &bs, second ? &bs : &as, matrix, count), 0);
+      for (int k = 0; k < count; ++k) {
+        const Pair p{kind_a, kind_b, a[k], b[k]};
+        const Answer one = ratio(which, second ? p : swapped(p));
+        ASSERT_EQ(one, (Answer{0, many[k]})) << which << ", seed " << seed() << "\n  " << describe(p);
+        ASSERT_EQ(one, (Answer{0, matrix[k * count + k]})) << which << ", seed " << seed() << "\n  " << describe(p);
+        subnormal += one.value > 0 && one.value < 0x1p-1022;
+        const double shared = number(vesica_area_f64, p), whole = shape_area(kind_b, b[k]);
+        if (shared < 0x1p-1022 || whole > 0x1p1023) continue;
+        EXPECT_EQ(one.value, shared / whole) << describe(p);  // the processor rounds a quotient once
+        ++nearest_quotients;
+      }
+    }
+  }
+  EXPECT_GT(subnormal, 5000 * repeat());
+  EXPECT_GT(nearest_quotients, 5000 * repeat());
+}
+
 // The offset of the centres overflows along one coordinate, and all lengths along the other are usual ones.
 TEST_F(Ratios, FarApartAlongOneCoordinate) {
   for (const double x : {1.0, 0x1p-300}) {

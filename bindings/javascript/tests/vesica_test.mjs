@@ -74,6 +74,17 @@ test('quarter turns in degrees are exact', () => {
   assert.ok(Math.abs(rect(0, 0, 4, 2, 30, { degrees: true }).uy - 0.5) < 1e-15);
 });
 
+test('an angle and its complement mirror each other', () => {
+  const axis = (angle, degrees) => Object.values(rect(0, 0, 4, 2, angle, { degrees })).slice(3, 5);
+  for (let angle = -360; angle <= 360; angle += 2.5) {
+    assert.deepEqual(axis(90 - angle, true), axis(angle, true).reverse(), `${angle}`);
+  }
+  for (const eighths of [-3, -1, 1, 3]) {
+    const [ux, uy] = axis((eighths * Math.PI) / 4, false).map(Math.abs);
+    assert.equal(ux, uy);
+  }
+});
+
 const smallest = { f64: 5e-324, f32: 2 ** -149 };
 
 test('sizes that cannot be halved are kept', () => {

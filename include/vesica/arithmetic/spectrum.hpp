@@ -4,7 +4,7 @@
 #pragma once
 
 #include <cmath>
-#include <vesica/arithmetic/scaled.hpp>
+#include <vesica/arithmetic/length.hpp>
 
 namespace vesica::detail::arithmetic {
 
@@ -19,7 +19,7 @@ inline UnitAndLength unit_and_length(double x, double y, int exponent = 0) noexc
   if (x == 0 && y == 0) return {1, 0, {0, 0}};
   const int own = exponent_of(std::fmax(std::fabs(x), std::fabs(y)));
   const double scaled_x = scale(x, -own), scaled_y = scale(y, -own);
-  const double length = std::hypot(scaled_x, scaled_y);
+  const double length = length_of_scaled(scaled_x, scaled_y);
   return {scaled_x / length, scaled_y / length, {length, own + exponent}};
 }
 
@@ -40,9 +40,10 @@ inline double determinant(double a, double b, double c) noexcept {
 }
 
 /// Unit eigenvector from (cos, sin) of twice its angle; y takes the sign of xy, which a sine may have lost to
-/// underflow.
+/// underflow. Exchanging xx and yy exchanges |x| and |y|, which are equal where the cosine is 0.
 inline void halve_angle(double cosine, double sine, double xy, Spectrum& out) noexcept {
-  const double major = std::sqrt((1 + std::fabs(cosine)) / 2), minor = std::fabs(sine) / (2 * major);
+  const double major = std::sqrt((1 + std::fabs(cosine)) / 2);
+  const double minor = cosine == 0 ? major : std::fabs(sine) / (2 * major);
   out.x = cosine >= 0 ? major : minor;
   out.y = std::copysign(cosine >= 0 ? minor : major, xy == 0 ? 1.0 : xy);
 }

@@ -31,6 +31,10 @@ inline Direction unit_vector(double turn, double high, double low) noexcept {
   return {cosine - rest * sine, sine + rest * cosine};
 }
 
+/// The nearest double to sqrt(1/2): both components of the axis at an eighth turn. They are equal, so that turning by
+/// an eighth one way or the other merely exchanges width and height.
+inline constexpr double root_of_half = 0x1.6a09e667f3bcdp-1;
+
 /// Turned by a whole number of quarter turns.
 inline Direction turned(const Direction& d, int quarters) noexcept {
   switch (quarters & 3) {
@@ -45,17 +49,29 @@ inline Direction turned(const Direction& d, int quarters) noexcept {
   }
 }
 
-/// The unit vector at a finite angle.
+/// The unit vector at an angle in radians, each component right to 1.1 units in its last place. The doubles nearest to
+/// +-pi/4 and +-3pi/4 have components of one size, which costs 1.03 units at most.
+inline Direction direction(double radians) noexcept {
+  constexpr double eighth = right_angle / 2;
+  const double cosine = std::cos(radians), sine = std::sin(radians);
+  if (std::fabs(radians) == eighth || std::fabs(radians) == 3 * eighth)
+    return {std::copysign(root_of_half, cosine), std::copysign(root_of_half, sine)};
+  return {cosine, sine};
+}
+
+/// The unit vector at a finite angle. In degrees and quarter turns an angle and its complement have the same
+/// components, exchanged: both leave the same rest, with the other sign.
 inline Direction direction(double angle, AngleUnit unit) noexcept {
   if (unit.clockwise) angle = -angle;
-  if (unit.measure == AngleUnit::radians) return {std::cos(angle), std::sin(angle)};
+  if (unit.measure == AngleUnit::radians) return direction(angle);
   const double quarter = unit.measure == AngleUnit::degrees ? 90 : 1;
   const double within = std::fmod(angle, 4 * quarter), quarters = std::nearbyint(within / quarter);
   const double rest = within - quarter * quarters;  // exact: both are within half of one another, or quarters is 0
-  const bool by_degrees = unit.measure == AngleUnit::degrees;
-  return turned(
-      by_degrees ? unit_vector(rest, degree_high, degree_low) : unit_vector(rest, right_angle, right_angle_rest),
-      static_cast<int>(quarters));
+  const bool by_degrees = unit.measure == AngleUnit::degrees, is_eighth = 2 * std::fabs(rest) == quarter;
+  return turned(is_eighth    ? Direction{root_of_half, std::copysign(root_of_half, rest)}
+                : by_degrees ? unit_vector(rest, degree_high, degree_low)
+                             : unit_vector(rest, right_angle, right_angle_rest),
+                static_cast<int>(quarters));
 }
 
 /// The angle of a vector that is not 0: from -180 to 180 degrees. The same bits on every system.

@@ -133,7 +133,7 @@ inline Angles way_off_saddle(const OutlinePair& p, const Slope& s, double thresh
   const double aa = quotient(tax * tax + tay * tay - bend_a, reach);
   const double bb = quotient(tbx * tbx + tby * tby + bend_b, reach);
   const double ab = quotient(-(tax * tbx + tay * tby), reach);
-  const double lower = (aa + bb) / 2 - std::hypot((aa - bb) / 2, ab);
+  const double lower = (aa + bb) / 2 - vesica::detail::arithmetic::length((aa - bb) / 2, ab);
   if (lower >= -threshold) return {0, 0};
   // The eigenvector, by the row of the matrix that is larger.
   const double along_a = quotient(aa > bb ? -ab : bb - lower, root_a);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <vesica/arithmetic/length.hpp>
 #include <vesica/methods/rescaled_pair.hpp>
 
 namespace vesica::methods::detail {
@@ -15,7 +16,7 @@ struct Outline {
 };
 
 inline Outline outline(double ux, double uy, double a, double b) noexcept {
-  return {ux, uy, a * ux, a * uy, -b * uy, b * ux, larger(a, b) * std::hypot(ux, uy)};
+  return {ux, uy, a * ux, a * uy, -b * uy, b * ux, larger(a, b) * vesica::detail::arithmetic::length(ux, uy)};
 }
 
 /// The largest length is about 1 here; the true ones are 2^exponent times as long.
@@ -59,8 +60,12 @@ struct Slope {
 inline Slope slope(const OutlinePair& p, Angles at) noexcept {
   const OutlinePoint a = point_at(p.a, at.a), b = point_at(p.b, at.b);
   const double dx = a.x - b.x - p.dx, dy = a.y - b.y - p.dy;
-  return {
-      a, b, dx, dy, std::hypot(dx, dy), {a.tangent_x * dx + a.tangent_y * dy, -(b.tangent_x * dx + b.tangent_y * dy)}};
+  return {a,
+          b,
+          dx,
+          dy,
+          vesica::detail::arithmetic::length(dx, dy),
+          {a.tangent_x * dx + a.tangent_y * dy, -(b.tangent_x * dx + b.tangent_y * dy)}};
 }
 
 }  // namespace vesica::methods::detail
