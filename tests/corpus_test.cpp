@@ -12,8 +12,8 @@
 namespace {
 
 // The rows of each query; fewer means a damaged file.
-constexpr std::size_t overlap_rows = 119;
-constexpr std::size_t distance_rows = 35;
+constexpr std::size_t overlap_rows = 143;
+constexpr std::size_t distance_rows = 45;
 
 bool narrow(const properties::Numbers& numbers, std::array<float, 6>& out) {
   for (std::size_t i = 0; i < out.size(); ++i) {

@@ -88,13 +88,13 @@ area aabb 0 0 2 2 aabb 1 1 3 3 = 1
 iou aabb 0 0 2 2 aabb 0 0 2 1 = 0.5
 EOF1
 
-scene 'the corpus' 0 '' '267 267 0 0, 0' <"$here/../corpus/cases.csv"
-check 'queries of the corpus' 'overlap 119
-distance 35
-area 70
-iou 43' "$(awk '/^query/ { inside = 1; next } $1 == "all" { exit } inside { print $1, $2 }' answers)"
+scene 'the corpus' 0 '' '323 323 0 0, 0' <"$here/../corpus/cases.csv"
+check 'queries of the corpus' 'overlap 143
+distance 45
+area 83
+iou 52' "$(awk '/^query/ { inside = 1; next } $1 == "all" { exit } inside { print $1, $2 }' answers)"
 sources=$(tail -n +2 "$here/../corpus/cases.csv" | cut -d, -f2 | sort -u | wc -l)
-check 'what about.txt counts' "267 $sources" "$(grep -Eo '[0-9]+ (questions|public)' "$here/../corpus/about.txt" | cut -d' ' -f1 | xargs)"
+check 'what about.txt counts' "323 $sources" "$(grep -Eo '[0-9]+ (questions|public)' "$here/../corpus/about.txt" | cut -d' ' -f1 | xargs)"
 
 scene 'the example' 0 '' \
   '9 8 0 1, 0' \
