@@ -34,7 +34,7 @@ function axis(angle, degrees) {
   const eighths = Math.abs(rest) / (Math.PI / 4);
   if (eighths === 1 || eighths === 3) [c, s] = [Math.sign(c) * Math.SQRT1_2, Math.sign(s) * Math.SQRT1_2];
   if (!degrees) return [c, s];
-  return [[c, s], [-s, c], [-c, -s], [s, -c]][((quarters % 4) + 4) % 4] ?? [NaN, NaN];
+  return [[c, s], [0 - s, c], [0 - c, 0 - s], [s, 0 - c]][((quarters % 4) + 4) % 4] ?? [NaN, NaN];
 }
 
 export const point = (x, y) => ({ kind: 'point', x, y });

@@ -829,9 +829,10 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.
     ///
-    /// Accuracy: the axis is (cos, sin), each right to 1 unit in the last place. No double is exactly pi/2, so a
-    /// quarter turn has an exact axis only by vesica_rects_from_boxes_f64, which takes degrees too. Sizes are exact: if
-    /// halving one would round (an odd multiple of the smallest subnormal number), the axis is halved instead.
+    /// Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place, and of equal components at the
+    /// doubles nearest to +-pi/4 and +-3pi/4. No double is exactly pi/2, so a quarter turn has an exact axis only by
+    /// vesica_rects_from_boxes_f64, which takes degrees too. Sizes are exact: if halving one would round (an odd
+    /// multiple of the smallest subnormal number), the axis is halved instead.
     ///
     /// Cost: about 40 ns.
     ///
@@ -900,7 +901,8 @@ extern "C" {
     /// covariance), VESICA_E_RANGE (a half length overflows).
     ///
     /// Accuracy: half lengths and both components of the axis are right to 8 units in their own last place, even if the
-    /// matrix is nearly singular or nearly a circle's.
+    /// matrix is nearly singular or nearly a circle's. Exchanging cxx and cyy exchanges the components, but for their
+    /// signs.
     ///
     /// Cost: about 90 ns.
     ///
@@ -1761,9 +1763,10 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.
     ///
-    /// Accuracy: the axis is (cos, sin), each right to 1 unit in the last place. No double is exactly pi/2, so a
-    /// quarter turn has an exact axis only by vesica_rects_from_boxes_f32, which takes degrees too. Sizes are exact: if
-    /// halving one would round (an odd multiple of the smallest subnormal number), the axis is halved instead.
+    /// Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place, and of equal components at the
+    /// doubles nearest to +-pi/4 and +-3pi/4. No double is exactly pi/2, so a quarter turn has an exact axis only by
+    /// vesica_rects_from_boxes_f32, which takes degrees too. Sizes are exact: if halving one would round (an odd
+    /// multiple of the smallest subnormal number), the axis is halved instead.
     ///
     /// Cost: about 40 ns.
     ///
@@ -1832,7 +1835,8 @@ extern "C" {
     /// covariance), VESICA_E_RANGE (a half length overflows).
     ///
     /// Accuracy: half lengths and both components of the axis are right to 8 units in their own last place, even if the
-    /// matrix is nearly singular or nearly a circle's.
+    /// matrix is nearly singular or nearly a circle's. Exchanging cxx and cyy exchanges the components, but for their
+    /// signs.
     ///
     /// Cost: about 90 ns.
     ///
@@ -2204,7 +2208,9 @@ extern "C" {
     /// that exceeds the address space, an unknown unit of angles).
     ///
     /// Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90,
-    /// and whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f64.
+    /// and whole quarter turns, give exact axes. In both units an angle and its complement have the same components,
+    /// exchanged: a rectangle and the same one turned by a quarter, its width and height exchanged, are VESICA_EQUAL.
+    /// In radians, as in vesica_rect_from_angle_f64. Sizes are those of vesica_rect_from_angle_f64.
     ///
     /// Cost: about 30 ns a box.
     ///
@@ -2299,8 +2305,10 @@ extern "C" {
     /// that exceeds the address space, an unknown unit of angles).
     ///
     /// Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90,
-    /// and whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f32. Each number is computed
-    /// in double, within these bounds, and then rounded to float once.
+    /// and whole quarter turns, give exact axes. In both units an angle and its complement have the same components,
+    /// exchanged: a rectangle and the same one turned by a quarter, its width and height exchanged, are VESICA_EQUAL.
+    /// In radians, as in vesica_rect_from_angle_f32. Sizes are those of vesica_rect_from_angle_f32. Each number is
+    /// computed in double, within these bounds, and then rounded to float once.
     ///
     /// Cost: about 30 ns a box.
     ///
@@ -2924,10 +2932,10 @@ extern "C" {
     ///
     /// Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0, get no
     /// other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of
-    /// vesica_nearest_f64 differs by less than 5 u scale from the one asked for. In bounds on errors u is 2^-53, half a
-    /// unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and
-    /// of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is
-    /// longer over shorter size.
+    /// vesica_nearest_f64 differs by at most 5 u scale + 2^-1074 from the one asked for. In bounds on errors u is
+    /// 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their
+    /// centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect
+    /// ratio is longer over shorter size.
     ///
     /// Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can decide,
     /// as when the distance is met exactly. At worst 25 us.
@@ -2947,10 +2955,10 @@ extern "C" {
     ///
     /// Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0, get no
     /// other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of
-    /// vesica_nearest_f64 differs by less than 5 u scale from the one asked for. In bounds on errors u is 2^-53, half a
-    /// unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and
-    /// of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is
-    /// longer over shorter size.
+    /// vesica_nearest_f64 differs by at most 5 u scale + 2^-1074 from the one asked for. In bounds on errors u is
+    /// 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their
+    /// centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect
+    /// ratio is longer over shorter size.
     ///
     /// Since: 0.1.
     pub fn vesica_within_many_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, distance: f64, out: *mut u8) -> i64;
@@ -2966,10 +2974,10 @@ extern "C" {
     ///
     /// Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0, get no
     /// other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of
-    /// vesica_nearest_f64 differs by less than 5 u scale from the one asked for. In bounds on errors u is 2^-53, half a
-    /// unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and
-    /// of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is
-    /// longer over shorter size.
+    /// vesica_nearest_f64 differs by at most 5 u scale + 2^-1074 from the one asked for. In bounds on errors u is
+    /// 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their
+    /// centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect
+    /// ratio is longer over shorter size.
     ///
     /// Since: 0.1.
     pub fn vesica_within_matrix_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, distance: f64, out: *mut u8,
@@ -3200,10 +3208,10 @@ extern "C" {
     ///
     /// Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0, get no
     /// other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of
-    /// vesica_nearest_f32 differs by less than 5 u scale from the one asked for. In bounds on errors u is 2^-53, half a
-    /// unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and
-    /// of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is
-    /// longer over shorter size.
+    /// vesica_nearest_f32 differs by at most 5 u scale + 2^-1074 from the one asked for. In bounds on errors u is
+    /// 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their
+    /// centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect
+    /// ratio is longer over shorter size.
     ///
     /// Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can decide,
     /// as when the distance is met exactly. At worst 25 us.
@@ -3223,10 +3231,10 @@ extern "C" {
     ///
     /// Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0, get no
     /// other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of
-    /// vesica_nearest_f32 differs by less than 5 u scale from the one asked for. In bounds on errors u is 2^-53, half a
-    /// unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and
-    /// of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is
-    /// longer over shorter size.
+    /// vesica_nearest_f32 differs by at most 5 u scale + 2^-1074 from the one asked for. In bounds on errors u is
+    /// 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their
+    /// centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect
+    /// ratio is longer over shorter size.
     ///
     /// Since: 0.1.
     pub fn vesica_within_many_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, distance: f32, out: *mut u8) -> i64;
@@ -3242,10 +3250,10 @@ extern "C" {
     ///
     /// Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0, get no
     /// other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of
-    /// vesica_nearest_f32 differs by less than 5 u scale from the one asked for. In bounds on errors u is 2^-53, half a
-    /// unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and
-    /// of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is
-    /// longer over shorter size.
+    /// vesica_nearest_f32 differs by at most 5 u scale + 2^-1074 from the one asked for. In bounds on errors u is
+    /// 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their
+    /// centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect
+    /// ratio is longer over shorter size.
     ///
     /// Since: 0.1.
     pub fn vesica_within_matrix_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, distance: f32, out: *mut u8,
@@ -3357,7 +3365,7 @@ extern "C" {
     ///
     /// Errors: those of vesica_cast_f64; VESICA_E_RANGE if a side would overflow.
     ///
-    /// Accuracy: a side that does not move is that of vesica_bounds_f64. One that moves is too far out by at most four
+    /// Accuracy: a side that does not move is that of vesica_bounds_f64. One that moves is too far out by less than 5.5
     /// units in the last place of the largest of three numbers: the side at rest, the way it moves, and where it ends.
     ///
     /// Cost: 15 ns more than vesica_bounds_f64.
@@ -3638,7 +3646,7 @@ extern "C" {
     ///
     /// Errors: those of vesica_cast_f32; VESICA_E_RANGE if a side would overflow.
     ///
-    /// Accuracy: a side that does not move is that of vesica_bounds_f32. One that moves is too far out by at most four
+    /// Accuracy: a side that does not move is that of vesica_bounds_f32. One that moves is too far out by less than 5.5
     /// units in the last place of the largest of three numbers: the side at rest, the way it moves, and where it ends.
     ///
     /// Cost: 15 ns more than vesica_bounds_f32.
