@@ -173,7 +173,7 @@ TYPED_TEST(BoxesOf, ComplementsAreMirrored) {
     }
   }
   Random random(seed());
-  for (int i = 0; i < 2000 * repeat(); ++i) {
+  for (int i = 0; i < 300 * repeat(); ++i) {
     // Digits that leave room for 360 degrees before the point: complements are then exact.
     constexpr int digits = std::numeric_limits<T>::digits - 10;
     const int exponent = random.integer(1, digits);
