@@ -331,7 +331,7 @@ TYPED_TEST(ConstructAccuracy, CornersOfAxisParallelRectanglesRoundTrip) {
   }
 }
 
-// Lengths have the same bits everywhere: the nearest double, but where the length is halfway between two to 2^-48 units.
+// Lengths have the same bits everywhere: the nearest double, unless the length is halfway between two to 2^-48 units.
 TEST(Length, IsTheNearest) {
   namespace arithmetic = vesica::detail::arithmetic;
   EXPECT_EQ(arithmetic::length(0, -0.0), 0);

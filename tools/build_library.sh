@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# build_library.sh static|shared DIRECTORY: builds the library in DIRECTORY, and prints the folder that it is then in.
-# VESICA_ARCHIVE or VESICA_SHARED names a folder that has it already.
+# build_library.sh static|shared DIRECTORY: builds the library in DIRECTORY, and prints the folder that holds it.
+# VESICA_ARCHIVE or VESICA_SHARED may name a folder that holds it already.
 set -euo pipefail
 case $1 in
   static) found=${VESICA_ARCHIVE:-} shared=OFF ;;

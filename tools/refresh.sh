@@ -1,10 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# refresh.sh [BUILD]: after an addition to the headers, writes anew what is checked in beside them and derived from
-# them: vesica.json, vesica.cdef, vesica_methods.cdef, the declarations of the packages, and the ABI's baselines
-# abi/vesica.abi and abi/vesica-methods.abi.
-# BUILD is a build folder with tests, by default that of the preset "test". A change that breaks a baseline is refused
-# (ABI.md); before the first release, or with a new SONAME, delete the baseline first.
+# refresh.sh [BUILD]: writes anew what follows from the headers, after an addition to them: vesica.json, vesica.cdef and
+# vesica_methods.cdef in capi/, the declarations of bindings/, and the ABI's baselines in capi/abi/. BUILD is a build
+# folder with tests, by default that of the preset "test". It refuses a change that breaks a baseline (capi/ABI.md);
+# before the first release, or with a new SONAME, delete the baseline first.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """reach_test.py NM STRESS MACHINE=OBJECT... ...: every exported function is attacked by every machine.
 
-The machines are the tests of floating-point environments, the fuzzer, the stress test and the search for the slowest input.
-What exists is taken from vesica.json, and what a machine calls from its objects; the stress test tells itself what it calls by
-name. A function that is not called needs a line in exceptions.txt, and a line there a function that is not called.
+The machines are the test of floating-point environments, the fuzzer, the stress test and the search for slow inputs.
+vesica.json lists the functions. What a machine calls is read from its objects; the stress test also prints the
+functions that it calls by name. A function that a machine does not call needs a line in exceptions.txt. A line there is
+an error if the machine calls all of its functions.
 """
 import collections
 import fnmatch

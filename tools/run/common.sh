@@ -44,7 +44,7 @@ build_and_install() {
   step install cmake --install build/release
 }
 
-# compile NAME SOURCE...: compiles a C program as its user does, from outside, by pkg-config, against what was installed.
+# compile NAME SOURCE...: compiles a C program as users do, from outside, by pkg-config, against what was installed.
 compile() {
   local pc flags
   pc=$(find "$prefix" -name vesica.pc -printf '%h\n' | head -n 1)

@@ -4,8 +4,8 @@
 #
 #   ./run test               the library, and bindings for C, C++ and Python, with a quarter of the random cases
 #   ./run test --all         all random cases; then the slow tests: every other language and compiler, WebAssembly, the
-#                            site in a browser, emulated processors, sanitizers, packages, lint. What cannot be installed
-#                            fails its own test
+#                            site in a browser, emulated processors, sanitizers, packages, lint. A test fails if what
+#                            it needs cannot be installed
 #   ./run test --cross [ROW] every other processor, system and compiler that can be run here (docs/platforms.md)
 #   ./run test --cuda        the CUDA kernels by nvcc: registers, stack, instructions a pair; and on a device, if there
 #                            is one (docs/cuda.md). Without nvcc the other tests run them as C++
