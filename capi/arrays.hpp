@@ -41,6 +41,9 @@ inline bool addressable(int64_t count, ptrdiff_t stride) noexcept {
   return count <= 1 || !__builtin_mul_overflow(count, stride, &extent);
 }
 
+/// One of the kinds, and of those that queries other than overlap answer.
+inline bool have_form(int32_t kind_a, int32_t kind_b) noexcept { return has_form(kind_a) && has_form(kind_b); }
+
 /// Whether a function takes a kind, which need not be one.
 using Suits = bool (*)(int32_t kind) noexcept;
 
@@ -69,6 +72,10 @@ int32_t check_call(const Array* a, const Array* b, const void* out, bool anythin
   if (error != 0) return error;
   return anything && (has_null(*a) || has_null(*b)) ? VESICA_E_NULL : 0;
 }
+
+template <class T>
+constexpr int field_room = std::extent_v<decltype(CShapesOf<T>::field)>;
+static_assert(field_room<double> >= max_fields && field_room<float> >= max_fields);
 
 template <class T>
 batch::Shapes<T> view(const CShapesOf<T>& shapes) noexcept {

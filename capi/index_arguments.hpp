@@ -16,13 +16,10 @@ inline bool aligned(const void* p) noexcept {
   return reinterpret_cast<std::uintptr_t>(p) % static_cast<std::uintptr_t>(index::alignment) == 0;
 }
 
-/// Whether shapes of this kind can be suppressed: their areas are compared. (Today each kind has a form.)
-inline bool has_area(int32_t kind) noexcept { return kind >= VESICA_CIRCLE && has_form(kind); }
-
 template <class T>
 index::Set set_of(const CShapesOf<T>& shapes, int64_t first) noexcept {
   index::Set set{shapes.kind, first, shapes.count, shapes.stride, {}};
-  for (int k = 0; k < index::fields_of[shapes.kind]; ++k) {
+  for (int k = 0; k < field_count(shapes.kind); ++k) {
     set.field[k] = reinterpret_cast<const unsigned char*>(shapes.field[k]);
   }
   return set;
@@ -59,7 +56,7 @@ inline int32_t check_index(const void* index) noexcept {
 template <class T>
 batch::Shapes<T> columns_of(int32_t kind, const void* const* field, int64_t count) noexcept {
   batch::Shapes<T> shapes{kind, count, count == 1 ? 0 : static_cast<ptrdiff_t>(sizeof(T)), {}};
-  for (int k = 0; k < index::fields_of[kind]; ++k) shapes.field[k] = static_cast<const T*>(field[k]);
+  for (int k = 0; k < field_count(kind); ++k) shapes.field[k] = static_cast<const T*>(field[k]);
   return shapes;
 }
 

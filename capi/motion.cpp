@@ -99,18 +99,12 @@ template <class T, class Out>
 int32_t cast_any(int32_t kind_a, const T* a, int32_t kind_b, const T* b, T vx, T vy, T end, Out* out) noexcept {
   VESICA_DEFAULT_ENVIRONMENT((cast_any<T, Out>), kind_a, a, kind_b, b, vx, vy, end, out);
   if (a == nullptr || b == nullptr || out == nullptr) return VESICA_E_NULL;
-  if (!vesica::is_kind(kind_a) || !vesica::is_kind(kind_b)) return VESICA_E_KIND;
+  if (!have_form(kind_a, kind_b)) return VESICA_E_KIND;
   const Motion motion = motion_of(vx, vy, end);
   if (kind_b == VESICA_POINT) {
-    switch (kind_a) {
-#define VESICA_RAY(name, Name)                   \
-  case static_cast<int32_t>(vesica::Kind::name): \
-    return cast_shapes<vesica::Name<T>, vesica::Point<T>, T>(a, b, motion, out);
-      VESICA_EACH_SHAPE(VESICA_RAY)
-#undef VESICA_RAY
-      default:
-        return VESICA_E_KIND;
-    }
+    return vesica::with_form(kind_a, [&]<template <class> class Shape>(vesica::Named<Shape>) {
+      return cast_shapes<Shape<T>, vesica::Point<T>, T>(a, b, motion, out);
+    });
   }
   if (kind_a == VESICA_CIRCLE && kind_b == VESICA_CIRCLE) {
     return cast_shapes<vesica::Circle<T>, vesica::Circle<T>, T>(a, b, motion, out);
@@ -155,7 +149,7 @@ int32_t impact_time(int32_t kind_a, const T* a, const CTurn* turn_a, int32_t kin
   VESICA_DEFAULT_ENVIRONMENT((impact_time<T, CTurn, Out>), kind_a, a, turn_a, kind_b, b, turn_b, tolerance, out, gap);
   if (a == nullptr || turn_a == nullptr || b == nullptr || turn_b == nullptr) return VESICA_E_NULL;
   if (out == nullptr || gap == nullptr) return VESICA_E_NULL;
-  if (!vesica::is_kind(kind_a) || !vesica::is_kind(kind_b)) return VESICA_E_KIND;
+  if (!have_form(kind_a, kind_b)) return VESICA_E_KIND;
   const auto turn_of = [](const CTurn& t) {
     return vesica::Turn<double>{static_cast<double>(t.vx), static_cast<double>(t.vy), static_cast<double>(t.angle)};
   };
@@ -179,7 +173,7 @@ int64_t many(const CShapesOf<T>* a, const CShapesOf<T>* b, const T* vx, const T*
   const void* some = nullptr;
   for (const T* column : columns) some = column != nullptr ? column : some;
   const bool has_velocities = vx != nullptr && vy != nullptr;
-  const int32_t error = check_call(a, b, has_velocities ? some : nullptr, anything(a, b));
+  const int32_t error = check_call(a, b, has_velocities ? some : nullptr, anything(a, b), vesica::has_form);
   if (error != 0) return error;
   const int64_t n = pairs_in_step(*a, *b);
   if (n < 0 || !addressable(n, stride) || !(end >= 0)) return VESICA_E_ARGUMENT;
@@ -199,7 +193,7 @@ template <class T, class Out>
 int64_t first(const CShapesOf<T>* shapes, const CShapesOf<T>* one, T vx, T vy, T end, Out* out) noexcept {
   VESICA_DEFAULT_ENVIRONMENT((first<T, Out>), shapes, one, vx, vy, end, out);
   if (out == nullptr) return VESICA_E_NULL;
-  const int32_t error = check_call(shapes, one, out, anything(shapes, one));
+  const int32_t error = check_call(shapes, one, out, anything(shapes, one), vesica::has_form);
   if (error != 0) return error;
   if (one->count == 1 && has_null(*one)) return VESICA_E_NULL;  // it is looked at even if there are no others
   const Motion motion = motion_of(vx, vy, end);
@@ -217,7 +211,7 @@ int32_t sweep_bounds(int32_t kind, const T* numbers, T vx, T vy, T end, Out* out
   if (out == nullptr) return VESICA_E_NULL;
   vesica::Aabb<T> box;
   const int32_t error = vesica::with_shape(
-      kind, numbers, [&](const auto& shape) { return vesica::sweep_bounds(shape, vx, vy, end, box); });
+      kind, numbers, [&](const vesica::HasForm auto& shape) { return vesica::sweep_bounds(shape, vx, vy, end, box); });
   if (error == 0) *out = {box.min_x, box.min_y, box.max_x, box.max_y};
   return error;
 }
@@ -236,7 +230,7 @@ struct Moving {
   Body still(std::uint32_t item) const noexcept {
     const index::Set& set = sets.set[sets.of(item)];
     Body out{static_cast<vesica::Kind>(set.kind), {}};
-    for (int k = 0; k < index::fields_of[set.kind]; ++k) {
+    for (int k = 0; k < vesica::field_count(set.kind); ++k) {
       T number;
       std::memcpy(&number, place(set, k, item), sizeof number);
       out.number[k] = static_cast<double>(number);
@@ -257,7 +251,7 @@ struct Moving {
   static void prefetch(const void* context, std::uint32_t item) {
     const Moving& moving = *static_cast<const Moving*>(context);
     const index::Set& set = moving.sets.set[moving.sets.of(item)];
-    for (int k = 0; k < index::fields_of[set.kind]; ++k) __builtin_prefetch(moving.place(set, k, item));
+    for (int k = 0; k < vesica::field_count(set.kind); ++k) __builtin_prefetch(moving.place(set, k, item));
   }
   static void keep(void* context) {
     Moving& moving = *static_cast<Moving*>(context);

@@ -47,13 +47,8 @@ const char* vesica_strerror(int32_t code) {
 int32_t vesica_field_count(int32_t kind) { return vesica::field_count(kind); }
 
 const char* vesica_kind_name(int32_t kind) {
-  switch (kind) {
-#define VESICA_CASE(name, Name)                  \
-  case static_cast<int32_t>(vesica::Kind::name): \
-    return #name;
-    VESICA_EACH_SHAPE(VESICA_CASE)
-#undef VESICA_CASE
-    default:
-      return nullptr;
-  }
+#define VESICA_NAME(name, Name) #name,
+  static constexpr const char* names[] = {VESICA_EACH_SHAPE(VESICA_NAME)};
+#undef VESICA_NAME
+  return vesica::is_kind(kind) ? names[kind] : nullptr;
 }

@@ -19,7 +19,7 @@ constexpr int64_t few = 8;
 template <class T>
 T ratio_at(vesica::Ratio ratio, int32_t kind, const void* const* one, const void* const* others, int64_t i) noexcept {
   double a[vesica::max_fields], b[vesica::max_fields], result = 0;
-  for (int k = 0; k < index::fields_of[kind]; ++k) {
+  for (int k = 0; k < vesica::field_count(kind); ++k) {
     a[k] = static_cast<double>(static_cast<const T*>(one[k])[0]);
     b[k] = static_cast<double>(static_cast<const T*>(others[k])[i]);
   }
@@ -62,7 +62,7 @@ int32_t suppress(const CShapesOf<T>* shapes, const T* scores, const Choice<T>& c
   if (shapes == nullptr || kept == nullptr) return VESICA_E_NULL;
   const bool anything = shapes->count != 0;
   if (anything && (scores == nullptr || scratch == nullptr || keep == nullptr)) return VESICA_E_NULL;
-  const int32_t error = check_array(*shapes, has_area);
+  const int32_t error = check_array(*shapes, vesica::has_area);
   if (error != 0) return error;
   if (anything && has_null(*shapes)) return VESICA_E_NULL;
   const int64_t needed = vesica_nms_scratch(shapes->count);

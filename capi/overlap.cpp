@@ -92,4 +92,4 @@ int32_t vesica_overlap_f32(int32_t kind_a, const float* numbers_a, int32_t kind_
   }
 #define VESICA_PAIR(a, A, b, B) VESICA_PAIR_OF(a, A, b, B, f64, double) VESICA_PAIR_OF(a, A, b, B, f32, float)
 
-VESICA_EACH_PAIR(VESICA_PAIR)
+VESICA_EACH_PAIR_OF_FORMS(VESICA_PAIR)

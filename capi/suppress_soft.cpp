@@ -15,7 +15,7 @@ namespace index = vesica::index;
 void ratios(int32_t ratio, int32_t kind, const double* const* one, const double* const* others, int64_t n,
             double* out) noexcept {
   const void *first[vesica::max_fields], *second[vesica::max_fields];
-  for (int k = 0; k < index::fields_of[kind]; ++k) {
+  for (int k = 0; k < vesica::field_count(kind); ++k) {
     first[k] = one[k];
     second[k] = others[k];
   }
@@ -25,7 +25,7 @@ void ratios(int32_t ratio, int32_t kind, const double* const* one, const double*
 }
 
 bool is_valid(int32_t kind, const double* numbers) noexcept {
-  return vesica::with_shape(kind, numbers, [](const auto& shape) { return check(shape); }) == 0;
+  return vesica::with_shape(kind, numbers, [](const vesica::HasForm auto& shape) { return check(shape); }) == 0;
 }
 
 bool is_decay(int32_t decay, double parameter) noexcept {
@@ -43,7 +43,7 @@ int32_t suppress_soft(const CShapesOf<T>* shapes, const T* scores, const int32_t
   const bool anything = shapes->count != 0;
   const bool has_all = scores != nullptr && scratch != nullptr && keep != nullptr && decayed != nullptr;
   if (anything && !has_all) return VESICA_E_NULL;
-  const int32_t error = check_array(*shapes, has_area);
+  const int32_t error = check_array(*shapes, vesica::has_area);
   if (error != 0) return error;
   if (anything && has_null(*shapes)) return VESICA_E_NULL;
   const int64_t needed = vesica_suppress_soft_scratch(shapes->count);

@@ -492,7 +492,7 @@ Tally matrix(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b,
   const bool in_order = a.kind <= b.kind;
   const Question<T> question(kernels, in_order ? a.kind : b.kind, in_order ? b.kind : a.kind);
   const Repeat repeat = in_order ? Repeat::first : Repeat::second;
-  Rows<T> rows(question, repeat, kernels.checked(T{}).pair(a.kind, b.kind));
+  Rows<T> rows(question, repeat, kernels.checked(T{}).of[a.kind][b.kind]);
   Columns<T, block_size<T>> row, columns;
   std::int32_t undecided[block_size<T>];
   Tiles<T> tiles(kernels, a, b);

@@ -4,6 +4,7 @@
 
 #include <cstring>
 #include <type_traits>
+#include <utility>
 #include <vesica/each_shape.hpp>
 #include <vesica/form/form.hpp>
 #include <vesica/shapes.hpp>
@@ -17,7 +18,7 @@ concept HasForm = requires(const Shape& shape) {
   detail::form::of(shape);
 };
 
-inline bool is_kind(std::int32_t kind) noexcept { return kind >= 0 && kind < kind_count; }
+VESICA_INLINE constexpr bool is_kind(std::int32_t kind) noexcept { return kind >= 0 && kind < kind_count; }
 
 /// One shape from its flat numbers, which need no alignment.
 template <class Shape>
@@ -32,18 +33,29 @@ Shape load(const void* numbers) noexcept {
 template <template <class> class Shape>
 struct Named {};
 
-/// action(Named<Shape>), or error_kind.
+/// action(Named<Shape>), or error_kind if it is no kind.
 template <class Action>
-constexpr std::int32_t with_name(std::int32_t kind, Action action) noexcept {
-  switch (kind) {
-#define VESICA_CASE(name, Name)               \
-  case static_cast<std::int32_t>(Kind::name): \
+VESICA_INLINE constexpr std::int32_t with_name(std::int32_t kind, Action action) noexcept {
+  switch (static_cast<Kind>(kind)) {
+#define VESICA_CASE(name, Name) \
+  case Kind::name:              \
     return action(Named<Name>{});
     VESICA_EACH_SHAPE(VESICA_CASE)
 #undef VESICA_CASE
-    default:
-      return error_kind;
   }
+  return error_kind;
+}
+
+/// action(Named<Shape>) for a shape that has a form, else error_kind.
+template <class Action>
+VESICA_INLINE constexpr std::int32_t with_form(std::int32_t kind, Action action) noexcept {
+  return with_name(kind, [&]<template <class> class Shape>(Named<Shape> name) -> std::int32_t {
+    if constexpr (HasForm<Shape<double>>) {
+      return action(name);
+    } else {
+      return error_kind;
+    }
+  });
 }
 
 /// action(shape), or error_kind for a shape that it does not take.
@@ -65,16 +77,39 @@ std::int32_t with_shape(std::int32_t kind, const T* numbers, Action action) noex
 }
 
 /// The numbers a shape of this kind has, or error_kind.
-constexpr std::int32_t field_count(std::int32_t kind) noexcept {
-  return with_name(kind, []<template <class> class Shape>(Named<Shape>) -> std::int32_t {
-    return ShapeTraits<Shape<double>>::fields;
-  });
+VESICA_INLINE constexpr std::int32_t field_count(std::int32_t kind) noexcept {
+  return is_kind(kind) ? fields_of_kind[kind] : static_cast<std::int32_t>(error_kind);
+}
+
+/// action(std::integral_constant<int, n>), where n is one of the kinds' counts of numbers.
+template <class Action>
+VESICA_INLINE constexpr void with_field_count(int n, Action action) noexcept {
+  constexpr auto occurs = [](int count) {
+    for (const int fields : fields_of_kind) {
+      if (fields == count) return true;
+    }
+    return false;
+  };
+  const auto try_count = [&]<int count>(std::integral_constant<int, count> constant) {
+    if constexpr (occurs(count)) {
+      if (n == count) action(constant);
+    }
+  };
+  [&]<int... count>(std::integer_sequence<int, count...>) {
+    (try_count(std::integral_constant<int, count + 1>{}), ...);
+  }
+  (std::make_integer_sequence<int, max_fields>{});
 }
 
 /// Whether shapes of this kind have a form.
 constexpr bool has_form(std::int32_t kind) noexcept {
-  return with_name(kind, []<template <class> class Shape>(Named<Shape>) -> std::int32_t {
-           return HasForm<Shape<double>> ? 1 : 0;
+  return with_form(kind, []<template <class> class Shape>(Named<Shape>) { return 1; }) == 1;
+}
+
+/// Whether shapes of this kind may have an area.
+constexpr bool has_area(std::int32_t kind) noexcept {
+  return with_form(kind, []<template <class> class Shape>(Named<Shape>) {
+           return detail::form::FormOf<Shape<double>>::has_area ? 1 : 0;
          }) == 1;
 }
 

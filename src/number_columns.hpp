@@ -92,10 +92,7 @@ class NumberColumns {
 
   void element(std::int32_t i, double (&out)[max_fields]) const noexcept {
     const std::int32_t at = repeated_ ? 0 : i;
-    for (int k = 0; k < field_count(kind_); k += 2) {
-      out[k] = number_[k][at];
-      out[k + 1] = number_[k + 1][at];
-    }
+    for (int k = 0; k < max_fields; ++k) out[k] = number_[k][at];
   }
 
   /// The same with its area, once areas were computed.

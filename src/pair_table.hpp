@@ -14,6 +14,10 @@ namespace vesica {
 /// Returns 0 or more, or an error; out is then untouched.
 using PairFunction = std::int32_t (*)(const void* a, const void* b, void* out) noexcept;
 
+#define VESICA_COUNT(a, A, b, B) +1
+static_assert(VESICA_EACH_PAIR(VESICA_COUNT) == kind_count * (kind_count + 1) / 2, "a pair of kinds is not listed");
+#undef VESICA_COUNT
+
 /// Indexed by the two kinds.
 struct PairTable {
   PairFunction of[kind_count][kind_count];

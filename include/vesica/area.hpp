@@ -28,7 +28,7 @@ namespace detail::area {
 template <class Shape>
 inline constexpr bool is_box = ShapeTraits<Shape>::kind == Kind::aabb || ShapeTraits<Shape>::kind == Kind::rect;
 template <class Shape>
-inline constexpr bool has_area = ShapeTraits<Shape>::kind >= Kind::circle;
+inline constexpr bool has_area = form::FormOf<Shape>::has_area;
 
 /// The area of a crossing pair by the pair's core, from shapes as stored or in standard units.
 template <class A, class B>

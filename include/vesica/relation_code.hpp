@@ -29,9 +29,13 @@ constexpr Relation converse(Relation r) noexcept {
       return Relation::inside;
     case Relation::contains_touch:
       return Relation::inside_touch;
-    default:
-      return r;
+    case Relation::disjoint:
+    case Relation::touch:
+    case Relation::cross:
+    case Relation::equal:
+      break;
   }
+  return r;
 }
 
 }  // namespace vesica

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The six shapes, their order, and the flat numbers they are made of.
+/// The shapes, their order, and the flat numbers they are made of.
 #pragma once
 
 #include <cstdint>
@@ -48,13 +48,14 @@ struct Ellipse {
   T cx, cy, ux, uy, a, b;
 };
 
-/// Kinds in the order of shapes: a pair function exists once, with its shapes in this order.
-enum class Kind : std::int32_t { point = 0, segment = 1, circle = 2, aabb = 3, rect = 4, ellipse = 5 };
+/// Kinds in the order of the list, from 0. A pair function exists once, with its shapes in this order.
+#define VESICA_KIND(name, Name) name,
+enum class Kind : std::int32_t { VESICA_EACH_SHAPE(VESICA_KIND) };
+#undef VESICA_KIND
 
-inline constexpr int kind_count = 6;
-
-/// The most numbers that a shape has.
-inline constexpr int max_fields = 6;
+#define VESICA_KIND(name, Name) +1
+inline constexpr int kind_count = VESICA_EACH_SHAPE(VESICA_KIND);
+#undef VESICA_KIND
 
 /// Result codes, as the C face returns them.
 enum Error : std::int32_t {
@@ -88,6 +89,16 @@ struct ShapeTraits<Shape<T>> {
   static constexpr int fields = sizeof(Shape<T>) / sizeof(T);
 };
 
+/// How many numbers a shape of each kind has, and the most.
+#define VESICA_FIELDS(name, Name) ShapeTraits<Name<double>>::fields,
+inline constexpr int fields_of_kind[] = {VESICA_EACH_SHAPE(VESICA_FIELDS)};
+#undef VESICA_FIELDS
+inline constexpr int max_fields = [] {
+  int most = 0;
+  for (const int fields : fields_of_kind) most = fields > most ? fields : most;
+  return most;
+}();
+
 namespace detail {
 
 /// Calls action with a shape's numbers in their order.
@@ -106,9 +117,12 @@ VESICA_INLINE constexpr auto with_numbers(const Shape& s, Action action) noexcep
   } else if constexpr (fields == 5) {
     const auto& [p, q, r, t, u] = s;
     return action(p, q, r, t, u);
-  } else {
+  } else if constexpr (fields == 6) {
     const auto& [p, q, r, t, u, v] = s;
     return action(p, q, r, t, u, v);
+  } else {
+    const auto& [p, q, r, t, u, v, w] = s;
+    return action(p, q, r, t, u, v, w);
   }
 }
 

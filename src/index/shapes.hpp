@@ -8,12 +8,11 @@
 #include <cstring>
 #include <vesica/shapes.hpp>
 
+#include "by_kind.hpp"
+
 namespace vesica::index {
 
 inline constexpr int chunk = 256;
-#define VESICA_FIELDS(name, Name) ShapeTraits<Name<double>>::fields,
-inline constexpr int fields_of[kind_count] = {VESICA_EACH_SHAPE(VESICA_FIELDS)};
-#undef VESICA_FIELDS
 
 /// At most so many sets, so that a view of them has room on the stack.
 inline constexpr int most_sets = 64;
@@ -58,7 +57,7 @@ void load_field(const unsigned char* field, std::ptrdiff_t stride, std::int64_t 
 template <class T>
 bool lies_in_records(const Set& set) noexcept {
   auto next = reinterpret_cast<std::uintptr_t>(set.field[0]);
-  for (int k = 1; k < fields_of[set.kind]; ++k) {
+  for (int k = 1; k < field_count(set.kind); ++k) {
     next += sizeof(T);
     if (reinterpret_cast<std::uintptr_t>(set.field[k]) != next) return false;
   }
@@ -69,7 +68,7 @@ bool lies_in_records(const Set& set) noexcept {
 template <class T>
 using Two [[gnu::vector_size(2 * sizeof(T)), gnu::aligned(alignof(T))]] = T;
 
-/// n records of an even number of fields, two by two.
+/// n records, two by two; of an odd number of fields the last two overlap the two before.
 template <class T, int Count>
 void load_records(const unsigned char* at, std::ptrdiff_t stride, int n, Fields& out) noexcept {
   int i = 0;
@@ -78,7 +77,8 @@ void load_records(const unsigned char* at, std::ptrdiff_t stride, int n, Fields&
     // Hardware prefetchers stop at the end of a page.
     __builtin_prefetch(at + prefetch_distance * stride);
     __builtin_prefetch(at + (prefetch_distance + 1) * stride);
-    for (int k = 0; k < Count; k += 2) {
+    for (int next = 0; next < Count; next += 2) {
+      const int k = next + 2 <= Count ? next : Count - 2;
       Two<T> a, b;
       std::memcpy(&a, at + static_cast<std::size_t>(k) * sizeof(T), sizeof a);
       std::memcpy(&b, at + stride + static_cast<std::size_t>(k) * sizeof(T), sizeof b);
@@ -98,18 +98,14 @@ void load_records(const unsigned char* at, std::ptrdiff_t stride, int n, Fields&
 
 template <class T>
 void load_fields(const Set& set, std::int64_t begin, int n, Fields& out) noexcept {
-  if (lies_in_records<T>(set) && fields_of[set.kind] % 2 == 0) {
+  const int fields = field_count(set.kind);
+  if (lies_in_records<T>(set)) {
     const unsigned char* at = set.field[0] + begin * set.stride;
-    switch (fields_of[set.kind]) {
-      case 2:
-        return load_records<T, 2>(at, set.stride, n, out);
-      case 4:
-        return load_records<T, 4>(at, set.stride, n, out);
-      default:
-        return load_records<T, 6>(at, set.stride, n, out);
-    }
+    return with_field_count(fields, [&]<int count>(std::integral_constant<int, count>) {
+      load_records<T, count>(at, set.stride, n, out);
+    });
   }
-  for (int k = 0; k < fields_of[set.kind]; ++k) load_field<T>(set.field[k], set.stride, begin, n, out.column[k]);
+  for (int k = 0; k < fields; ++k) load_field<T>(set.field[k], set.stride, begin, n, out.column[k]);
 }
 
 /// n shapes of a set from its element `begin` on.
@@ -132,7 +128,7 @@ void gather_field(const Set& set, int k, const std::uint32_t* item, int n, doubl
 
 /// The named items, all of one set.
 inline void gather(const Sets& sets, const Set& set, const std::uint32_t* item, int n, Fields& out) noexcept {
-  for (int k = 0; k < fields_of[set.kind]; ++k) {
+  for (int k = 0; k < field_count(set.kind); ++k) {
     if (sets.is_float) {
       gather_field<float>(set, k, item, n, out.column[k]);
     } else {

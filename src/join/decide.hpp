@@ -36,7 +36,7 @@ inline constexpr int prefetch_distance = 40;
 inline void prefetch(const Set& set, std::int64_t item) noexcept {
   const auto at = static_cast<std::ptrdiff_t>((item - set.first) * set.stride);
   __builtin_prefetch(set.field[0] + at);
-  __builtin_prefetch(set.field[fields_of[set.kind] - 1] + at);
+  __builtin_prefetch(set.field[field_count(set.kind) - 1] + at);
 }
 
 /// The records of a set, read from the caller's memory.
@@ -63,11 +63,11 @@ class FromColumns {
   const unsigned char* at(std::uint32_t item) noexcept {
     turn_ = !turn_;
     T* const to = number_[static_cast<int>(turn_)];
-    for (int k = 0; k < fields_of[set_.kind]; ++k) std::memcpy(to + k, place(k, item), sizeof(T));
+    for (int k = 0; k < field_count(set_.kind); ++k) std::memcpy(to + k, place(k, item), sizeof(T));
     return reinterpret_cast<const unsigned char*>(to);
   }
   void prefetch(std::uint32_t item, std::size_t) noexcept {
-    for (int k = 0; k < fields_of[set_.kind]; ++k) __builtin_prefetch(place(k, item), 0, 2);
+    for (int k = 0; k < field_count(set_.kind); ++k) __builtin_prefetch(place(k, item), 0, 2);
   }
 
  private:
@@ -164,16 +164,9 @@ template <class T>
 void gather_columns(const Sets& sets, std::int32_t kind, const std::uint32_t* item, int n, int behind, Recent* recent,
                     std::uint32_t mark, Columns& out) noexcept {
   if (const Set* set = only_set_of(sets, kind)) {
-    switch (fields_of[kind]) {
-      case 2:
-        return gather_set<T, 2>(*set, item, n, behind, recent, mark, out);
-      case 3:
-        return gather_set<T, 3>(*set, item, n, behind, recent, mark, out);
-      case 4:
-        return gather_set<T, 4>(*set, item, n, behind, recent, mark, out);
-      default:
-        return gather_set<T, 6>(*set, item, n, behind, recent, mark, out);
-    }
+    return with_field_count(field_count(kind), [&]<int count>(std::integral_constant<int, count>) {
+      gather_set<T, count>(*set, item, n, behind, recent, mark, out);
+    });
   }
   for (int i = 0; i < n; ++i) {
     if (i + prefetch_distance < n + behind) {
@@ -181,7 +174,7 @@ void gather_columns(const Sets& sets, std::int32_t kind, const std::uint32_t* it
       prefetch(sets.set[sets.of(ahead)], ahead);
     }
     const Set& set = sets.set[sets.of(item[i])];
-    for (int k = 0; k < fields_of[kind]; ++k) gather_number<T>(set, k, item[i], i, out);
+    for (int k = 0; k < field_count(kind); ++k) gather_number<T>(set, k, item[i], i, out);
   }
 }
 

@@ -36,7 +36,7 @@ class Left {
     for (std::int64_t i = 0; i < items_; ++i) {
       load(asked_.sets, asked_.sets.set[0], i, 1, fields);
       double numbers[max_fields];
-      for (int k = 0; k < fields_of[kind_]; ++k) numbers[k] = number_[k][count_] = fields.column[k][0];
+      for (int k = 0; k < field_count(kind_); ++k) numbers[k] = number_[k][count_] = fields.column[k][0];
       const auto s = static_cast<double>(score[i]);
       const bool usable = s == s && asked_.valid(kind_, numbers);
       left_out |= !usable;
@@ -59,7 +59,7 @@ class Left {
   void settle(std::int64_t best) noexcept {
     double one[max_fields];
     const double* columns[max_fields];
-    for (int k = 0; k < max_fields; ++k) columns[k] = &(one[k] = number_[k < fields_of[kind_] ? k : 0][best]);
+    for (int k = 0; k < max_fields; ++k) columns[k] = &(one[k] = number_[k < field_count(kind_) ? k : 0][best]);
     const std::int64_t item = item_[best];
     remove(best);
     for (std::int64_t begin = 0; begin < count_;) begin = lower(columns, item, begin);
@@ -76,7 +76,7 @@ class Left {
     for (; i < count_ && n < chunk; ++i) {
       if (asked_.label != nullptr && asked_.label[item_[i]] != asked_.label[item]) continue;
       place[n] = i;
-      for (int k = 0; k < fields_of[kind_]; ++k) like.column[k][n] = number_[k][i];
+      for (int k = 0; k < field_count(kind_); ++k) like.column[k][n] = number_[k][i];
       ++n;
     }
     if (n == 0) return i;
@@ -95,7 +95,7 @@ class Left {
   void move(std::int64_t from, std::int64_t to) noexcept {
     score_[to] = score_[from];
     item_[to] = item_[from];
-    for (int k = 0; k < fields_of[kind_]; ++k) number_[k][to] = number_[k][from];
+    for (int k = 0; k < field_count(kind_); ++k) number_[k][to] = number_[k][from];
   }
   void remove(std::int64_t place) noexcept {
     for (std::int64_t i = place + 1; i < count_; ++i) move(i, i - 1);

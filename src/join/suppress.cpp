@@ -77,14 +77,27 @@ double moderate_area(double size_0, double size_1, double unit) noexcept {
   return moderate ? area : __builtin_nan("");
 }
 
+constexpr double pi = 3.14159265358979;
+
+double moderate_area(const Circle<double>& s) noexcept { return moderate_area(s.r, s.r, pi); }
+double moderate_area(const Aabb<double>& s) noexcept {
+  return moderate_area(s.max_x - s.min_x, s.max_y - s.min_y, 1);
+}
+double moderate_area(double size_0, double size_1, double ux, double uy, double unit) noexcept {
+  const double uu = ux * ux + uy * uy;
+  return uu >= 0x1p-200 && uu <= 0x1p200 ? moderate_area(size_0, size_1, unit * uu) : __builtin_nan("");
+}
+double moderate_area(const Rect<double>& s) noexcept { return moderate_area(s.hx, s.hy, s.ux, s.uy, 4); }
+double moderate_area(const Ellipse<double>& s) noexcept { return moderate_area(s.a, s.b, s.ux, s.uy, pi); }
+
 double area_of(std::int32_t kind, const Fields& f, int i) noexcept {
-  constexpr double pi = 3.14159265358979;
-  const auto number = [&](int k) { return f.column[k][i]; };
-  if (Kind{kind} == Kind::circle) return moderate_area(number(2), number(2), pi);
-  if (Kind{kind} == Kind::aabb) return moderate_area(number(2) - number(0), number(3) - number(1), 1);
-  const double uu = number(2) * number(2) + number(3) * number(3);
-  const bool in_range = uu >= 0x1p-200 && uu <= 0x1p200;
-  return in_range ? moderate_area(number(4), number(5), (Kind{kind} == Kind::rect ? 4 : pi) * uu) : __builtin_nan("");
+  double numbers[max_fields], area = __builtin_nan("");
+  for (int k = 0; k < field_count(kind); ++k) numbers[k] = f.column[k][i];
+  with_form(kind, [&]<template <class> class Shape>(Named<Shape>) {
+    if constexpr (detail::form::FormOf<Shape<double>>::has_area) area = moderate_area(vesica::load<Shape<double>>(numbers));
+    return 0;
+  });
+  return area;
 }
 
 /// Leaves out most pairs whose ratio is far below a threshold t. With areas A and B the IoU of a shared area S exceeds

@@ -24,9 +24,16 @@ struct Run {
   }
 };
 
+/// Whether shapes of this kind may be found near to what is farther away (vesica/within.hpp).
+bool is_approximate(std::int32_t kind) noexcept {
+  return with_form(kind, []<template <class> class Shape>(Named<Shape>) {
+           return detail::form::FormOf<Shape<double>>::outline == detail::form::Outline::round ? 1 : 0;
+         }) == 1;
+}
+
 bool has_ellipses(const Sets& sets) noexcept {
   for (int i = 0; i < sets.count; ++i) {
-    if (Kind{sets.set[i].kind} == Kind::ellipse) return true;
+    if (is_approximate(sets.set[i].kind)) return true;
   }
   return false;
 }
@@ -98,7 +105,7 @@ struct Shape {
   Shape(const Sets& sets, std::uint32_t item) noexcept {
     const Set& set = sets.set[sets.of(item)];
     kind = set.kind;
-    for (int k = 0; k < fields_of[kind]; ++k) {
+    for (int k = 0; k < field_count(kind); ++k) {
       const unsigned char* const at = set.field[k] + (static_cast<std::int64_t>(item) - set.first) * set.stride;
       if (sets.is_float) {
         float x;

@@ -88,8 +88,12 @@ inline SideColumns side_columns(std::int32_t kind, const QueryOperand& operand) 
 #define VESICA_CASE(name, Name) \
   case Kind::name:              \
     return side_columns<Name>(operand, std::make_index_sequence<ShapeTraits<Name<double>>::fields>{});
-    VESICA_EACH_SHAPE(VESICA_CASE)
+    VESICA_EACH_SHAPE_WITH_FORM(VESICA_CASE)
 #undef VESICA_CASE
+#define VESICA_CASE(name, Name) case Kind::name:
+    VESICA_EACH_SHAPE_WITHOUT_FORM(VESICA_CASE)
+#undef VESICA_CASE
+    break;
   }
   return {};
 }

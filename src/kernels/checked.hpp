@@ -107,24 +107,27 @@ template <template <class> class One, template <class> class Many, class T>
     }
   }
   block.extent = widest(extent, !is_ellipse<Many>);
-  for (int k = 0; k < prepared_columns; ++k) field[6 - prepared_columns + k] = space + k * stride;
+  for (int k = 0; k < prepared_columns; ++k) field[ShapeTraits<Many<T>>::fields - prepared_columns + k] = space + k * stride;
   return true;
 }
 
 template <template <class> class One, template <class> class Many, class T>
-consteval typename CheckedKernels<T>::Pair checked_pair() noexcept {
-  return {check_block<One, Many, T>, answer_checked<One, Many, T>};
+consteval void enter_checked(CheckedKernels<T>& kernels) noexcept {
+  kernels.of[static_cast<int>(kind_of<One>)][static_cast<int>(kind_of<Many>)] = {check_block<One, Many, T>,
+                                                                                answer_checked<One, Many, T>};
 }
 
 /// For vectors of 32 bytes and more: narrower ones were not measured.
 template <class T>
 consteval CheckedKernels<T> make_checked_kernels() noexcept {
+  CheckedKernels<T> kernels{};
   if constexpr (LanesOf<T>::width * sizeof(T) >= 32) {
-    return {{{checked_pair<Rect, Rect, T>(), checked_pair<Rect, Ellipse, T>()},
-             {checked_pair<Ellipse, Rect, T>(), checked_pair<Ellipse, Ellipse, T>()}}};
-  } else {
-    return {};
+    enter_checked<Rect, Rect>(kernels);
+    enter_checked<Rect, Ellipse>(kernels);
+    enter_checked<Ellipse, Rect>(kernels);
+    enter_checked<Ellipse, Ellipse>(kernels);
   }
+  return kernels;
 }
 
 }  // namespace

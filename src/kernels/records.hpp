@@ -9,6 +9,7 @@
 #include <cstring>
 #include <utility>
 
+#include "by_kind.hpp"
 #include "kernels/packed_records.hpp"
 
 namespace vesica {
@@ -84,10 +85,9 @@ std::int32_t copy_whole_vectors(Unaligned<T> from, std::ptrdiff_t stride, int fi
   const bool has_no_gaps = stride == fields * static_cast<std::ptrdiff_t>(sizeof(T));
   if (has_long_vectors && has_no_gaps) {
     const std::int32_t whole = n - n % packed_length<T>;
-    if (fields == 2) copy_packed<2>(from, whole, columns, column_length);
-    if (fields == 3) copy_packed<3>(from, whole, columns, column_length);
-    if (fields == 4) copy_packed<4>(from, whole, columns, column_length);
-    if (fields == 6) copy_packed<6>(from, whole, columns, column_length);
+    with_field_count(fields, [&]<int count>(std::integral_constant<int, count>) {
+      copy_packed<count>(from, whole, columns, column_length);
+    });
     return whole;
   }
   const std::int32_t whole = n - n % record_vector<T>;
@@ -100,7 +100,7 @@ std::int32_t copy_whole_vectors(Unaligned<T> from, std::ptrdiff_t stride, int fi
   return whole;
 }
 
-/// Copies n records, `stride` bytes apart, of 2, 3, 4 or 6 adjacent numbers to columns, `column_length` numbers apart.
+/// Copies n records, `stride` bytes apart, of so many adjacent numbers to columns, `column_length` numbers apart.
 template <class T>
 VESICA_KERNEL void records_to_columns(Unaligned<T> from, std::ptrdiff_t stride, int fields, std::int32_t n, T* columns,
                                       std::int32_t column_length) noexcept {

@@ -70,8 +70,8 @@ inline constexpr bool has_packed_kernels = true;
 inline constexpr bool has_packed_kernels = false;
 #endif
 
-/// Checked kernels: for the shape of a row against a block of columns that was checked before, by the two kinds,
-/// rectangle and ellipse. Null where there are none.
+/// Checked kernels: for the shape of a row against a block of columns that was checked before, by the two kinds. Null
+/// but for rectangles and ellipses.
 template <class T>
 struct CheckedKernels {
   struct Pair {
@@ -80,16 +80,11 @@ struct CheckedKernels {
     /// Returns row_is_unusable as the number of undecided pairs if it cannot take the row's shape.
     BlockKernel<T> answer;
   };
-  Pair of[2][2];  // the row's kind, the columns'
-
-  Pair pair(std::int32_t one, std::int32_t many) const noexcept {
-    constexpr auto rect = static_cast<std::int32_t>(Kind::rect);
-    return one < rect || many < rect ? Pair{} : of[one - rect][many - rect];
-  }
+  Pair of[kind_count][kind_count];  // the row's kind, the columns'
 };
 inline constexpr std::int32_t row_is_unusable = INT32_MAX;
 
-/// Copies n records, `stride` bytes apart, of 2, 3, 4 or 6 adjacent numbers to columns, `column_length` numbers apart.
+/// Copies n records, `stride` bytes apart, of so many adjacent numbers to columns, `column_length` numbers apart.
 template <class T>
 using CopyRecords = void (*)(Unaligned<T> from, std::ptrdiff_t stride, int fields, std::int32_t n, T* columns,
                              std::int32_t column_length) noexcept;

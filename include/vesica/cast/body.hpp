@@ -3,6 +3,7 @@
 /// it exists once for all kinds.
 #pragma once
 
+#include <utility>
 #include <vesica/each_shape.hpp>
 #include <vesica/shapes.hpp>
 
@@ -13,10 +14,10 @@ using namespace lane;
 using lane::abs;
 using lane::sqrt;
 
-/// A kind and as many numbers as it has.
+/// The kind of a shape with a form, and as many numbers as it has.
 struct Body {
   Kind kind;
-  double number[6];
+  double number[max_fields];
 };
 
 template <class Shape>
@@ -28,17 +29,10 @@ VESICA_INLINE Body body(const Shape& s) noexcept {
 
 template <template <class> class Shape>
 VESICA_INLINE Shape<double> shape(const Body& body) noexcept {
-  const double* const n = body.number;
-  constexpr int fields = ShapeTraits<Shape<double>>::fields;
-  if constexpr (fields == 2) {
-    return {n[0], n[1]};
-  } else if constexpr (fields == 3) {
-    return {n[0], n[1], n[2]};
-  } else if constexpr (fields == 4) {
-    return {n[0], n[1], n[2], n[3]};
-  } else {
-    return {n[0], n[1], n[2], n[3], n[4], n[5]};
+  return [&]<std::size_t... field>(std::index_sequence<field...>) {
+    return Shape<double>{body.number[field]...};
   }
+  (std::make_index_sequence<ShapeTraits<Shape<double>>::fields>{});
 }
 
 /// The shape with its numbers in double, itself where they are.
@@ -58,8 +52,12 @@ VESICA_INLINE auto with_shape(const Body& body, const Action& action) noexcept {
 #define VESICA_CASE(name, Name) \
   case Kind::name:              \
     return action(shape<Name>(body));
-    VESICA_EACH_SHAPE(VESICA_CASE)
+    VESICA_EACH_SHAPE_WITH_FORM(VESICA_CASE)
 #undef VESICA_CASE
+#define VESICA_CASE(name, Name) case Kind::name:
+    VESICA_EACH_SHAPE_WITHOUT_FORM(VESICA_CASE)
+#undef VESICA_CASE
+    break;
   }
   return action(shape<Point>(body));
 }

@@ -24,9 +24,10 @@ inline NineIntersections of_areas(Relation r, char meeting) noexcept {
       return {"212FF1FF2"};
     case Relation::contains_touch:
       return {{'2', '1', '2', 'F', meeting, '1', 'F', 'F', '2', 0}};
-    default:
-      return {"2FFF1FFF2"};
+    case Relation::equal:
+      break;
   }
+  return {"2FFF1FFF2"};
 }
 
 /// Whether intervals have a length in common.

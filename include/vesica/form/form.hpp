@@ -7,6 +7,7 @@
 /// them in its own arithmetic: exact, rounded, lanes of a vector, twofolds or double-doubles.
 #pragma once
 
+#include <type_traits>
 #include <utility>
 #include <vesica/shapes.hpp>
 
@@ -80,6 +81,8 @@ struct Form {
   /// A difference of end points is 0 for a segment of no length; the stages that need an axis then take any.
   static constexpr bool axis_may_vanish = is_difference<Ux>;
   static constexpr bool has_corners = is_corners<Place>;
+  /// It may have an area: its size across is no constant.
+  static constexpr bool has_area = !std::is_same_v<Size, Constant>;
   /// Along the coordinate axes, whatever its numbers are.
   static constexpr bool is_upright = outline_ == Outline::straight && is_fixed_axis<Ux>;
   Place place;

@@ -27,7 +27,7 @@ inline double hypotenuse(double x, double y) noexcept {
 /// 1 where a number is finite, else NaN.
 inline double one_if_finite(double x) noexcept { return x * 0 + 1; }
 
-inline void bounds_of_points(const Fields& f, int n, Boxes& out) noexcept {
+inline void bounds_of(Named<Point>, const Fields& f, int n, Boxes& out) noexcept {
   for (int i = 0; i < n; ++i) {
     const double x = f.column[0][i], y = f.column[1][i];
     out.min_x[i] = out.max_x[i] = x;
@@ -36,7 +36,7 @@ inline void bounds_of_points(const Fields& f, int n, Boxes& out) noexcept {
   }
 }
 
-inline void bounds_of_segments(const Fields& f, int n, Boxes& out) noexcept {
+inline void bounds_of(Named<Segment>, const Fields& f, int n, Boxes& out) noexcept {
   for (int i = 0; i < n; ++i) {
     const double x0 = f.column[0][i], y0 = f.column[1][i], x1 = f.column[2][i], y1 = f.column[3][i];
     out.min_x[i] = x0 < x1 ? x0 : x1;
@@ -47,7 +47,7 @@ inline void bounds_of_segments(const Fields& f, int n, Boxes& out) noexcept {
   }
 }
 
-inline void bounds_of_circles(const Fields& f, int n, Boxes& out) noexcept {
+inline void bounds_of(Named<Circle>, const Fields& f, int n, Boxes& out) noexcept {
   for (int i = 0; i < n; ++i) {
     const double x = f.column[0][i], y = f.column[1][i], r = f.column[2][i];
     about(x, r, out.min_x[i], out.max_x[i]);
@@ -56,7 +56,7 @@ inline void bounds_of_circles(const Fields& f, int n, Boxes& out) noexcept {
   }
 }
 
-inline void bounds_of_aabbs(const Fields& f, int n, Boxes& out) noexcept {
+inline void bounds_of(Named<Aabb>, const Fields& f, int n, Boxes& out) noexcept {
   for (int i = 0; i < n; ++i) {
     const double x0 = f.column[0][i], y0 = f.column[1][i], x1 = f.column[2][i], y1 = f.column[3][i];
     out.min_x[i] = x0;
@@ -68,35 +68,32 @@ inline void bounds_of_aabbs(const Fields& f, int n, Boxes& out) noexcept {
   }
 }
 
-template <bool Ellipse>
+template <bool is_ellipse>
 inline void bounds_of_oblique(const Fields& f, int n, Boxes& out) noexcept {
   for (int i = 0; i < n; ++i) {
     const double cx = f.column[0][i], cy = f.column[1][i], ux = f.column[2][i], uy = f.column[3][i];
     const double h0 = f.column[4][i], h1 = f.column[5][i];
     const double x = __builtin_fabs(ux), y = __builtin_fabs(uy);
-    about(cx, Ellipse ? hypotenuse(x * h0, y * h1) : x * h0 + y * h1, out.min_x[i], out.max_x[i]);
-    about(cy, Ellipse ? hypotenuse(y * h0, x * h1) : y * h0 + x * h1, out.min_y[i], out.max_y[i]);
+    about(cx, is_ellipse ? hypotenuse(x * h0, y * h1) : x * h0 + y * h1, out.min_x[i], out.max_x[i]);
+    about(cy, is_ellipse ? hypotenuse(y * h0, x * h1) : y * h0 + x * h1, out.min_y[i], out.max_y[i]);
     const double finite = one_if_finite(cx) * one_if_finite(cy) * one_if_finite(ux) * one_if_finite(uy) *
                           one_if_finite(h0) * one_if_finite(h1);
     out.valid[i] = (finite == 1) & (h0 >= 0) & (h1 >= 0) & ((x > 0) | (y > 0));
   }
 }
 
+inline void bounds_of(Named<Rect>, const Fields& f, int n, Boxes& out) noexcept {
+  bounds_of_oblique<false>(f, n, out);
+}
+inline void bounds_of(Named<Ellipse>, const Fields& f, int n, Boxes& out) noexcept {
+  bounds_of_oblique<true>(f, n, out);
+}
+
 inline void bounds(std::int32_t kind, const Fields& fields, int n, Boxes& out) noexcept {
-  switch (Kind{kind}) {
-    case Kind::point:
-      return bounds_of_points(fields, n, out);
-    case Kind::segment:
-      return bounds_of_segments(fields, n, out);
-    case Kind::circle:
-      return bounds_of_circles(fields, n, out);
-    case Kind::aabb:
-      return bounds_of_aabbs(fields, n, out);
-    case Kind::rect:
-      return bounds_of_oblique<false>(fields, n, out);
-    default:
-      return bounds_of_oblique<true>(fields, n, out);
-  }
+  with_form(kind, [&]<template <class> class Shape>(Named<Shape> shape) {
+    bounds_of(shape, fields, n, out);
+    return 0;
+  });
 }
 
 }  // namespace
