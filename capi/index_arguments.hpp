@@ -10,7 +10,7 @@
 
 namespace vesica::capi {
 
-inline const index::Kernels& index_kernels() noexcept { return index::kernels_named(kernels().name); }
+inline const index::Kernels& index_kernels() noexcept { return *kernels().index; }
 
 inline bool aligned(const void* p) noexcept {
   return reinterpret_cast<std::uintptr_t>(p) % static_cast<std::uintptr_t>(index::alignment) == 0;

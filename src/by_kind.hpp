@@ -13,10 +13,7 @@ namespace vesica {
 
 /// Every query answers shapes that have a form (form/form.hpp). A shape without one is answered by the queries that say
 /// so, and is an unknown kind to the others.
-template <class Shape>
-concept HasForm = requires(const Shape& shape) {
-  detail::form::of(shape);
-};
+using detail::form::HasForm;
 
 VESICA_INLINE constexpr bool is_kind(std::int32_t kind) noexcept { return kind >= 0 && kind < kind_count; }
 

@@ -51,7 +51,7 @@ class Tiles {
   static constexpr std::int64_t worth_boxing = 128;
 
   Tiles(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b) noexcept
-      : kernels_(kernels), boxes_(index::kernels_named(kernels.name)), a_(a), b_(b) {}
+      : kernels_(kernels), boxes_(*kernels.index), a_(a), b_(b) {}
 
   /// Of the columns from `begin` on.
   void begin(std::int64_t begin, std::int32_t length) noexcept {

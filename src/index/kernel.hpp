@@ -12,8 +12,8 @@
 namespace vesica::index {
 namespace {  // an instantiation of its own in each object
 
-consteval Kernels make_kernels(const char* name) noexcept {
-  return {name,       bounds,    assign,          finish,         meeting_blocks, meet,
+consteval Kernels make_kernels() noexcept {
+  return {bounds,     assign,    finish,          meeting_blocks, meet,
           candidates, in_window, child_distances, leaf_distances, item_distances};
 }
 

@@ -54,7 +54,6 @@ struct Bounding {
 };
 
 struct Kernels {
-  const char* name;
   /// Boxes of n shapes of one kind.
   void (*bounds)(std::int32_t kind, const Fields& fields, int n, Boxes& out) noexcept;
   /// Cells and boxes in their columns; cells() + residue_... for a shape without a place.
@@ -87,8 +86,5 @@ extern const Kernels kernels_neon;
 #elif defined(__wasm_simd128__)
 extern const Kernels kernels_simd128;
 #endif
-
-/// Those of the named instruction set; the plainest ones of this processor for an unknown name.
-const Kernels& kernels_named(const char* isa) noexcept;
 
 }  // namespace vesica::index

@@ -3,11 +3,12 @@
 #include "kernels/flatten.hpp"
 #include "lanes/avx512.hpp"
 // clang-format on
+#include "index/kernels.hpp"
 #include "kernels/block.hpp"
 #include "kernels/query_table.hpp"
 
 namespace vesica {
 
-constinit const KernelTable kernels_avx512 = make_table("avx512", kernels_avx512_queries, kernels_avx512_ties);
+constinit const KernelTable kernels_avx512 = make_table("avx512", kernels_avx512_queries, kernels_avx512_ties, index::kernels_avx512);
 
 }  // namespace vesica

@@ -128,10 +128,13 @@ VESICA_INLINE Vector one_of_three(const Vector& a, const Vector& b, const Vector
   return shuffled<from>(numbers, numbers);
 }
 
-/// Loads a vector's worth of records of 2, 3, 4 or 6 numbers.
+/// Counts of a record's numbers that load_packed() takes.
+constexpr bool loads_packed(int fields) noexcept { return fields == 2 || fields == 3 || fields == 4 || fields == 6; }
+
+/// Loads a vector's worth of records.
 template <int fields, class T, class Vector>
 VESICA_INLINE void load_packed(Unaligned<T> from, Vector (&out)[fields]) noexcept {
-  static_assert(fields == 2 || fields == 3 || fields == 4 || fields == 6);
+  static_assert(loads_packed(fields));
   const auto a = load_window<fields, 0>(from), b = load_window<fields, 1>(from);
   if constexpr (fields == 2) {
     split_pair<fields, 0>(a, b, out);

@@ -83,10 +83,10 @@ template <class T>
 std::int32_t copy_whole_vectors(Unaligned<T> from, std::ptrdiff_t stride, int fields, std::int32_t n, T* columns,
                                 std::int32_t column_length) noexcept {
   const bool has_no_gaps = stride == fields * static_cast<std::ptrdiff_t>(sizeof(T));
-  if (has_long_vectors && has_no_gaps) {
+  if (has_long_vectors && has_no_gaps && loads_packed(fields)) {
     const std::int32_t whole = n - n % packed_length<T>;
     with_field_count(fields, [&]<int count>(std::integral_constant<int, count>) {
-      copy_packed<count>(from, whole, columns, column_length);
+      if constexpr (loads_packed(count)) copy_packed<count>(from, whole, columns, column_length);
     });
     return whole;
   }

@@ -16,6 +16,10 @@
 
 namespace vesica {
 
+namespace index {
+struct Kernels;
+}
+
 /// A block of pairs: element i of each field of a shape at first[field][i]; a repeated shape has its numbers at [0].
 template <class T>
 struct Block {
@@ -126,6 +130,7 @@ struct KernelTable {
   const char* name;
   const QueryTable* queries;          // of the same instruction set
   const TieKernels* ties;             // likewise
+  const index::Kernels* index;        // likewise
   std::int32_t width_f32, width_f64;  // lanes of a vector
   void (*widen_column)(Unaligned<float> from, std::int32_t n, double* to) noexcept;
   CopyRecords<float> copy_records_f32;

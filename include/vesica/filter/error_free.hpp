@@ -245,7 +245,7 @@ inline constexpr bool is_aabb = parts::FormOf<Shape>::is_upright&& parts::FormOf
 
 /// Pairs that error_free() knows. Two AABBs or points are not among them: comparisons leave nothing open.
 template <class A, class B>
-concept HasErrorFree = (is_straight<A> || is_disc<A>)&&(is_straight<B> || is_disc<B>)&&!(parts::FormOf<A>::is_upright &&
+concept HasErrorFree = parts::HasForm<A>&& parts::HasForm<B> && (is_straight<A> || is_disc<A>)&&(is_straight<B> || is_disc<B>)&&!(parts::FormOf<A>::is_upright &&
                                                                                          parts::FormOf<B>::is_upright);
 
 /// Whether two shapes overlap, where nothing is rounded in finding out.

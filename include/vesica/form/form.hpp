@@ -127,6 +127,11 @@ VESICA_INLINE constexpr auto of(const Ellipse<V>& s) noexcept {
 }
 
 template <class Shape>
+concept HasForm = requires(const Shape& shape) {
+  of(shape);
+};
+
+template <class Shape>
 using FormOf = decltype(of(std::declval<const Shape&>()));
 
 /// The parts of a form as numbers of the stored type, differences rounded.

@@ -5,6 +5,6 @@
 
 namespace vesica::index {
 
-constinit const Kernels kernels_avx2 = make_kernels("avx2");
+constinit const Kernels kernels_avx2 = make_kernels();
 
 }  // namespace vesica::index

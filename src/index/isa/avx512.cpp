@@ -5,6 +5,6 @@
 
 namespace vesica::index {
 
-constinit const Kernels kernels_avx512 = make_kernels("avx512");
+constinit const Kernels kernels_avx512 = make_kernels();
 
 }  // namespace vesica::index

@@ -5,6 +5,6 @@
 
 namespace vesica::index {
 
-constinit const Kernels kernels_neon = make_kernels("neon");
+constinit const Kernels kernels_neon = make_kernels();
 
 }  // namespace vesica::index

@@ -5,6 +5,6 @@
 
 namespace vesica::index {
 
-constinit const Kernels kernels_portable = make_kernels("portable");
+constinit const Kernels kernels_portable = make_kernels();
 
 }  // namespace vesica::index

@@ -5,6 +5,6 @@
 
 namespace vesica::index {
 
-constinit const Kernels kernels_simd128 = make_kernels("simd128");
+constinit const Kernels kernels_simd128 = make_kernels();
 
 }  // namespace vesica::index

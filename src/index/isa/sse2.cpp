@@ -5,6 +5,6 @@
 
 namespace vesica::index {
 
-constinit const Kernels kernels_sse2 = make_kernels("sse2");
+constinit const Kernels kernels_sse2 = make_kernels();
 
 }  // namespace vesica::index
