@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vesica/scalar.hpp>
 
 namespace vesica::index {
 
@@ -121,9 +122,6 @@ constexpr std::int64_t round_up(std::int64_t bytes, std::int64_t to = alignment)
 constexpr std::int64_t directory_bytes(std::int64_t blocks) noexcept {
   return round_up(blocks * 4) + tree_nodes(blocks) * static_cast<std::int64_t>(sizeof(Node));
 }
-
-/// Functions that objects of several instruction sets call: inlined, so that none runs another's code.
-#define VESICA_INLINE [[gnu::always_inline]] inline
 
 /// Prefetches the cache lines of so many bytes: locality 3 to the first cache, 2 to the second.
 template <int locality = 3>
