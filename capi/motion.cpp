@@ -228,13 +228,8 @@ struct Moving {
     return set.field[k] + (static_cast<int64_t>(item) - set.first) * set.stride;
   }
   Body still(std::uint32_t item) const noexcept {
-    const index::Set& set = sets.set[sets.of(item)];
-    Body out{static_cast<vesica::Kind>(set.kind), {}};
-    for (int k = 0; k < vesica::field_count(set.kind); ++k) {
-      T number;
-      std::memcpy(&number, place(set, k, item), sizeof number);
-      out.number[k] = static_cast<double>(number);
-    }
+    Body out{};
+    out.kind = static_cast<vesica::Kind>(index::read_item<T>(sets, item, out.number));
     return out;
   }
   static int32_t ask(void* context, std::uint32_t item, double end, double& t) {

@@ -20,7 +20,6 @@ struct Question {
   std::int32_t kind_first, kind_second;
   int fields_first, fields_second;
   const PairKernels<T>& pair;
-  const BlockKernel<double> ties;  // null where there are none
 
   Question(const KernelTable& table, std::int32_t first, std::int32_t second) noexcept
       : kernels(table),
@@ -28,10 +27,7 @@ struct Question {
         kind_second(second),
         fields_first(field_count(first)),
         fields_second(field_count(second)),
-        pair(table.of(T{})[first][second]),
-        ties(table.ties->of[first][second]) {}
-
-  Question<double> in_double() const noexcept { return {kernels, kind_first, kind_second}; }
+        pair(table.of(T{})[first][second]) {}
 };
 
 /// Answers a block by a kernel, which takes whole vectors only. If elements are left over, the last whole vector of the
@@ -120,164 +116,43 @@ BlockResult answer_block(const Question<T>& question, Repeat repeat, BlockKernel
   return RestOfBlock<T>(question, repeat).answer(kernel, block);
 }
 
-/// Undecided elements are evaluated again in double lanes, in groups. Up to `few` go straight to the scalar function.
-inline constexpr std::int32_t retry_chunk = 128, few = 8;
-
-struct RetryBlock {
-  double first[max_fields][retry_chunk], second[max_fields][retry_chunk];
-  std::uint8_t answers[retry_chunk];
-  std::int32_t open[retry_chunk];
-  std::int32_t count;
-
-  explicit RetryBlock(std::int32_t n) noexcept : count(n) {}
-
-  BlockResult answer(const Question<double>& question, Repeat repeat) noexcept {
-    Block<double> block{};
-    for (int k = 0; k < max_fields; ++k) {
-      block.first[k] = first[k];
-      block.second[k] = second[k];
-    }
-    block.count = count;
-    block.out = answers;
-    block.undecided = open;
-    block.give_up = count;
-    const bool with_ties = repeat == Repeat::none && question.ties != nullptr;
-    return answer_block(question, repeat, with_ties ? question.ties : question.pair.general[static_cast<int>(repeat)],
-                        block);
-  }
-};
-
 template <class T>
 struct Answerer {
-  static constexpr bool is_float = sizeof(T) == sizeof(float);
   const Question<T>& question;
   Tally tally;
 
-  /// The numbers of n elements, exact as doubles.
-  template <int Chunk>
-  static void gather(const Unaligned<T>* field, int fields, std::ptrdiff_t stride, const std::int32_t* index,
-                     std::int32_t n, double (&out)[max_fields][Chunk]) noexcept {
-    for (int k = 0; k < fields; ++k) {
-      for (std::int32_t i = 0; i < n; ++i) out[k][i] = static_cast<double>(field[k].advanced(index[i] * stride)[0]);
+  /// The numbers of element i as doubles.
+  static void widen(const Unaligned<T>* field, int fields, std::ptrdiff_t offset, double (&out)[max_fields]) noexcept {
+    for (int k = 0; k < fields; ++k) out[k] = static_cast<double>(field[k].advanced(offset)[0]);
+  }
+
+  /// Answers the pairs that a kernel left undecided by the scalar function.
+  [[gnu::noinline]] void finish(const Block<T>& block, std::int32_t undecided) noexcept {
+    const PairFunction overlap = queries::overlap.doubles.of[question.kind_first][question.kind_second];
+    for (std::int32_t k = 0; k < undecided; ++k) {
+      const std::int32_t i = block.undecided[k];
+      double a[max_fields], b[max_fields];
+      widen(block.first, question.fields_first, i * block.stride_first, a);
+      widen(block.second, question.fields_second, i * block.stride_second, b);
+      const std::int32_t answer = overlap(a, b, nullptr);
+      tally.invalid |= answer < 0;
+      tally.overlaps += answer == 1;
+      block.out[i] = answer == 1;
     }
   }
 
-  void settle(std::int32_t answer, std::uint8_t* out) noexcept {
-    if (answer < 0) tally.invalid = true;
-    *out = answer == 1;
-    tally.overlaps += *out;
-  }
-
-  /// One element by the scalar function.
-  void resolve(const Block<T>& block, std::int32_t i) noexcept {
-    double a[max_fields][1], b[max_fields][1];
-    gather(block.first, question.fields_first, block.stride_first, &i, 1, a);
-    gather(block.second, question.fields_second, block.stride_second, &i, 1, b);
-    settle(queries::overlap.doubles.of[question.kind_first][question.kind_second](a, b, nullptr), block.out + i);
-  }
-
-  /// Answers elements that a quick kernel or float lanes left undecided, in double lanes. Those that double lanes leave
-  /// undecided too go to the scalar function.
-  void retry(const Block<T>& block, const std::int32_t* index, std::int32_t n) noexcept {
-    RetryBlock retry(n);
-    gather(block.first, question.fields_first, block.stride_first, index, n, retry.first);
-    gather(block.second, question.fields_second, block.stride_second, index, n, retry.second);
-    const BlockResult result = retry.answer(question.in_double(), Repeat::none);
-    tally.overlaps += result.overlaps;
-    for (std::int32_t i = 0; i < n; ++i) block.out[index[i]] = retry.answers[i];
-    for (std::int32_t i = 0; i < result.undecided; ++i) resolve(block, index[retry.open[i]]);
-  }
-
-  /// Answers a whole block in double lanes, after float lanes left much of it undecided, as happens near contact.
-  void redo_in_double(const Block<T>& block, Repeat repeat) noexcept {
-    const Question<double> in_double = question.in_double();
-    for (std::int32_t begin = 0; begin < block.count; begin += retry_chunk) {
-      const std::int32_t n = block_length(block.count - begin, retry_chunk);
-      RetryBlock retry(n);
-      widen_stretch(block.first, question.fields_first, repeat == Repeat::first, begin, n, retry.first);
-      widen_stretch(block.second, question.fields_second, repeat == Repeat::second, begin, n, retry.second);
-      const BlockResult result = retry.answer(in_double, repeat);
-      tally.overlaps += result.overlaps;
-      std::memcpy(block.out + begin, retry.answers, static_cast<std::size_t>(n));
-      for (std::int32_t i = 0; i < result.undecided; ++i) resolve(block, begin + retry.open[i]);
-    }
-  }
-
-  void widen_stretch(const Unaligned<T>* field, int fields, bool repeated, std::int32_t begin, std::int32_t n,
-                     double (&out)[max_fields][retry_chunk]) noexcept {
-    for (int k = 0; k < fields; ++k) {
-      question.kernels.widen_column(field[k] + (repeated ? 0 : begin), repeated ? 1 : n, out[k]);
-    }
-  }
-
-  /// Answers the elements that a kernel left undecided. `final`: double lanes would not decide more.
-  [[gnu::noinline]] void finish(const Block<T>& block, std::int32_t undecided, bool final) noexcept {
-    if (undecided <= few || final) {
-      for (std::int32_t i = 0; i < undecided; ++i) resolve(block, block.undecided[i]);
-      return;
-    }
-    for (std::int32_t begin = 0; begin < undecided; begin += retry_chunk) {
-      retry(block, block.undecided + begin, block_length(undecided - begin, retry_chunk));
-    }
-  }
-
-  /// Answers a block by the general kernel. If much stays undecided, double lanes follow after float lanes, and then
-  /// the kernel that decides exact contacts.
-  void answer_generally(Block<T>& block, Repeat repeat) noexcept {
-    const bool ties_in_place = !is_float && repeat == Repeat::none && question.ties != nullptr;
-    block.give_up = is_float || ties_in_place ? block.count / 4 : block.count;
-    const BlockResult result = answer_block(question, repeat, question.pair.general[static_cast<int>(repeat)], block);
-    if (result.undecided > block.give_up) {
-      if constexpr (is_float) {
-        redo_in_double(block, repeat);
-      } else {
-        answer_with_ties(block);
-      }
-      return;
-    }
-    tally.overlaps += result.overlaps;
-    finish(block, result.undecided, !is_float && question.ties == nullptr);
-  }
-
-  void answer_with_ties(Block<double>& block) noexcept {
-    block.give_up = block.count;
-    const BlockResult result = answer_block(question, Repeat::none, question.ties, block);
-    tally.overlaps += result.overlaps;
-    finish(block, result.undecided, true);
-  }
-
-  /// Answers a block by the kernel for unit axes. If it leaves too much undecided to pay, other kernels take over.
+  /// Answers a block by the kernel for unit axes, or, if it leaves too much undecided to pay, by the general one.
   void answer(Block<T>& block, Repeat repeat) noexcept {
     const BlockKernel<T> unit = question.pair.unit[static_cast<int>(repeat)];
-    if (unit == question.pair.general[static_cast<int>(repeat)]) return answer_generally(block, repeat);
-    block.give_up = block.count / 32;
-    const BlockResult result = answer_block(question, repeat, unit, block);
+    const BlockKernel<T> general = question.pair.general[static_cast<int>(repeat)];
+    block.give_up = unit == general ? block.count : block.count / 32;
+    BlockResult result = answer_block(question, repeat, unit, block);
     if (result.undecided > block.give_up) {
-      if constexpr (is_float) {
-        if (!general_decides(block, repeat)) return redo_in_double(block, repeat);
-      }
-      return answer_generally(block, repeat);
+      block.give_up = block.count;
+      result = answer_block(question, repeat, general, block);
     }
     tally.overlaps += result.overlaps;
-    finish(block, result.undecided, false);
-  }
-
-  /// Whether the general kernel decides the first element that the kernel for unit axes left undecided. It does where
-  /// the cause was an axis of another length, and does not near contact.
-  bool general_decides(const Block<T>& block, Repeat repeat) noexcept {
-    const std::int32_t i = block.undecided[0];
-    std::uint8_t answer;
-    std::int32_t open;
-    Block<T> one = block;
-    for (int k = 0; k < max_fields; ++k) {
-      if (repeat != Repeat::first && k < question.fields_first) one.first[k] = one.first[k] + i;
-      if (repeat != Repeat::second && k < question.fields_second) one.second[k] = one.second[k] + i;
-    }
-    one.count = 1;
-    one.give_up = 1;
-    one.out = &answer;
-    one.undecided = &open;
-    return answer_block(question, repeat, question.pair.general[static_cast<int>(repeat)], one).undecided == 0;
+    finish(block, result.undecided);
   }
 };
 
@@ -309,7 +184,7 @@ class Rows {
   /// space: room for the columns of a block.
   void begin(const Block<T>& block, std::int64_t rows, T* space) noexcept {
     whole_ = whole_checked_ = block;
-    allowance_ = few * pairs_an_undecided;
+    allowance_ = first_allowance * pairs_an_undecided;
     usable_ = rows >= worth_checking && kernels_.check_block != nullptr &&
               kernels_.check_block(whole_checked_, space, block_size<T>);
   }
@@ -331,7 +206,7 @@ class Rows {
 
  private:
   static constexpr std::int64_t worth_checking = 4;
-  static constexpr std::int64_t pairs_an_undecided = 512;
+  static constexpr std::int64_t pairs_an_undecided = 512, first_allowance = 8;
 
   Answerer<T> answerer_;
   Repeat repeat_;
@@ -370,7 +245,7 @@ class Rows {
     answerer_.tally.overlaps += result.overlaps;
     if (result.undecided > 0) {
       set_row(block_, shape, out);
-      answerer_.finish(block_, result.undecided, false);
+      answerer_.finish(block_, result.undecided);
     }
     return true;
   }
@@ -409,7 +284,7 @@ class PackedRecords {
       return 0;
     }
     answerer.tally.overlaps += result.overlaps;
-    answerer.finish(block, result.undecided, false);
+    answerer.finish(block, result.undecided);
     return block.count;
   }
 
@@ -428,7 +303,7 @@ class PackedRecords {
 template <class T, class Place, class Done>
 Tally in_step(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b, std::int64_t n, Place place,
               Done done) noexcept {
-  // Of two shapes of one kind the second never repeats alone: there are no kernels for it.
+  // If both kinds are the same, the second never repeats alone: there are no kernels for it.
   const bool in_order = a.kind < b.kind || (a.kind == b.kind && b.stride != 0);
   const Shapes<T>& first = in_order ? a : b;
   const Shapes<T>& second = in_order ? b : a;

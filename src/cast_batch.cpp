@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Casts of arrays, a block at a time: a kernel tells most misses, another most first contacts, and the rest are asked
-// as single pairs.
+// Casts of arrays, a block at a time: a kernel decides most misses, another finds most first contacts, and the rest are
+// asked as single pairs.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -158,7 +158,7 @@ class CastBlock {
     std::fill(to + given, to + (stride == 0 ? query_block : whole_vectors(n)), to[0]);
   }
 
-  /// Of the listed pairs, put side by side.
+  /// Finds the contacts of the listed pairs, copied side by side.
   void find(CastKernel kernel, double end, const std::int32_t* list, std::int32_t n) noexcept {
     const std::int32_t padded = whole(n);
     const double* const velocities[] = {vx_, vy_};
@@ -281,7 +281,7 @@ struct FirstSearch {
   Impact<T> best;
 
   bool some() const noexcept { return first.index != many.count; }
-  /// What comes later than the best so far is a miss.
+  /// Contact later than the best so far is a miss.
   double end() const noexcept { return some() ? static_cast<double>(best.t) : motion.end; }
   void take(std::int64_t i, const Impact<T>& impact) noexcept {
     if (some() && (impact.t > best.t || (impact.t == best.t && i > first.index))) return;
@@ -297,7 +297,7 @@ struct FirstSearch {
     note(code, first.error);
     if (code > 0) take(i, impact);
   }
-  /// What could not be told before the earliest was found may come after it.
+  /// A pair that was undecided before the earliest hit was found may come after it.
   void settle() noexcept {
     if (first.error != error_range || !some()) return;
     first.error = 0;

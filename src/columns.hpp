@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Arrays of shapes, read a block at a time, by both engines: that of overlap (batch.cpp) and that of the other queries
-// (queries.cpp).
+// Arrays of shapes, read a block at a time: for overlap (batch.cpp) and for the other queries (queries.cpp).
 #pragma once
 
 #include "batch.hpp"
@@ -32,6 +31,14 @@ Shapes<T> element(const Shapes<T>& shapes, std::int64_t i) noexcept {
   one.stride = 0;
   for (int k = 0; k < field_count(shapes.kind); ++k) one.field[k] = shapes.field[k].advanced(i * shapes.stride);
   return one;
+}
+
+/// The numbers of element i as doubles.
+template <class T>
+void read_element(const Shapes<T>& shapes, std::int64_t i, double (&out)[max_fields]) noexcept {
+  for (int k = 0; k < field_count(shapes.kind); ++k) {
+    out[k] = static_cast<double>(shapes.field[k].advanced(i * shapes.stride)[0]);
+  }
 }
 
 /// Whether any stretch of the array can be read where it lies.

@@ -9,16 +9,16 @@
 #include "query.hpp"
 
 namespace vesica::batch {
-namespace {  // of the objects that call it, queries.cpp and cast_batch.cpp, so that it is compiled in place
+namespace {  // compiled in place by queries.cpp and cast_batch.cpp
 
 /// n rounded up to a multiple of the widest vector's doubles.
 constexpr std::int32_t whole_vectors(std::int32_t n) noexcept {
   return (n + widest_vector - 1) / widest_vector * widest_vector;
 }
 
-/// The reach of a rectangle: the radius of a circle about its centre that holds it, at most 2^-47 of itself too great.
-/// NaN, from which nothing follows, if the rectangle is invalid or its squares are not normal numbers.
-inline double reach_of(double cx, double cy, double ux, double uy, double hx, double hy) noexcept {
+/// The radius of a circle about the centre that holds a rectangle, up to a relative 2^-47 too large. NaN if the
+/// rectangle is invalid or its squares are not normal numbers.
+inline double bounding_radius(double cx, double cy, double ux, double uy, double hx, double hy) noexcept {
   constexpr double least = 0x1p-400, most = 0x1p400;
   const double uu = ux * ux + uy * uy, hh = hx * hx + hy * hy, square = uu * hh;
   const bool usable = (hx >= 0) & (hy >= 0) & (uu >= least) & (uu <= most) & (hh >= least) & (hh <= most);
@@ -41,7 +41,7 @@ class NumberColumns {
     // The rest of the columns is set too, since overlap_block() reads whole columns.
     const std::int32_t end = shapes.stride == 0 && known == Known::overlap ? query_block : whole_vectors(n);
     set_numbers(shapes, begin, n, end, kernels);
-    if (known == Known::reach && Kind{kind_} == Kind::rect) set_reaches(query.shape_area != nullptr);
+    if (known == Known::radius && Kind{kind_} == Kind::rect) set_radii(query.shape_area != nullptr);
   }
 
   /// The numbers alone.
@@ -79,13 +79,13 @@ class NumberColumns {
     }
     for (int k = field_count(kind_); k < max_fields; ++k) number_[k] = number_[0];  // as set_numbers()
     if (has_areas_) pick(from.area_, area_);
-    pick(from.reach_, reach_);
+    pick(from.radius_, radius_);
   }
 
   const double* const* numbers() const noexcept { return number_; }
 
   QueryOperand operand() const noexcept {
-    QueryOperand out{{}, area_, reach_, repeated_};
+    QueryOperand out{{}, area_, radius_, repeated_};
     for (int k = 0; k < max_fields; ++k) out.number[k] = number_[k];
     return out;
   }
@@ -107,7 +107,7 @@ class NumberColumns {
   const double* number_[max_fields] = {};
   double copy_[max_fields][query_block];
   double area_[query_block] = {};
-  double reach_[query_block] = {};
+  double radius_[query_block] = {};
 
   template <class T>
   void set_numbers(const Shapes<T>& shapes, std::int64_t begin, std::int32_t n, std::int32_t end,
@@ -169,14 +169,14 @@ class NumberColumns {
     }
   }
 
-  void set_reaches(bool by_area) noexcept {
+  void set_radii(bool by_area) noexcept {
     for (std::int32_t i = 0; i < end_; ++i) {
       const double ux = number_[2][i], uy = number_[3][i], hx = number_[4][i], hy = number_[5][i];
-      reach_[i] = reach_of(number_[0][i], number_[1][i], ux, uy, hx, hy);
+      radius_[i] = bounding_radius(number_[0][i], number_[1][i], ux, uy, hx, hy);
       // Where areas are compared, one of 0 is an error for some pairs, and one of odd magnitude needs the scalar care.
       const double area = hx * hy * (ux * ux + uy * uy);
       const bool usual = (area >= 0x1p-700) & (area <= 0x1p700);
-      if (by_area && !usual) reach_[i] = std::numeric_limits<double>::quiet_NaN();
+      if (by_area && !usual) radius_[i] = std::numeric_limits<double>::quiet_NaN();
     }
   }
 };

@@ -98,7 +98,7 @@ class Engine {
     double known[query_block];
     const QueryColumns asked{pairs.first().operand(), pairs.second().operand(), known};
     tell(query, pairs, asked, known);
-    if (query.known == Known::reach) {
+    if (query.known == Known::radius) {
       std::int32_t near[query_block];
       const std::int32_t count = find_near(asked, pairs.n, near);
       if (2 * count <= pairs.n) return ask_kernel_of(near, count, kernel, query, pairs, results);

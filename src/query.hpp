@@ -12,7 +12,7 @@ namespace vesica {
 enum class Known {
   nothing,
   overlap,  // whether the shapes overlap, as 1 or 0
-  reach,    // of rectangles, the radius of a circle about each
+  radius,   // for rectangles, the radius of a circle about each
 };
 
 /// The area of a shape given by kind and flat numbers; NaN if the shape is invalid or its area overflows.

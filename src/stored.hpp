@@ -10,7 +10,7 @@
 #include "query.hpp"
 
 namespace vesica::batch {
-namespace {  // of one object alone, that of queries.cpp, so that what is called once is compiled in place
+namespace {  // compiled in place by queries.cpp
 
 using Results = double[max_results][query_block];
 

@@ -41,7 +41,7 @@ inline constexpr bool has_tiles = false;
 inline constexpr bool has_tiles = true;
 #endif
 
-/// Tells which columns of a block some rows may meet.
+/// Finds which columns of a block some rows may meet.
 template <class T>
 class Tiles {
  public:
@@ -53,7 +53,7 @@ class Tiles {
   Tiles(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b) noexcept
       : kernels_(kernels), boxes_(*kernels.index), a_(a), b_(b) {}
 
-  /// Of the columns from `begin` on.
+  /// Begins a block: the columns from `begin` on.
   void begin(std::int64_t begin, std::int32_t length) noexcept {
     length_ = length;
     vain_ = 0;

@@ -11,7 +11,7 @@ namespace vesica::index {
 inline constexpr std::int64_t most_items = INT32_MAX;
 inline constexpr int build_steps = 5;
 
-/// Bytes that suffice for an index of so many shapes, and for the scratch of its build.
+/// Bytes that suffice for an index of `items` shapes, and for the scratch of its build.
 std::int64_t size_bound(std::int64_t items) noexcept;
 std::int64_t scratch_bound(std::int64_t items) noexcept;
 

@@ -6,6 +6,7 @@
 
 #include "index/layout.hpp"
 #include "index/shapes.hpp"
+#include "index/tables.hpp"
 
 namespace vesica::index {
 
@@ -20,8 +21,8 @@ struct Cell {
   double scale[2], k[2];  // 2^-p and k
 };
 
-/// The planned cells: the inner nodes of a complete binary tree of so many levels, and a grid a leaf. A node's lowest
-/// bit tells its axis.
+/// The planned cells: the inner nodes of a complete binary tree, and a grid for each leaf. A node's lowest
+/// bit is its axis.
 struct Plan {
   int levels;
   const double* node;
@@ -77,14 +78,5 @@ struct Kernels {
   void (*leaf_distances)(const Block& block, const Bounding& shape, double* out) noexcept;
   void (*item_distances)(const Block& block, const Leaf& leaf, const Bounding& shape, double* out) noexcept;
 };
-
-extern const Kernels kernels_portable;
-#if defined(__x86_64__)
-extern const Kernels kernels_sse2, kernels_avx2, kernels_avx512;
-#elif defined(__aarch64__)
-extern const Kernels kernels_neon;
-#elif defined(__wasm_simd128__)
-extern const Kernels kernels_simd128;
-#endif
 
 }  // namespace vesica::index

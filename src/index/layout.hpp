@@ -82,14 +82,14 @@ constexpr std::int64_t block_bytes(std::int64_t items) noexcept {
          leaves * static_cast<std::int64_t>(sizeof(Leaf));
 }
 
-/// The first block's items where so many are left of one cell: halves rather than a full block and a small rest.
+/// The items of the next block if `rest` are left in a cell: halves rather than a full block and a small rest.
 constexpr std::int64_t first_cut(std::int64_t rest) noexcept {
   if (rest <= block_items) return rest;
   if (rest >= 2 * block_items) return block_items;
   return (rest + 2 * leaf_items - 1) / (2 * leaf_items) * leaf_items;
 }
 
-/// Bytes and blocks of a cell of so many items.
+/// Bytes and blocks of a cell with `items` items.
 constexpr std::int64_t cell_bytes(std::int64_t items) noexcept {
   std::int64_t bytes = 0;
   for (std::int64_t rest = items; rest > 0; rest -= first_cut(rest)) bytes += block_bytes(first_cut(rest));
@@ -101,7 +101,7 @@ constexpr std::int64_t cell_blocks(std::int64_t items) noexcept {
   return blocks;
 }
 
-/// Nodes of the level above so many children.
+/// Nodes of the level above `children` nodes.
 constexpr std::int64_t nodes_above(std::int64_t children) noexcept {
   return (children + node_children - 1) / node_children;
 }
@@ -118,17 +118,31 @@ constexpr std::int64_t round_up(std::int64_t bytes, std::int64_t to = alignment)
   return (bytes + to - 1) / to * to;
 }
 
-/// Places of blocks and the tree, for so many blocks.
+/// Bytes of the blocks' places and the tree.
 constexpr std::int64_t directory_bytes(std::int64_t blocks) noexcept {
   return round_up(blocks * 4) + tree_nodes(blocks) * static_cast<std::int64_t>(sizeof(Node));
 }
 
-/// Prefetches the cache lines of so many bytes: locality 3 to the first cache, 2 to the second.
+/// Prefetches the cache lines of `bytes` bytes: locality 3 to the first cache, 2 to the second.
 template <int locality = 3>
 VESICA_INLINE void prefetch_bytes(const void* begin, std::size_t bytes) noexcept {
   const auto* at = static_cast<const unsigned char*>(begin);
   for (std::size_t i = 0; i < bytes; i += 64) __builtin_prefetch(at + i, 0, locality);
 }
+
+/// A state is four numbers that a call hands to the next one: all 0 at the beginning, -1 first at the end.
+VESICA_INLINE bool is_at_beginning(const std::int64_t* state) noexcept {
+  return state[0] == 0 && state[1] == 0 && state[2] == 0 && state[3] == 0;
+}
+VESICA_INLINE bool is_at_end(const std::int64_t* state) noexcept { return state[0] == -1; }
+VESICA_INLINE void put_state(std::int64_t* state, std::int64_t a, std::int64_t b, std::int64_t c,
+                             std::int64_t d) noexcept {
+  state[0] = a;
+  state[1] = b;
+  state[2] = c;
+  state[3] = d;
+}
+VESICA_INLINE void put_end(std::int64_t* state) noexcept { put_state(state, -1, 0, 0, 0); }
 
 /// An index as queries read it.
 class View {

@@ -14,7 +14,7 @@ namespace vesica::index {
 
 inline constexpr int chunk = 256;
 
-/// At most so many sets, so that a view of them has room on the stack.
+/// The most sets: a view of them has room on the stack.
 inline constexpr int most_sets = 64;
 
 struct Set {
@@ -101,9 +101,8 @@ void load_fields(const Set& set, std::int64_t begin, int n, Fields& out) noexcep
   const int fields = field_count(set.kind);
   if (lies_in_records<T>(set)) {
     const unsigned char* at = set.field[0] + begin * set.stride;
-    return with_field_count(fields, [&]<int count>(std::integral_constant<int, count>) {
-      load_records<T, count>(at, set.stride, n, out);
-    });
+    return with_field_count(
+        fields, [&]<int count>(std::integral_constant<int, count>) { load_records<T, count>(at, set.stride, n, out); });
   }
   for (int k = 0; k < fields; ++k) load_field<T>(set.field[k], set.stride, begin, n, out.column[k]);
 }
@@ -117,13 +116,28 @@ inline void load(const Sets& sets, const Set& set, std::int64_t begin, int n, Fi
   }
 }
 
+/// One number of an item.
+template <class T>
+T number_of(const Set& set, int k, std::int64_t item) noexcept {
+  T x;
+  std::memcpy(&x, set.field[k] + (item - set.first) * set.stride, sizeof x);
+  return x;
+}
+
+/// An item's numbers as doubles. Returns its kind.
+template <class T>
+std::int32_t read_item(const Sets& sets, std::uint32_t item, double (&out)[max_fields]) noexcept {
+  const Set& set = sets.set[sets.of(item)];
+  for (int k = 0; k < field_count(set.kind); ++k) out[k] = static_cast<double>(number_of<T>(set, k, item));
+  return set.kind;
+}
+inline std::int32_t read_item(const Sets& sets, std::uint32_t item, double (&out)[max_fields]) noexcept {
+  return sets.is_float ? read_item<float>(sets, item, out) : read_item<double>(sets, item, out);
+}
+
 template <class T>
 void gather_field(const Set& set, int k, const std::uint32_t* item, int n, double* out) noexcept {
-  for (int i = 0; i < n; ++i) {
-    T x;
-    std::memcpy(&x, set.field[k] + (static_cast<std::int64_t>(item[i]) - set.first) * set.stride, sizeof x);
-    out[i] = static_cast<double>(x);
-  }
+  for (int i = 0; i < n; ++i) out[i] = static_cast<double>(number_of<T>(set, k, item[i]));
 }
 
 /// The named items, all of one set.

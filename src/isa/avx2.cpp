@@ -3,12 +3,13 @@
 #include "kernels/flatten.hpp"
 #include "lanes/avx2.hpp"
 // clang-format on
-#include "index/kernels.hpp"
+#include "index/tables.hpp"
 #include "kernels/block.hpp"
 #include "kernels/query_table.hpp"
 
 namespace vesica {
 
-constinit const KernelTable kernels_avx2 = make_table("avx2", kernels_avx2_queries, kernels_avx2_ties, index::kernels_avx2);
+constinit const KernelTable kernels_avx2 =
+    make_table("avx2", kernels_avx2_queries, kernels_avx2_ties, index::kernels_avx2);
 
 }  // namespace vesica

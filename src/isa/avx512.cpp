@@ -3,12 +3,13 @@
 #include "kernels/flatten.hpp"
 #include "lanes/avx512.hpp"
 // clang-format on
-#include "index/kernels.hpp"
+#include "index/tables.hpp"
 #include "kernels/block.hpp"
 #include "kernels/query_table.hpp"
 
 namespace vesica {
 
-constinit const KernelTable kernels_avx512 = make_table("avx512", kernels_avx512_queries, kernels_avx512_ties, index::kernels_avx512);
+constinit const KernelTable kernels_avx512 =
+    make_table("avx512", kernels_avx512_queries, kernels_avx512_ties, index::kernels_avx512);
 
 }  // namespace vesica

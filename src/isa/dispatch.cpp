@@ -30,7 +30,7 @@ struct Candidate {
 };
 
 /// VESICA_ISA in the environment selects a set by name; an unknown name is ignored, and so is a set that this processor
-/// lacks. Otherwise the last usable one is the best.
+/// does not have. Otherwise the last usable one is the best.
 template <std::size_t N>
 const KernelTable* choose(const Candidate (&candidates)[N]) noexcept {
   const char* forced = std::getenv("VESICA_ISA");
@@ -59,7 +59,7 @@ const KernelTable* choose() noexcept {
 }
 
 // Every thread that finds the variable empty makes the same choice, so the order does not matter. Atomic by the
-// compiler's own functions: <atomic> brings half of libstdc++ with it, which musl lacks.
+// compiler's own functions: <atomic> brings half of libstdc++ with it, which musl does not have.
 const KernelTable& choose_once() noexcept {
   const KernelTable* const table = choose();
   __atomic_store_n(&chosen_kernels, table, __ATOMIC_RELAXED);

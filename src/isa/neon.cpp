@@ -3,12 +3,13 @@
 #include "kernels/flatten.hpp"
 #include "lanes/neon.hpp"
 // clang-format on
-#include "index/kernels.hpp"
+#include "index/tables.hpp"
 #include "kernels/block.hpp"
 #include "kernels/query_table.hpp"
 
 namespace vesica {
 
-constinit const KernelTable kernels_neon = make_table("neon", kernels_neon_queries, kernels_neon_ties, index::kernels_neon);
+constinit const KernelTable kernels_neon =
+    make_table("neon", kernels_neon_queries, kernels_neon_ties, index::kernels_neon);
 
 }  // namespace vesica

@@ -3,12 +3,13 @@
 #include "kernels/flatten.hpp"
 #include "lanes/portable.hpp"
 // clang-format on
-#include "index/kernels.hpp"
+#include "index/tables.hpp"
 #include "kernels/block.hpp"
 #include "kernels/query_table.hpp"
 
 namespace vesica {
 
-constinit const KernelTable kernels_portable = make_table("portable", kernels_portable_queries, kernels_portable_ties, index::kernels_portable);
+constinit const KernelTable kernels_portable =
+    make_table("portable", kernels_portable_queries, kernels_portable_ties, index::kernels_portable);
 
 }  // namespace vesica

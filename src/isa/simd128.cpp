@@ -3,12 +3,13 @@
 #include "kernels/flatten.hpp"
 #include "lanes/simd128.hpp"
 // clang-format on
-#include "index/kernels.hpp"
+#include "index/tables.hpp"
 #include "kernels/block.hpp"
 #include "kernels/query_table.hpp"
 
 namespace vesica {
 
-constinit const KernelTable kernels_simd128 = make_table("simd128", kernels_simd128_queries, kernels_simd128_ties, index::kernels_simd128);
+constinit const KernelTable kernels_simd128 =
+    make_table("simd128", kernels_simd128_queries, kernels_simd128_ties, index::kernels_simd128);
 
 }  // namespace vesica

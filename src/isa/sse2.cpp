@@ -3,12 +3,13 @@
 #include "kernels/flatten.hpp"
 #include "lanes/sse2.hpp"
 // clang-format on
-#include "index/kernels.hpp"
+#include "index/tables.hpp"
 #include "kernels/block.hpp"
 #include "kernels/query_table.hpp"
 
 namespace vesica {
 
-constinit const KernelTable kernels_sse2 = make_table("sse2", kernels_sse2_queries, kernels_sse2_ties, index::kernels_sse2);
+constinit const KernelTable kernels_sse2 =
+    make_table("sse2", kernels_sse2_queries, kernels_sse2_ties, index::kernels_sse2);
 
 }  // namespace vesica

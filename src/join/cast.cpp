@@ -159,7 +159,7 @@ class First {
 
   FirstItem run() noexcept {
     search();
-    // What could not be told before the earliest was found may come after it.
+    // An item that was undecided before the earliest hit was found may come after it.
     if (best_.error != 0 && some()) {
       best_.error = 0;
       search();
@@ -262,18 +262,11 @@ class All {
   std::int64_t run() noexcept {
     if (view_.levels() != 0) visit(view_.levels() - 1, 0);
     if (error_ != 0) return error_;
-    if (capacity_ > 0 && !over_) put_state(-1, 0, 0);
+    if (capacity_ > 0 && !over_) put_end(state_);
     return found_;
   }
 
  private:
-  void put_state(std::int64_t block, std::int64_t written, std::int64_t mark) noexcept {
-    state_[0] = block;
-    state_[1] = written;
-    state_[2] = 0;
-    state_[3] = mark;
-  }
-
   void visit(int level, std::int64_t number) noexcept {
     const Node& node = view_.node(level, number);
     std::int64_t blocks = 1;
@@ -317,11 +310,11 @@ class All {
     }
   }
 
-  /// The page ends before an item of a block, or behind it, where an error is all that it tells.
+  /// The page ends before an item of a block, or behind it, where an error is its only result.
   void end_at(std::int64_t block, std::int64_t in_block, std::int32_t code) noexcept {
     const bool tells_error = code < 0 && (found_ == 0 || capacity_ == 0);
     if (tells_error) error_ = code;
-    if (capacity_ > 0) put_state(block, tells_error ? in_block : in_block - 1, cast_mark);
+    if (capacity_ > 0) put_state(state_, block, tells_error ? in_block : in_block - 1, 0, cast_mark);
   }
 
   const Cast& cast_;
@@ -342,13 +335,12 @@ FirstItem find_first_hit(const Cast& cast) noexcept { return First(cast).run(); 
 // A state: a block, how many of its items are already written or were an error, 0 and a mark.
 
 bool cast_state_is_sound(const void* index, const std::int64_t* state) noexcept {
-  if (state[0] == 0 && state[1] == 0 && state[2] == 0 && state[3] == 0) return true;
-  if (state[0] == -1) return true;
+  if (is_at_beginning(state) || is_at_end(state)) return true;
   return state[0] >= 0 && state[0] < View(index).blocks() && state[1] >= 0 && state[2] == 0 && state[3] == cast_mark;
 }
 
 std::int64_t write_hits(const Cast& cast, std::int64_t* out, std::int64_t capacity, std::int64_t* state) noexcept {
-  if (capacity > 0 && state[0] == -1) return 0;
+  if (capacity > 0 && is_at_end(state)) return 0;
   return All(cast, out, capacity, state).run();
 }
 

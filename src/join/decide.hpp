@@ -30,7 +30,7 @@ struct Columns {
   }
 };
 
-/// Records are prefetched so many places before they are gathered, as both of a pair are at random places in memory.
+/// Records are prefetched this many places ahead: both of a pair are at random places in memory.
 inline constexpr int prefetch_distance = 40;
 
 inline void prefetch(const Set& set, std::int64_t item) noexcept {
@@ -90,7 +90,7 @@ struct FromRecent {
   void prefetch(std::uint32_t, std::size_t) noexcept {}
 };
 
-/// n records to columns; `behind` so many more items follow these.
+/// Copies n records to columns; `behind` more items follow these.
 template <class T, int Fields, class From>
 void gather_records(From from, const std::uint32_t* item, int n, int behind, Columns& out) noexcept {
   int i = 0;
@@ -122,12 +122,6 @@ void gather_records(From from, const std::uint32_t* item, int n, int behind, Col
                   from.at(item[i]) + static_cast<std::size_t>(k) * sizeof(T), sizeof(T));
     }
   }
-}
-
-template <class T>
-void gather_number(const Set& set, int k, std::int64_t item, int i, Columns& out) noexcept {
-  std::memcpy(out.column[k] + static_cast<std::size_t>(i) * sizeof(T), set.field[k] + (item - set.first) * set.stride,
-              sizeof(T));
 }
 
 template <class T, int Fields, class From>
@@ -174,7 +168,10 @@ void gather_columns(const Sets& sets, std::int32_t kind, const std::uint32_t* it
       prefetch(sets.set[sets.of(ahead)], ahead);
     }
     const Set& set = sets.set[sets.of(item[i])];
-    for (int k = 0; k < field_count(kind); ++k) gather_number<T>(set, k, item[i], i, out);
+    for (int k = 0; k < field_count(kind); ++k) {
+      const T number = number_of<T>(set, k, item[i]);
+      std::memcpy(out.column[k] + static_cast<std::size_t>(i) * sizeof(T), &number, sizeof number);
+    }
   }
 }
 

@@ -13,7 +13,7 @@ namespace {
 inline constexpr int batch = 4096, wanted_at_most = batch - 2 * leaf_items, most_segments = 2048, block_list = 256,
                      weighed = 4096;
 
-/// From so many candidates on, records that were fetched are kept.
+/// The fewest candidates for which fetched records are kept.
 inline constexpr int worth_keeping = 1024;
 
 /// Candidates of one pair of blocks begin here in the batch, with this entry of its meetings.
@@ -283,8 +283,7 @@ inline constexpr int entry_bit = 32;
 inline constexpr std::int64_t most_entries = std::int64_t{block_items} * block_leaves;
 
 bool state_is_sound(const Join& join, const std::int64_t* state) noexcept {
-  if (state[0] == 0 && state[1] == 0 && state[2] == 0 && state[3] == 0) return true;
-  if (state[0] == -1) return true;
+  if (is_at_beginning(state) || is_at_end(state)) return true;
   const std::int64_t blocks_a = View(join.a.index).blocks(), blocks_b = View(join.b.index).blocks();
   if (state[0] < 0 || state[1] < 0 || state[1] >= blocks_b || state[2] < 0) return false;
   if (state[2] >> entry_bit > most_entries || (state[2] & 0xffffffff) > batch) return false;
@@ -309,7 +308,7 @@ std::int64_t write_decided(const Scratch& s, std::int32_t begin, std::int32_t en
 
 std::int64_t write_pairs(const Join& join, std::int64_t* out_a, std::int64_t* out_b, std::int64_t capacity,
                          std::int64_t* state) noexcept {
-  if (state[0] == -1) return 0;
+  if (is_at_end(state)) return 0;
   Runner runner(join);
   const std::int64_t mark = mark_of(join);
   std::int64_t skip = state[2] & 0xffffffff;
@@ -340,10 +339,8 @@ std::int64_t write_pairs(const Join& join, std::int64_t* out_a, std::int64_t* ou
       for (std::int32_t i = begin; i < end; ++i) {
         if (s.verdict[i] == 0) continue;
         if (written == capacity) {
-          state[0] = segment.block_a;
-          state[1] = segment.block_b;
-          state[2] = std::int64_t{segment.entry} << entry_bit | (i - segment.begin);
-          state[3] = runner.last() << 15 | mark;
+          put_state(state, segment.block_a, segment.block_b,
+                    std::int64_t{segment.entry} << entry_bit | (i - segment.begin), runner.last() << 15 | mark);
           return written;
         }
         out_a[written] = s.a[i];
@@ -351,8 +348,7 @@ std::int64_t write_pairs(const Join& join, std::int64_t* out_a, std::int64_t* ou
       }
     }
   }
-  state[0] = -1;
-  state[1] = state[2] = state[3] = 0;
+  put_end(state);
   return written;
 }
 

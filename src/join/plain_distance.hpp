@@ -9,7 +9,7 @@
 
 namespace vesica::index {
 
-/// The points within `reach` of an AABB: a point, a circle or an AABB.
+/// The points within `radius` of an AABB: a point, a circle or an AABB.
 struct Core {
   double low[2], high[2], radius;
 };
@@ -18,19 +18,13 @@ inline bool has_core(std::int32_t kind) noexcept {
   return Kind{kind} == Kind::point || Kind{kind} == Kind::circle || Kind{kind} == Kind::aabb;
 }
 
-template <class T>
-double number_of(const Set& set, int k, std::int64_t item) noexcept {
-  T x;
-  std::memcpy(&x, set.field[k] + (item - set.first) * set.stride, sizeof x);
-  return static_cast<double>(x);
-}
-
-/// Of a kind that has one.
+/// For a kind that has one.
 template <class T>
 Core core_of(const Set& set, std::int64_t item) noexcept {
-  const double x = number_of<T>(set, 0, item), y = number_of<T>(set, 1, item);
-  if (Kind{set.kind} == Kind::aabb) return {{x, y}, {number_of<T>(set, 2, item), number_of<T>(set, 3, item)}, 0};
-  return {{x, y}, {x, y}, Kind{set.kind} == Kind::circle ? number_of<T>(set, 2, item) : 0};
+  const auto number = [&](int k) { return static_cast<double>(number_of<T>(set, k, item)); };
+  const double x = number(0), y = number(1);
+  if (Kind{set.kind} == Kind::aabb) return {{x, y}, {number(2), number(3)}, 0};
+  return {{x, y}, {x, y}, Kind{set.kind} == Kind::circle ? number(2) : 0};
 }
 
 /// How far apart two intervals are, exactly.
@@ -51,8 +45,8 @@ inline double common_extent(const Core& a, const Core& b, int axis) noexcept {
 /// alike, the bits are the same. Numbers far from 1, where others are rounded too, are left out.
 template <class T>
 bool plain_distance(const Core& a, const Core& b, T& out) noexcept {
-  const double reach = a.radius + b.radius, x = common_extent(a, b, 0), y = common_extent(a, b, 1);
-  const double extent = (x > y ? x : y) + 2 * reach;
+  const double radii = a.radius + b.radius, x = common_extent(a, b, 0), y = common_extent(a, b, 1);
+  const double extent = (x > y ? x : y) + 2 * radii;
   if (!(extent <= 0x1p100)) return false;
   const detail::arithmetic::Twofold<double> gap_x = gap(a, b, 0), gap_y = gap(a, b, 1);
   if (gap_x.high == 0 && gap_y.high == 0) {

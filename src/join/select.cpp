@@ -143,15 +143,14 @@ std::int64_t count_selected(const Selection& selection, const double (&box)[4]) 
 // A state: a block, how many of its items are already written, 0 and a mark.
 
 bool selection_state_is_sound(const Selection& selection, const std::int64_t* state) noexcept {
-  if (state[0] == 0 && state[1] == 0 && state[2] == 0 && state[3] == 0) return true;
-  if (state[0] == -1) return true;
+  if (is_at_beginning(state) || is_at_end(state)) return true;
   return state[0] >= 0 && state[0] < View(selection.index).blocks() && state[1] >= 0 && state[2] == 0 &&
          state[3] == selection_mark;
 }
 
 std::int64_t write_selected(const Selection& selection, const double (&box)[4], std::int64_t* out,
                             std::int64_t capacity, std::int64_t* state) noexcept {
-  if (state[0] == -1) return 0;
+  if (is_at_end(state)) return 0;
   Selector selector(selection, box);
   selector.seek(state[0]);
   std::int64_t written = 0;
@@ -165,15 +164,11 @@ std::int64_t write_selected(const Selection& selection, const double (&box)[4], 
       for (std::int64_t i = 0; i < taken; ++i) out[written + i] = item[i];
       written += taken;
       if (skip + taken == n) continue;
-      state[0] = selector.segment_block(k);
-      state[1] = skip + taken;
-      state[2] = 0;
-      state[3] = selection_mark;
+      put_state(state, selector.segment_block(k), skip + taken, 0, selection_mark);
       return written;
     }
   }
-  state[0] = -1;
-  state[1] = state[2] = state[3] = 0;
+  put_end(state);
   return written;
 }
 

@@ -68,9 +68,9 @@ Ranked* sort(Ranked* from, Ranked* to, std::int64_t n) noexcept {
   return from;
 }
 
-// ---- Bounds and areas that rule pairs out. ----
+// ---- Pairs ruled out by bounds and areas. ----
 
-/// The area of a shape of moderate size and aspect, to 2^-40 of itself, else NaN.
+/// The area of a shape of moderate size and aspect, with a relative error of 2^-40; else NaN.
 double moderate_area(double size_0, double size_1, double unit) noexcept {
   const double area = size_0 * size_1 * unit;
   const bool moderate = size_0 <= 0x1p10 * size_1 && size_1 <= 0x1p10 * size_0 && area >= 0x1p-500 && area <= 0x1p500;
@@ -80,9 +80,7 @@ double moderate_area(double size_0, double size_1, double unit) noexcept {
 constexpr double pi = 3.14159265358979;
 
 double moderate_area(const Circle<double>& s) noexcept { return moderate_area(s.r, s.r, pi); }
-double moderate_area(const Aabb<double>& s) noexcept {
-  return moderate_area(s.max_x - s.min_x, s.max_y - s.min_y, 1);
-}
+double moderate_area(const Aabb<double>& s) noexcept { return moderate_area(s.max_x - s.min_x, s.max_y - s.min_y, 1); }
 double moderate_area(double size_0, double size_1, double ux, double uy, double unit) noexcept {
   const double uu = ux * ux + uy * uy;
   return uu >= 0x1p-200 && uu <= 0x1p200 ? moderate_area(size_0, size_1, unit * uu) : __builtin_nan("");
@@ -94,7 +92,8 @@ double area_of(std::int32_t kind, const Fields& f, int i) noexcept {
   double numbers[max_fields], area = __builtin_nan("");
   for (int k = 0; k < field_count(kind); ++k) numbers[k] = f.column[k][i];
   with_form(kind, [&]<template <class> class Shape>(Named<Shape>) {
-    if constexpr (detail::form::FormOf<Shape<double>>::has_area) area = moderate_area(vesica::load<Shape<double>>(numbers));
+    if constexpr (detail::form::FormOf<Shape<double>>::has_area)
+      area = moderate_area(vesica::load<Shape<double>>(numbers));
     return 0;
   });
   return area;
@@ -104,9 +103,9 @@ double area_of(std::int32_t kind, const Fields& f, int i) noexcept {
 /// t only where S (1 + t) > t (A + B), and S is at most that of the bounds. The ratio errs by at most 2^-37 at aspects
 /// up to 2^10; from t = 2^-10 on that is less than the 2^-20 taken off here. Ratios below the IoU exceed t no more
 /// often. Over the smaller area the least that is asked of S is t min(A, B).
-class Reach {
+class RatioBound {
  public:
-  explicit Reach(const Measured& m) noexcept
+  explicit RatioBound(const Measured& m) noexcept
       : over_smaller_(m.over_smaller),
         shared_(over_smaller_ ? 1 : 1 + m.threshold),
         needed_(m.threshold >= 0x1p-10 ? m.threshold * (1 - 0x1p-20) : 0) {}
@@ -135,7 +134,7 @@ class Suppressor {
       : asked_(suppression),
         kind_(suppression.sets.set[0].kind),
         parts_(suppression.sets.items),
-        reach_(suppression.measured),
+        ratio_bound_(suppression.measured),
         scratch_(scratch),
         item_(column(parts_.item)),
         rank_(column(parts_.rank)),
@@ -301,7 +300,8 @@ class Suppressor {
   void each_open(std::uint32_t place, const std::uint32_t* other, std::int32_t n, const Found& found) const noexcept {
     for (std::int32_t i = 0; i < n; ++i) {
       const bool open = rank_[other[i]] < is_kept;
-      if ((open & reach_.may_exceed(extent_[place], extent_[other[i]])) && same_label(place, other[i])) found(other[i]);
+      if ((open & ratio_bound_.may_exceed(extent_[place], extent_[other[i]])) && same_label(place, other[i]))
+        found(other[i]);
     }
   }
 
@@ -350,7 +350,7 @@ class Suppressor {
   const Suppression& asked_;
   const std::int32_t kind_;
   const Parts parts_;
-  const Reach reach_;
+  const RatioBound ratio_bound_;
   unsigned char* const scratch_;
   std::uint32_t *const item_, *const rank_;  // by place; a rank is the place in the order, closed or is_kept
   Extent* const extent_;

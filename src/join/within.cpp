@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "join/within.hpp"
 
-#include <cstring>
-
 #include "index/frame.hpp"
 #include "join/nearest.hpp"
 
@@ -63,7 +61,7 @@ double greatest_extent(const Kernels& kernels, const Sets& sets) noexcept {
   return greatest;
 }
 
-/// How much wider a shape's window is than its box, so that it holds all shapes that are within the distance. An
+/// Widens a shape's box to a window that holds all shapes within the distance. An
 /// ellipse may be found near to what is farther away by less than 9 u of the scale: the largest half length of both
 /// shapes, or offset of their centres. The sum of the distance and both extents is at least that.
 class Room {
@@ -76,7 +74,7 @@ class Room {
   }
 
   /// around: the extent of the shape's block, beside which the window should not grow much. The extent of all of B is
-  /// known without a look at its shapes, and mostly does. Where it does not, that of B's greatest shape is found.
+  /// known without a look at its shapes, and usually suffices. Otherwise the extent of B's greatest shape is found.
   void widen(double around, double (&box)[4]) noexcept {
     if (!is_of_shapes_ && share_ * size_ > 0x1p-10 * around) {
       size_ = greatest_extent(join_.kernels, join_.b);
@@ -102,20 +100,7 @@ struct Shape {
   std::int32_t kind;
   double number[max_fields];
 
-  Shape(const Sets& sets, std::uint32_t item) noexcept {
-    const Set& set = sets.set[sets.of(item)];
-    kind = set.kind;
-    for (int k = 0; k < field_count(kind); ++k) {
-      const unsigned char* const at = set.field[k] + (static_cast<std::int64_t>(item) - set.first) * set.stride;
-      if (sets.is_float) {
-        float x;
-        std::memcpy(&x, at, sizeof x);
-        number[k] = static_cast<double>(x);
-      } else {
-        std::memcpy(&number[k], at, sizeof number[k]);
-      }
-    }
-  }
+  Shape(const Sets& sets, std::uint32_t item) noexcept { kind = read_item(sets, item, number); }
 };
 
 class Walk {
@@ -187,8 +172,7 @@ class Walk {
 }  // namespace
 
 bool within_state_is_sound(const JoinWithin& join, const std::int64_t* state) noexcept {
-  if (state[0] == 0 && state[1] == 0 && state[2] == 0 && state[3] == 0) return true;
-  if (state[0] == -1) return true;
+  if (is_at_beginning(state) || is_at_end(state)) return true;
   const Run run(join);
   return state[0] >= run.begin && state[0] < run.end && state[1] >= 0 && state[1] < View(join.index_b).blocks() &&
          state[2] >= 0 && state[3] == within_mark;
@@ -206,7 +190,7 @@ std::int64_t count_within(const JoinWithin& join) noexcept {
 
 std::int64_t write_within(const JoinWithin& join, std::int64_t* out_a, std::int64_t* out_b, std::int64_t capacity,
                           std::int64_t* state) noexcept {
-  if (state[0] == -1) return 0;
+  if (is_at_end(state)) return 0;
   const Run run(join);
   const bool goes_on = state[3] == within_mark;
   const std::int64_t begin = goes_on ? state[0] : run.begin, from = goes_on ? state[1] : 0;
@@ -230,10 +214,11 @@ std::int64_t write_within(const JoinWithin& join, std::int64_t* out_a, std::int6
     ++in_block;
     return true;
   });
-  state[0] = full ? place : -1;
-  state[1] = full ? block : 0;
-  state[2] = full ? in_block : 0;
-  state[3] = full ? within_mark : 0;
+  if (full) {
+    put_state(state, place, block, in_block, within_mark);
+  } else {
+    put_end(state);
+  }
   return written;
 }
 

@@ -46,7 +46,7 @@ struct AxisLanes {
 };
 
 /// Errors are four times those of detail::cast::axis(): of two intervals that are apart the times are far from equal.
-/// doubtful: whether it may be across v, though no product tells.
+/// doubtful: whether it may be across v, though no product decides it.
 VESICA_INLINE AxisLanes axis_lanes(const BoxesLanes& s, const VectorLanes& normal, Doubles height, CastMask excluded,
                                    CastMask& doubtful) noexcept {
   const OffsetLanes& v = s.way.v;
@@ -68,7 +68,7 @@ struct LastAxis {
   CastMask settled;
 };
 
-/// The one axis that separates longest; not settled where double cannot tell.
+/// The one axis that separates longest; not settled where double cannot decide.
 VESICA_INLINE LastAxis last_axis(const BoxesLanes& s) noexcept {
   const Doubles zero(0.0);
   const CastMask none = zero < zero;

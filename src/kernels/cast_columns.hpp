@@ -30,7 +30,7 @@ struct SideColumns {
   bool round, disc, may_vanish, is_point;
 };
 
-/// Pairs of which the second shape moves by v t while t runs from 0 to `end`.
+/// Pairs whose second shape moves by v t while t runs from 0 to `end`.
 struct CastColumns {
   SideColumns a, b;
   const double *vx, *vy;

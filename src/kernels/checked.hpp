@@ -13,7 +13,7 @@
 namespace vesica {
 namespace {
 
-/// One shape in every lane, that of the row.
+/// The row's shape in every lane.
 template <class Shape>
 struct RowOperand {
   Shape shape;
@@ -107,14 +107,15 @@ template <template <class> class One, template <class> class Many, class T>
     }
   }
   block.extent = widest(extent, !is_ellipse<Many>);
-  for (int k = 0; k < prepared_columns; ++k) field[ShapeTraits<Many<T>>::fields - prepared_columns + k] = space + k * stride;
+  for (int k = 0; k < prepared_columns; ++k)
+    field[ShapeTraits<Many<T>>::fields - prepared_columns + k] = space + k * stride;
   return true;
 }
 
 template <template <class> class One, template <class> class Many, class T>
 consteval void enter_checked(CheckedKernels<T>& kernels) noexcept {
   kernels.of[static_cast<int>(kind_of<One>)][static_cast<int>(kind_of<Many>)] = {check_block<One, Many, T>,
-                                                                                answer_checked<One, Many, T>};
+                                                                                 answer_checked<One, Many, T>};
 }
 
 /// For vectors of 32 bytes and more: narrower ones were not measured.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rectangle and ellipse of unit axes but for rounding, in blocks that were checked as a whole.
+// Rectangle and ellipse with axes of unit length up to rounding, in blocks that were checked as a whole.
 #pragma once
 
 #include <vesica/filter/box_ellipse.hpp>

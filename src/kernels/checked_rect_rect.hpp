@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rectangles of unit axes but for rounding, in blocks that were checked as a whole: one bound serves a row of them.
+// Rectangles with axes of unit length up to rounding, in blocks that were checked as a whole: one bound serves
+// a row of them.
 #pragma once
 
 #include <vesica/filter/estimate.hpp>

@@ -19,7 +19,7 @@ VESICA_INLINE PairMask put(const detail::nearest::LaneAnswer<Doubles>& c, PairMa
   return settled;
 }
 
-/// The outlines of shapes of which one is strictly inside the other.
+/// The outlines of two shapes, one strictly inside the other.
 VESICA_INLINE detail::nearest::LaneAnswer<Doubles> nested_outlines(const Rect<Doubles>& a, const Rect<Doubles>& b,
                                                                    PairMask a_inside, PairMask) noexcept {
   const auto choose = [&](const Rect<Doubles>& yes, const Rect<Doubles>& no) {

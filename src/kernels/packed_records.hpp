@@ -20,7 +20,7 @@ inline constexpr bool has_long_vectors = sizeof(Floats) >= 32;
 template <class T, int length>
 using NumberVector [[gnu::vector_size(length * sizeof(T))]] = T;
 
-/// Numbers of a vector, which is that of the lanes (16 bytes where they are no vector).
+/// Numbers in a vector of the lanes (16 bytes where these are no vector).
 template <class T>
 inline constexpr int packed_length = std::clamp<int>(sizeof(Floats), 16, 64) / sizeof(T);
 
@@ -33,7 +33,7 @@ using NumberOf = std::remove_cvref_t<decltype(std::declval<Vector&>()[0])>;
 template <class Vector>
 inline constexpr int part_of = part_length<NumberOf<Vector>>;
 
-/// In each part number i is number from(i) of the same part of a, or from(i) - part of that of b.
+/// In each part, number i is number from(i) of the same part of a, or number from(i) - part of b.
 template <auto from, class Vector>
 VESICA_INLINE Vector shuffled(const Vector& a, const Vector& b) noexcept {
   constexpr int part = part_of<Vector>, length = sizeof(Vector) / sizeof(NumberOf<Vector>);
@@ -44,7 +44,7 @@ VESICA_INLINE Vector shuffled(const Vector& a, const Vector& b) noexcept {
   (std::make_integer_sequence<int, length>{});
 }
 
-/// Of n units in a row, three a record: where a vector from three() has unit `unit` of record r.
+/// Units come in rows of n, three to a record. Returns where a vector from three() has unit `unit` of record r.
 constexpr int place_in_three(int unit, int n, int r) noexcept { return n <= 2 ? r : (3 * r + unit) % n; }
 
 /// Which of the three vectors has the unit that belongs in that place, for n > 2. Three is coprime to n: no two of
@@ -86,8 +86,8 @@ VESICA_INLINE Vector two(const Vector& a, const Vector& b) noexcept {
   }
 }
 
-/// Of two vectors with a pair of fields of each record, those of the first half of a part's records in the first one:
-/// where the pair of record r begins.
+/// Two vectors hold a pair of fields of each record; the first has the first half of a part's records. Returns where
+/// the pair of record r begins.
 template <int fields, int pair, int part>
 constexpr int place_of_pair(int r) noexcept {
   constexpr int half = part / 2;

@@ -22,7 +22,7 @@ template <class V>
 struct KnownLanes {
   V overlap;  // 1 or 0
   V area_a, area_b;
-  V reach_a, reach_b;
+  V radius_a, radius_b;
 };
 
 struct RelationCore {
@@ -53,17 +53,17 @@ struct NearestCore {
   }
 };
 
-/// Whether the circles about two shapes are apart. The sum r of their radii is too large by 2^-48 of itself, and an
-/// operation here errs by 2^-53 of its result, so rounding cannot make d^2 > r^2 wrong.
-VESICA_INLINE PairMask circles_apart(Doubles dx, Doubles dy, Doubles reach) noexcept {
-  return dx * dx + dy * dy > reach * reach;
+/// Are the circles about two shapes apart? The sum r of their radii is relatively 2^-48 too
+/// large, and an operation here errs relatively by 2^-53, so rounding cannot make d^2 > r^2 wrong.
+VESICA_INLINE PairMask circles_apart(Doubles dx, Doubles dy, Doubles radii) noexcept {
+  return dx * dx + dy * dy > radii * radii;
 }
 
 /// The area of valid rectangles that certainly cross or are certainly disjoint.
 VESICA_INLINE PairMask shared_area(const Rect<Doubles>& a, const Rect<Doubles>& b, const KnownLanes<Doubles>& known,
                                    Doubles& area) noexcept {
   const PairMask disjoint = detail::overlap::filter(a, b).disjoint,
-                 valid = known.reach_a + known.reach_b > Doubles(0.0);
+                 valid = known.radius_a + known.radius_b > Doubles(0.0);
   area = Doubles(0.0);
   if (all(both(disjoint, valid))) return disjoint;
   const auto crossing = detail::area::crossing_area(a, b);
@@ -79,7 +79,7 @@ struct AreaCore {
   }
 };
 
-/// A known reach means areas of moderate size, so the scaling with which iou() avoids overflow is left out. The bits
+/// A known radius means areas of moderate size, so the scaling with which iou() avoids overflow is left out. The bits
 /// are the same.
 struct IouCore {
   static constexpr int results = 1;

@@ -36,7 +36,7 @@ VESICA_INLINE Shape<V> load_shape(const double* const* field, std::int32_t i) no
 }
 
 // Whether a shape is valid, by the rules of check(): finite numbers, no negative size, an axis that is not zero.
-// Relations need none of these: a filter decides nothing about an invalid shape. Areas need none either: the reach of
+// Relations need none of these: a filter decides nothing about an invalid shape. Areas need none either: the radius of
 // an invalid rectangle is NaN.
 template <class V>
 VESICA_INLINE MaskOf<V> valid(const Circle<V>& s) noexcept {
@@ -81,8 +81,8 @@ VESICA_KERNEL bool answer_vectors(const QueryColumns& columns, std::int32_t n, d
     const auto a = load_shape<A, V>(columns.first.number, at_a);
     const auto b = load_shape<B, V>(columns.second.number, at_b);
     const KnownLanes<V> known{V::load(columns.known + i), V::load(columns.first.area + at_a),
-                              V::load(columns.second.area + at_b), V::load(columns.first.reach + at_a),
-                              V::load(columns.second.reach + at_b)};
+                              V::load(columns.second.area + at_b), V::load(columns.first.radius + at_a),
+                              V::load(columns.second.radius + at_b)};
     V out[Core::results];
     if constexpr (goes_on<Core>) {
       for (int k = 0; k < Core::results; ++k) out[k] = V::load(results[k] + i);
@@ -122,7 +122,7 @@ VESICA_KERNEL inline void find_apart(const QueryColumns& columns, std::int32_t n
     const auto b = [&](const double* column) { return Doubles::load(column + i * step_b); };
     const Doubles dx = b(columns.second.number[0]) - a(columns.first.number[0]);
     const Doubles dy = b(columns.second.number[1]) - a(columns.first.number[1]);
-    store_bytes(circles_apart(dx, dy, a(columns.first.reach) + b(columns.second.reach)), out + i);
+    store_bytes(circles_apart(dx, dy, a(columns.first.radius) + b(columns.second.radius)), out + i);
   }
 }
 

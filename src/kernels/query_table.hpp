@@ -24,9 +24,9 @@ struct QueryOperand {
   const double* number[max_fields];
   /// Set where the query has shape_area, arbitrary elsewhere.
   const double* area;
-  /// The radius of a circle about the centre that holds the shape, with 2^-48 of itself to spare; NaN for an invalid
-  /// shape. Set where the query knows reaches, arbitrary elsewhere.
-  const double* reach;
+  /// The radius of a circle about the centre that holds the shape, a relative 2^-48 too large; NaN for an invalid
+  /// shape. Set where the query knows radii, arbitrary elsewhere.
+  const double* radius;
   bool repeated;
 };
 
@@ -40,7 +40,7 @@ struct QueryColumns {
 /// of one template without fused operations, so that they give the same bits.
 using QueryKernel = bool (*)(const QueryColumns& columns, std::int32_t n, double* const* results) noexcept;
 
-/// Writes 1 to out[i] where the circles of the columns' reach are certainly apart, else 0, for i < n; n as above. The
+/// Writes 1 to out[i] where the circles of these radii are certainly apart, else 0, for i < n; n as above. The
 /// shapes' first two numbers must be their centres.
 using ApartKernel = void (*)(const QueryColumns& columns, std::int32_t n, std::uint8_t* out) noexcept;
 
@@ -82,7 +82,7 @@ inline constexpr bool has_box_kernels = has_cast_kernels;
 struct BoxKernels {
   /// min_x, min_y, max_x, max_y.
   void (*bounds)(const double* const* number, bool is_ellipse, std::int32_t n, double* const* results) noexcept;
-  /// x0, y0 and so on to y3, any of which may be infinite.
+  /// x0, y0 and so on to y3, which may be infinite.
   void (*corners)(const double* const* number, std::int32_t n, double* const* results) noexcept;
 };
 

@@ -100,7 +100,7 @@ std::int32_t copy_whole_vectors(Unaligned<T> from, std::ptrdiff_t stride, int fi
   return whole;
 }
 
-/// Copies n records, `stride` bytes apart, of so many adjacent numbers to columns, `column_length` numbers apart.
+/// Copies n records, `stride` bytes apart, of `fields` adjacent numbers to columns, `column_length` numbers apart.
 template <class T>
 VESICA_KERNEL void records_to_columns(Unaligned<T> from, std::ptrdiff_t stride, int fields, std::int32_t n, T* columns,
                                       std::int32_t column_length) noexcept {

@@ -7,7 +7,7 @@
 
 #include "unaligned.hpp"
 
-/// Of the library itself: to be reached without the table that the loader fills in.
+/// Hidden symbol: reached without the global offset table.
 #if defined(__ELF__)
 #define VESICA_HIDDEN [[gnu::visibility("hidden")]]
 #else
@@ -74,8 +74,8 @@ inline constexpr bool has_packed_kernels = true;
 inline constexpr bool has_packed_kernels = false;
 #endif
 
-/// Checked kernels: for the shape of a row against a block of columns that was checked before, by the two kinds. Null
-/// but for rectangles and ellipses.
+/// Checked kernels: for the shape of a row against a block of columns that was checked before, by the two kinds. Only
+/// rectangles and ellipses have them.
 template <class T>
 struct CheckedKernels {
   struct Pair {
@@ -88,7 +88,7 @@ struct CheckedKernels {
 };
 inline constexpr std::int32_t row_is_unusable = INT32_MAX;
 
-/// Copies n records, `stride` bytes apart, of so many adjacent numbers to columns, `column_length` numbers apart.
+/// Copies n records, `stride` bytes apart, of `fields` adjacent numbers to columns, `column_length` numbers apart.
 template <class T>
 using CopyRecords = void (*)(Unaligned<T> from, std::ptrdiff_t stride, int fields, std::int32_t n, T* columns,
                              std::int32_t column_length) noexcept;

@@ -36,7 +36,7 @@ constinit const Query area{
     .reversal = AreaOfPair::reversal,
     .numbers = 1,
     .kernels = &QueryTable::area,
-    .known = Known::reach,
+    .known = Known::radius,
 };
 
 }  // namespace vesica::queries

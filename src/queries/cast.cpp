@@ -3,6 +3,7 @@
 
 #include <vesica/impact_time.hpp>
 
+#include "columns.hpp"
 #include "fused.hpp"
 #include "query.hpp"
 
@@ -170,9 +171,7 @@ namespace batch {
 template <class T>
 Body body_at(const Shapes<T>& shapes, std::int64_t i) noexcept {
   Body body{static_cast<Kind>(shapes.kind), {}};
-  for (int k = 0; k < field_count(shapes.kind); ++k) {
-    body.number[k] = static_cast<double>(shapes.field[k].advanced(i * shapes.stride)[0]);
-  }
+  read_element(shapes, i, body.number);
   return body;
 }
 

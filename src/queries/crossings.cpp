@@ -37,7 +37,7 @@ struct CrossingsOfPair {
 
 }  // namespace
 
-// Places are in order along the first shape, so the result of (b, a) does not give that of (a, b). There are no
+// Places are in order along the first shape, so the result of (b, a) does not give the result of (a, b). There are no
 // batches.
 constinit const Query crossings{
     .doubles = pair_table<CrossingsOfPair, double>(),

@@ -34,7 +34,7 @@ constinit const Query iou{
     .reversal = IouOfPair::reversal,
     .numbers = 1,
     .kernels = &QueryTable::iou,
-    .known = Known::reach,
+    .known = Known::radius,
     .shape_area = area_of_shape,
 };
 

@@ -49,7 +49,8 @@ constinit const Query relation{
     .kernels = &QueryTable::relation,
 };
 
-// Containment of (b, a) does not give that of (a, b). Batches derive it from the relation, whose kernels decide it too.
+// Containment of (b, a) says nothing about containment of (a, b). Batches derive it from the relation, whose kernels
+// decide it too.
 constinit const Query contains{
     .doubles = pair_table<ContainsPair, double>(),
     .floats = pair_table<ContainsPair, float>(),

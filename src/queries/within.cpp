@@ -3,7 +3,7 @@
 
 #include <vesica/within.hpp>
 
-#include "by_kind.hpp"
+#include "columns.hpp"
 #include "compiled_once.hpp"
 
 namespace vesica {
@@ -49,13 +49,6 @@ namespace batch {
 
 namespace {
 
-template <class T>
-void read(const Shapes<T>& shapes, std::int64_t i, double (&out)[max_fields]) noexcept {
-  for (int k = 0; k < field_count(shapes.kind); ++k) {
-    out[k] = static_cast<double>(shapes.field[k].advanced(i * shapes.stride)[0]);
-  }
-}
-
 std::uint8_t noted(std::int32_t code, WithinTally& tally) noexcept {
   tally.count += code > 0;
   tally.invalid |= code < 0;
@@ -71,8 +64,8 @@ WithinTally within_many(const Shapes<T>& a, const Shapes<T>& b, std::int64_t n, 
   WithinTally tally;
   for (std::int64_t i = 0; i < n; ++i) {
     double first[max_fields], second[max_fields];
-    read(a, i, first);
-    read(b, i, second);
+    read_element(a, i, first);
+    read_element(b, i, second);
     out[i] = noted(pair(first, second, distance), tally);
   }
   return tally;
@@ -85,9 +78,9 @@ WithinTally within_matrix(const Shapes<T>& a, const Shapes<T>& b, double distanc
   WithinTally tally;
   for (std::int64_t i = 0; i < a.count; ++i) {
     double first[max_fields], second[max_fields];
-    read(a, i, first);
+    read_element(a, i, first);
     for (std::int64_t j = 0; j < b.count; ++j) {
-      read(b, j, second);
+      read_element(b, j, second);
       out[i * row_stride + j] = noted(pair(first, second, distance), tally);
     }
   }

@@ -112,17 +112,17 @@ inline void select_of_leaf(const Leaf& leaf, int number, std::uint32_t items, Me
   out.selected += write_lanes(items, static_cast<std::uint32_t>(number * leaf_items), out.lane + n);
 }
 
-inline std::uint32_t leaves_meeting(const Block& block, const Window& window) noexcept {
+inline std::uint32_t leaves_meeting(const Block& block, const BoxLanes& window) noexcept {
   return meeting(leaf_boxes(block, 0), leaf_boxes(block, 1), leaf_boxes(block, 2), leaf_boxes(block, 3), window) &
          leaves_mask(block.leaves);
 }
-inline std::uint32_t items_meeting(const Leaf& leaf, const Window& window) noexcept {
+inline std::uint32_t items_meeting(const Leaf& leaf, const BoxLanes& window) noexcept {
   return meeting(leaf.min_x, leaf.min_y, leaf.max_x, leaf.max_y, window);
 }
 
 /// Items of the first block that meet the second's box.
 inline void select_items(const Block& first, const Block& second, Meetings& out) noexcept {
-  const Window window(box_in(first.frame, second));
+  const BoxLanes window(box_in(first.frame, second));
   const Leaf* leaf = leaves_of(first);
   out.selected = 0;
   for (std::uint32_t met = leaves_meeting(first, window); met != 0; met &= met - 1) {
@@ -149,7 +149,7 @@ inline void select_by_few(const Block& first, const Block& second, Meetings& out
   const Leaf* leaf = leaves_of(first);
   std::uint32_t items[block_leaves] = {};
   for (std::int32_t i = 0; i < out.selected; ++i) {
-    const Window window(selected_box(out, i));
+    const BoxLanes window(selected_box(out, i));
     for (std::uint32_t met = leaves_meeting(first, window); met != 0; met &= met - 1) {
       const int l = __builtin_ctz(met);
       items[l] |= items_meeting(leaf[l], window);
@@ -165,7 +165,7 @@ inline void select_by_few(const Block& first, const Block& second, Meetings& out
 /// items of the first lie in, and perhaps not one item that comes near these.
 inline void select_candidates(const Block& first, const Block& second, Meetings& out) noexcept {
   constexpr int few_leaves = 2, few_items = 24;
-  const int leaves = __builtin_popcount(leaves_meeting(second, Window(box_in(second.frame, first))));
+  const int leaves = __builtin_popcount(leaves_meeting(second, BoxLanes(box_in(second.frame, first))));
   out.selected = 0;
   if (leaves == 0) return;
   if (leaves <= few_leaves) {
@@ -186,7 +186,7 @@ inline void meet(const Block& first, const Block& second, bool same, Meetings& o
   const std::uint32_t all = leaves_mask(second.leaves);
   std::int32_t n = 0;
   for (std::int32_t i = 0; i < out.selected; ++i) {
-    std::uint32_t leaves = meeting(min_x, min_y, max_x, max_y, Window(selected_box(out, i))) & all;
+    std::uint32_t leaves = meeting(min_x, min_y, max_x, max_y, BoxLanes(selected_box(out, i))) & all;
     // Of one block with itself, pairs of a lane and a later one.
     if (same) leaves &= ~0u << (out.lane[i] / leaf_items);
     n += write_lanes(leaves, static_cast<std::uint32_t>(i) << 16, out.entry + n);
@@ -202,7 +202,7 @@ inline std::int32_t candidates(const Block& first, const Block& second, Meetings
     const std::int32_t i = static_cast<std::int32_t>(m.entry[next] >> 16);
     const std::uint32_t l = m.entry[next] & 0xffff, lane = m.lane[i];
     std::uint32_t items =
-        meeting(leaf[l].min_x, leaf[l].min_y, leaf[l].max_x, leaf[l].max_y, Window(selected_box(m, i)));
+        meeting(leaf[l].min_x, leaf[l].min_y, leaf[l].max_x, leaf[l].max_y, BoxLanes(selected_box(m, i)));
     if (m.diagonal && lane / leaf_items == l) items &= ~1u << (lane % leaf_items);
     n += write_pairs(items, item_at(first, static_cast<std::int32_t>(lane)), leaf[l].item, out_first + n,
                      out_second + n);
@@ -212,7 +212,7 @@ inline std::int32_t candidates(const Block& first, const Block& second, Meetings
 }
 
 inline std::int32_t in_window(const Block& block, const GridBox& box, std::uint32_t* out) noexcept {
-  const Window window(box);
+  const BoxLanes window(box);
   const Leaf* leaf = leaves_of(block);
   const std::uint32_t all = leaves_meeting(block, window);
   constexpr int few = 2;

@@ -11,9 +11,9 @@
 namespace vesica::index {
 namespace {  // a type of its own in each object
 
-struct Window {
+struct BoxLanes {
   __m256i min_x, min_y, max_x, max_y;
-  explicit Window(const GridBox& b) noexcept
+  explicit BoxLanes(const GridBox& b) noexcept
       : min_x(_mm256_set1_epi16(static_cast<short>(b.min_x))),
         min_y(_mm256_set1_epi16(static_cast<short>(b.min_y))),
         max_x(_mm256_set1_epi16(static_cast<short>(b.max_x))),
@@ -26,7 +26,7 @@ inline __m256i load_16(const std::uint16_t* p) noexcept {
 
 /// A bit for each of 32 boxes that meets the window. a <= b where a - b, limited to 0 from below, is 0.
 inline std::uint32_t meeting(const std::uint16_t* min_x, const std::uint16_t* min_y, const std::uint16_t* max_x,
-                             const std::uint16_t* max_y, const Window& w) noexcept {
+                             const std::uint16_t* max_y, const BoxLanes& w) noexcept {
   __m256i meets[2];
   for (int i = 0; i < 2; ++i) {
     const __m256i x = _mm256_or_si256(_mm256_subs_epu16(load_16(min_x + 16 * i), w.max_x),

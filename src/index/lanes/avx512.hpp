@@ -12,9 +12,9 @@
 namespace vesica::index {
 namespace {  // a type of its own in each object
 
-struct Window {
+struct BoxLanes {
   __m512i min_x, min_y, max_x, max_y;
-  explicit Window(const GridBox& b) noexcept
+  explicit BoxLanes(const GridBox& b) noexcept
       : min_x(_mm512_set1_epi16(static_cast<short>(b.min_x))),
         min_y(_mm512_set1_epi16(static_cast<short>(b.min_y))),
         max_x(_mm512_set1_epi16(static_cast<short>(b.max_x))),
@@ -23,7 +23,7 @@ struct Window {
 
 /// A bit for each of 32 boxes that meets the window.
 inline std::uint32_t meeting(const std::uint16_t* min_x, const std::uint16_t* min_y, const std::uint16_t* max_x,
-                             const std::uint16_t* max_y, const Window& w) noexcept {
+                             const std::uint16_t* max_y, const BoxLanes& w) noexcept {
   __mmask32 m = _mm512_cmple_epu16_mask(_mm512_loadu_si512(min_x), w.max_x);
   m = _mm512_mask_cmple_epu16_mask(m, _mm512_loadu_si512(min_y), w.max_y);
   m = _mm512_mask_cmpge_epu16_mask(m, _mm512_loadu_si512(max_x), w.min_x);

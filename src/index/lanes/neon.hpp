@@ -11,9 +11,9 @@
 namespace vesica::index {
 namespace {  // a type of its own in each object
 
-struct Window {
+struct BoxLanes {
   uint16x8_t min_x, min_y, max_x, max_y;
-  explicit Window(const GridBox& b) noexcept
+  explicit BoxLanes(const GridBox& b) noexcept
       : min_x(vdupq_n_u16(b.min_x)),
         min_y(vdupq_n_u16(b.min_y)),
         max_x(vdupq_n_u16(b.max_x)),
@@ -22,7 +22,7 @@ struct Window {
 
 /// A bit for each of 32 boxes that meets the window.
 inline std::uint32_t meeting(const std::uint16_t* min_x, const std::uint16_t* min_y, const std::uint16_t* max_x,
-                             const std::uint16_t* max_y, const Window& w) noexcept {
+                             const std::uint16_t* max_y, const BoxLanes& w) noexcept {
   const uint16x8_t bit = {1, 2, 4, 8, 16, 32, 64, 128};
   std::uint32_t mask = 0;
   for (int i = 0; i < leaf_items; i += 8) {

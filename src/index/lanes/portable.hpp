@@ -9,14 +9,14 @@
 namespace vesica::index {
 namespace {  // a type of its own in each object
 
-struct Window {
+struct BoxLanes {
   GridBox box;
-  explicit Window(const GridBox& b) noexcept : box(b) {}
+  explicit BoxLanes(const GridBox& b) noexcept : box(b) {}
 };
 
 /// A bit for each of 32 boxes that meets the window.
 inline std::uint32_t meeting(const std::uint16_t* min_x, const std::uint16_t* min_y, const std::uint16_t* max_x,
-                             const std::uint16_t* max_y, const Window& w) noexcept {
+                             const std::uint16_t* max_y, const BoxLanes& w) noexcept {
   std::uint32_t mask = 0;
   for (int i = 0; i < leaf_items; ++i) {
     const bool meets =

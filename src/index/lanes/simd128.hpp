@@ -11,9 +11,9 @@
 namespace vesica::index {
 namespace {  // a type of its own in each object
 
-struct Window {
+struct BoxLanes {
   v128_t min_x, min_y, max_x, max_y;
-  explicit Window(const GridBox& b) noexcept
+  explicit BoxLanes(const GridBox& b) noexcept
       : min_x(wasm_u16x8_splat(b.min_x)),
         min_y(wasm_u16x8_splat(b.min_y)),
         max_x(wasm_u16x8_splat(b.max_x)),
@@ -22,7 +22,7 @@ struct Window {
 
 /// A bit for each of 32 boxes that meets the window.
 inline std::uint32_t meeting(const std::uint16_t* min_x, const std::uint16_t* min_y, const std::uint16_t* max_x,
-                             const std::uint16_t* max_y, const Window& w) noexcept {
+                             const std::uint16_t* max_y, const BoxLanes& w) noexcept {
   std::uint32_t mask = 0;
   for (int i = 0; i < 32; i += 8) {
     const v128_t x = wasm_v128_and(wasm_u16x8_le(wasm_v128_load(min_x + i), w.max_x),

@@ -11,9 +11,9 @@
 namespace vesica::index {
 namespace {  // a type of its own in each object
 
-struct Window {
+struct BoxLanes {
   __m128i min_x, min_y, max_x, max_y;
-  explicit Window(const GridBox& b) noexcept
+  explicit BoxLanes(const GridBox& b) noexcept
       : min_x(_mm_set1_epi16(static_cast<short>(b.min_x))),
         min_y(_mm_set1_epi16(static_cast<short>(b.min_y))),
         max_x(_mm_set1_epi16(static_cast<short>(b.max_x))),
@@ -24,7 +24,7 @@ inline __m128i load_8(const std::uint16_t* p) noexcept { return _mm_loadu_si128(
 
 /// A bit for each of 32 boxes that meets the window. a <= b where a - b, limited to 0 from below, is 0.
 inline std::uint32_t meeting(const std::uint16_t* min_x, const std::uint16_t* min_y, const std::uint16_t* max_x,
-                             const std::uint16_t* max_y, const Window& w) noexcept {
+                             const std::uint16_t* max_y, const BoxLanes& w) noexcept {
   std::uint32_t mask = 0;
   const __m128i zero = _mm_setzero_si128();
   for (int half = 0; half < 2; ++half) {

@@ -131,34 +131,34 @@ TEST(QueryKernels, LeaveAsManyAsTheyDid) {
 
 /// The circle about a rectangle holds it and is at most 2^-47 of itself too great, or pairs that are apart would be
 /// looked at. Of these axes and half sizes, times any powers of two, the lengths are whole numbers.
-TEST(Reaches, AreThoseOfTheCornersAndLittleMore) {
+TEST(BoundingRadius, IsTheFarthestCornersDistanceAndLittleMore) {
   constexpr std::array<std::array<double, 3>, 4> whole{{{3, 4, 5}, {5, 12, 13}, {8, 15, 17}, {0, 1, 1}}};
   for (const auto& [ux, uy, axis] : whole) {
     for (const auto& [hx, hy, size] : whole) {
       for (const int of_axis : {-190, -3, 0, 190}) {
         for (const int of_size : {-190, 0, 5, 190}) {
           const double k = std::ldexp(1, of_axis), l = std::ldexp(1, of_size), truth = k * axis * l * size;
-          const double reach = vesica::batch::reach_of(1, 2, k * ux, k * uy, l * hx, l * hy);
-          EXPECT_GE(reach, truth);
-          EXPECT_LE(reach, truth * (1 + 0x1p-47));
+          const double radius = vesica::batch::bounding_radius(1, 2, k * ux, k * uy, l * hx, l * hy);
+          EXPECT_GE(radius, truth);
+          EXPECT_LE(radius, truth * (1 + 0x1p-47));
         }
       }
     }
   }
 }
 
-TEST(Reaches, AreNotKnownOfInvalidOrOddNumbers) {
+TEST(BoundingRadius, IsNanForInvalidOrExtremeNumbers) {
   constexpr std::array<double, 6> usual{1, 2, 3, 4, 5, 12};
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const auto reach = [](const std::array<double, 6>& s) {
-    return vesica::batch::reach_of(s[0], s[1], s[2], s[3], s[4], s[5]);
+  const auto radius = [](const std::array<double, 6>& s) {
+    return vesica::batch::bounding_radius(s[0], s[1], s[2], s[3], s[4], s[5]);
   };
-  EXPECT_FALSE(std::isnan(reach(usual)));
+  EXPECT_FALSE(std::isnan(radius(usual)));
   for (std::size_t k = 0; k < 6; ++k) {
     std::array<double, 6> odd = usual;
     for (const double x : {std::numeric_limits<double>::quiet_NaN(), infinity, -infinity}) {
       odd[k] = x;
-      EXPECT_TRUE(std::isnan(reach(odd))) << k << ' ' << x;
+      EXPECT_TRUE(std::isnan(radius(odd))) << k << ' ' << x;
     }
     if (k < 2) continue;
     for (const double x : {0x1p-210, 0x1p210}) {
@@ -166,11 +166,11 @@ TEST(Reaches, AreNotKnownOfInvalidOrOddNumbers) {
       odd = usual;
       odd[first] = odd[first + 1] = 0;
       odd[k] = x;
-      EXPECT_TRUE(std::isnan(reach(odd))) << k << ' ' << x;
+      EXPECT_TRUE(std::isnan(radius(odd))) << k << ' ' << x;
     }
     odd = usual;
     odd[k] = -odd[k];
-    EXPECT_EQ(std::isnan(reach(odd)), k > 3) << k;
+    EXPECT_EQ(std::isnan(radius(odd)), k > 3) << k;
   }
 }
 
