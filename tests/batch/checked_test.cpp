@@ -27,7 +27,7 @@ constexpr auto stride = vesica::batch::block_size<T>;
 
 template <class T>
 auto kernels_of(const Case& c) {
-  return c.set->table->checked(T{}).pair(c.kind_a, c.kind_b);
+  return c.set->table->checked(T{}).of[c.kind_a][c.kind_b];
 }
 
 std::vector<Case> checked_cases() {
