@@ -36,7 +36,7 @@ inline constexpr bool is_round = ShapeTraits<Shape>::kind == Kind::circle || Sha
 inline std::array<double, 3> numbers(const Circle<double>& s) noexcept { return {s.cx, s.cy, s.r}; }
 inline std::array<double, 6> numbers(const Ellipse<double>& s) noexcept { return {s.cx, s.cy, s.ux, s.uy, s.a, s.b}; }
 
-/// Whether places are searched along a's outline: along the smaller shape's, in either order of the arguments.
+/// True if places are searched along a's outline: along the smaller shape's, in either order of the arguments.
 template <class A, class B>
 bool is_first(const A& a, const B& b) noexcept {
   const auto area_a = detail::area::shape_measure(a), area_b = detail::area::shape_measure(b);

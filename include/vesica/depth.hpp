@@ -11,7 +11,7 @@
 /// right to 4u scale. For two circles, a point and a circle, and depths of points, segments and AABBs along a
 /// coordinate axis, it is right to its last place. It is rounded once, also to subnormals. The direction is a unit
 /// vector to 3u. After b is moved along it by the depth, at most 8u scale of overlap is left (the most seen is 5.1u).
-/// Whether the depth is 0 is decided exactly.
+/// True if the depth is 0 is decided exactly.
 ///
 /// Laws, each tested: depth(b, a) has the same bits with the opposite direction (except for equal shapes at one place,
 /// where both calls are the same); the answer is unchanged when both shapes are moved alike without rounding; b moved
@@ -152,7 +152,7 @@ inline bool settled_depth(const Circle<double>& a, const Ellipse<double>& b, Pen
   return settled_depth(as_ellipse(a), b, out);
 }
 
-/// Whether shapes of kinds in order overlap; a negative error if one is invalid.
+/// True if shapes of kinds in order overlap; a negative error if one is invalid.
 template <class A, class B>
 VESICA_INLINE std::int32_t overlap_in_order(const A& a, const B& b) noexcept {
   const auto verdict = vesica::detail::overlap::filter(a, b);

@@ -112,7 +112,7 @@ VESICA_INLINE bool rounded_to(const ClosestPoints<double>& c, bool overlapping, 
   return true;
 }
 
-/// Whether shapes overlap was not asked yet.
+/// True if shapes overlap was not asked yet.
 inline constexpr std::int32_t not_asked = -1;
 
 /// nearest_or_error() for kinds in order; overlapping: 1, 0 or not_asked.

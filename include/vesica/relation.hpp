@@ -69,7 +69,7 @@ VESICA_COLD constexpr std::int32_t decide_relation(const A<float>& a, const B<fl
   return decide_relation(widen(a), widen(b));
 }
 
-/// Whether a contains all of b, or the other way round. For pairs as above.
+/// True if a contains all of b, or the other way round. For pairs as above.
 template <class A, class B>
 VESICA_COLD constexpr std::int32_t decide_containment(const A& a, const B& b, bool other_way) noexcept {
   if (check(a) != 0 || check(b) != 0) return error_shape;
@@ -162,7 +162,7 @@ VESICA_INLINE constexpr std::int32_t contains_or_error(const A<T>& a, const B<T>
   }
 }
 
-/// Whether a contains all of b, shapes of any kinds. For valid shapes: an invalid one contains nothing and is contained
+/// True if a contains all of b, shapes of any kinds. For valid shapes: an invalid one contains nothing and is contained
 /// in nothing. contains_or_error() is the checked form.
 template <template <class> class A, template <class> class B, class T>
 VESICA_INLINE constexpr bool contains(const A<T>& a, const B<T>& b) noexcept {

@@ -86,7 +86,7 @@ double scale(const A& a, const B& b) noexcept {
   return std::fmax(std::fmax(std::fabs(dx), std::fabs(dy)), std::fmax(half_length(a), half_length(b)));
 }
 
-/// Whether a distance, known to `error`, is at most the one asked for.
+/// True if a distance, known to `error`, is at most the one asked for.
 inline Within compared(double found, double asked, double error) noexcept {
   if (std::fabs(found - asked) <= error) return Within::nearly;
   return found < asked ? Within::yes : Within::no;
@@ -183,7 +183,7 @@ std::int32_t within_or_error(const A<float>& a, const B<float>& b, float distanc
   return within_or_error(widen(a), widen(b), static_cast<double>(distance));
 }
 
-/// Whether two valid shapes of any kinds are at most `distance` >= 0 apart.
+/// True if two valid shapes of any kinds are at most `distance` >= 0 apart.
 template <template <class> class A, template <class> class B, class T>
 Within within(const A<T>& a, const B<T>& b, T distance) noexcept {
   const std::int32_t answer = within_or_error(a, b, distance);

@@ -80,11 +80,11 @@ Tally tell(const Draw& draw, int count) {
     const EllipsePair p = draw(random);
     const auto e = exact::form(p.e), f = exact::form(p.f);
     for (const bool exchanged : {false, true}) {
-      const Outline outline(exchanged ? f : e, exchanged ? e : f);
-      const Groups groups(find_spots(Harmonics(outline)));
-      const Census expected = census(outline);
+      const exact::Ellipse &first = exchanged ? f : e, &second = exchanged ? e : f;
+      const Groups groups(find_spots(prepared(first, second).harmonics));
+      const Census expected = census(first, second);
       if (groups.surely_odd() > 0) {
-        const Census crossing = census(outline, true);
+        const Census crossing = census(first, second, true);
         EXPECT_TRUE(crossing.crossing == expected.crossing && crossing.touching == expected.touching);
         EXPECT_FALSE(expected.equal);
         EXPECT_GE(expected.crossing, groups.surely_odd()) << "case " << i << ", seed " << properties::seed();

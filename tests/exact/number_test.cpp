@@ -10,8 +10,8 @@
 #include <cstdint>
 #include <cstdlib>
 #include <utility>
+#include <vesica/exact/compare.hpp>
 #include <vesica/exact/ellipse_ellipse.hpp>
-#include <vesica/exact/number.hpp>
 
 #include "exact/values.hpp"
 #include "properties/random.hpp"
@@ -199,24 +199,6 @@ TEST(Number, ArithmeticOfDegree2And1) { expect_arithmetic<2, 1>(2000); }
 TEST(Number, ArithmeticOfDegree4And8) { expect_arithmetic<4, 8>(300); }
 TEST(Number, ArithmeticOfDegree16And16) { expect_arithmetic<16, 16>(30); }
 
-/// Up to four, some of which may be 0, and their places far apart.
-TEST(Number, SumsOfSquares) {
-  Random random(properties::seed());
-  const auto expect = [](const Known<4>& a, const Known<4>& b, const Known<4>& c, const Known<4>& d) {
-    const mpq_class two = a.truth * a.truth + b.truth * b.truth;
-    expect_value(sum_of_squares(a.number), a.truth * a.truth);
-    expect_value(sum_of_squares(a.number, b.number), two);
-    expect_value(sum_of_squares(a.number, b.number, c.number, d.number), two + c.truth * c.truth + d.truth * d.truth);
-  };
-  expect({}, {}, {}, {});
-  for (int i = 0; i < 500 * properties::repeat(); ++i) {
-    const auto any = [&random] { return random.chance(0.2) ? Known<4>{} : any_known<4>(random); };
-    const Known<4> a = any(), b = any();
-    expect(a, b, any(), any());
-    expect(a, close_to(a, random), b, a);
-  }
-}
-
 TEST(Number, ProductAgainstSquare) {
   Random random(properties::seed());
   int ties = 0;
@@ -253,7 +235,6 @@ void expect_powers_within_capacity(const Known<D>& x) {
   if constexpr (D < 32) {
     expect_powers_within_capacity(Known<2 * D>{square(x.number), x.truth * x.truth});
     expect_powers_within_capacity(Known<2 * D>{x.number * x.number, x.truth * x.truth});
-    expect_value(sum_of_squares(x.number, x.number, x.number, x.number), 4 * x.truth * x.truth);
   }
 }
 

@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "exact/portable_limbs.hpp"
 
-// Everything signed_digits.hpp includes, before its compiler seems to have no 128-bit integers.
+// Everything number.hpp includes, before its compiler seems to have no 128-bit integers.
 #include <bit>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <initializer_list>
-#include <vesica/scalar.hpp>
+#include <type_traits>
 
 #undef __SIZEOF_INT128__
 // Under another name, or the linker would keep one of the two definitions for the whole program.
 #define exact exact_portable
-#include <vesica/exact/signed_digits.hpp>
+#include <vesica/exact/number.hpp>
 #undef exact
 
 namespace portable {
@@ -29,13 +28,6 @@ void multiply(const std::uint64_t* a, int na, const std::uint64_t* b, int nb, st
 
 void multiply_by_itself(const std::uint64_t* a, int n, std::uint64_t* out) {
   vesica::exact_portable::detail::multiply_by_itself(a, n, out);
-}
-
-LimbPair add_product(const LimbPair& sum, std::int64_t a, std::int64_t b) {
-  namespace detail = vesica::exact_portable::detail;
-  detail::RunningSum running(detail::ColumnSum{sum.low, sum.high});
-  running.add(a, b);
-  return {running.sum().low, running.sum().high};
 }
 
 }  // namespace portable

@@ -60,7 +60,7 @@ Parallelogram<V> parallelogram(const filter::Box<V>& box, const Oval<V>& e, cons
           e.a * e.b * vv};
 }
 
-/// Where an edge from p to p + e is in the disc, as part of it.
+/// The part of an edge from p to p + e that is in the disc.
 struct Inside {
   double from, to;
 };

@@ -173,7 +173,7 @@ class Search {
   bool negative_at_low_ = false, found_ = false;
 
   bool is_inside() const noexcept { return x_ > low_ && x_ < high_; }
-  /// Whether x is the place now.
+  /// True if x is the place now.
   bool stepped() noexcept {
     if (!is_inside()) {
       x_ = between(low_, high_);

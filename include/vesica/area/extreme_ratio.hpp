@@ -13,7 +13,7 @@ struct HalfPlane {
   double wx, wy, distance;
 };
 
-/// Whether an ellipse's least radius of curvature is 2^54 times a length or more, all in the same units.
+/// True if an ellipse's least radius of curvature is 2^54 times a length or more, all in the same units.
 inline bool is_straight(const filter::Box<double>& ellipse, double length) noexcept {
   const double least = ellipse.hx < ellipse.hy ? ellipse.hx : ellipse.hy;
   const double most = ellipse.hx < ellipse.hy ? ellipse.hy : ellipse.hx;

@@ -59,7 +59,7 @@ struct SplitProducts {
   VESICA_INLINE static auto factor(const X& x) noexcept {
     return arithmetic::factor(x);
   }
-  /// Whether a number that was not stored may be a factor.
+  /// True if a number that was not stored may be a factor.
   static constexpr bool holds(double) noexcept { return true; }
   template <class V>
   VESICA_INLINE static Root<V> root(const Twofold<V>& x) noexcept {

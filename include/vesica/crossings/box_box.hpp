@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Where the outlines of two boxes meet: which corners lie on the other outline, and which edges cross, by exact signs.
+/// The places where outlines of two boxes meet: which corners lie on the other outline, and which edges cross, by exact signs.
 #pragma once
 
 #include <limits>
-#include <optional>
-#include <vesica/crossings/rough.hpp>
+#include <vesica/crossings/estimate.hpp>
 
 namespace vesica::detail::crossings {
 
 /// The side of an edge that a point is on: positive to the left.
 inline int side(const Edge& e, const Position& x, const Position& y) noexcept {
-  return exact::sign_of(DifferenceOfProducts{}, e.dx, y - e.y, e.dy, x - e.x);
+  return exact::compare_products(e.dx, y - e.y, e.dy, x - e.x);
 }
 
 inline bool is_corner(const Corners& a, int i, const Position& x, const Position& y) noexcept {
@@ -47,22 +46,22 @@ inline double part_of_edge(const Edge& e, const Position& x, const Position& y) 
   return quotient(exact::rounded(at - shadow.from), exact::rounded(shadow.step));
 }
 
-/// An exact coordinate, with what is known of it roughly.
+/// An exact coordinate and its estimate.
 struct Coordinate {
   const Position& exact_value;
-  Rough rough;
-  explicit Coordinate(const Position& x) noexcept : exact_value(x), rough(x) {}
+  Estimate estimate;
+  explicit Coordinate(const Position& x) noexcept : exact_value(x), estimate(x) {}
 };
-inline Rough operator-(const Coordinate& a, const Coordinate& b) noexcept {
-  const Rough difference = a.rough - b.rough;
-  return difference.sign_is_known() ? difference : Rough(a.exact_value - b.exact_value);
+inline Estimate operator-(const Coordinate& a, const Coordinate& b) noexcept {
+  const Estimate difference = a.estimate - b.estimate;
+  return difference.sign_is_known() ? difference : Estimate(a.exact_value - b.exact_value);
 }
 
 /// An outline's corners and edges. Sides of the edges are worked out once.
 struct Polygon {
   Corners corners;
   Coordinate x[4], y[4];
-  Rough dx[4], dy[4];
+  Estimate dx[4], dy[4];
 
   explicit Polygon(const exact::Box& box) noexcept
       : corners(box),
@@ -75,11 +74,11 @@ struct Polygon {
   }
 };
 
-/// The ways from each corner of p to each of q. Both outlines' Sides are made of them.
-struct Ways {
-  Rough x[4][4], y[4][4];
+/// The vectors from each corner of p to each of q, for the Sides of both outlines.
+struct CornerVectors {
+  Estimate x[4][4], y[4][4];
 
-  Ways(const Polygon& p, const Polygon& q) noexcept {
+  CornerVectors(const Polygon& p, const Polygon& q) noexcept {
     for (int i = 0; i < p.corners.count; ++i) {
       for (int j = 0; j < q.corners.count; ++j) {
         x[i][j] = q.x[j] - p.x[i];
@@ -88,8 +87,8 @@ struct Ways {
     }
   }
   /// From q to p.
-  Ways back() const noexcept {
-    Ways all = *this;
+  CornerVectors back() const noexcept {
+    CornerVectors all = *this;
     for (int i = 0; i < 4; ++i) {
       for (int j = 0; j < 4; ++j) {
         all.x[j][i] = -x[i][j];
@@ -100,93 +99,40 @@ struct Ways {
   }
 };
 
-/// The sizes of Sides by the offset of the boxes' centres and by their axes, of which less cancels than of corners.
-/// With c and d the centres, a and b halves of edges and h one of them, h x (q - p) for a corner q = d + g and p on
-/// that edge is h x (d - c) + h x g +- a x b; and each product is one of half lengths and an exact one of axes.
-class SidesByCentres {
- public:
-  SidesByCentres(const Corners& p, const Corners& q) noexcept : p_(p), q_(q) {
-    const exact::Box &f = p.box, &g = q.box;
-    const exact::Length dx = g.cx - f.cx, dy = g.cy - f.cy;
-    const Rough hx(f.hx), hy(f.hy), gx(g.hx), gy(g.hy);
-    const Rough c(exact::dot(f.ux, f.uy, g.ux, g.uy)), s(exact::cross(f.ux, f.uy, g.ux, g.uy));
-    middle_ = hx * hy * Rough(exact::dot(f.ux, f.uy, f.ux, f.uy));
-    along_ = {hx * Rough(exact::cross(f.ux, f.uy, dx, dy)), hx * gx * s, hx * gy * c};
-    across_ = {-(hy * Rough(exact::dot(f.ux, f.uy, dx, dy))), -(hy * gx * c), hy * gy * s};
-  }
-  /// Edge i of p times the way from its line to corner j of q.
-  Rough size(int i, int j) const noexcept {
-    const ByHalf& h = by_half(i);
-    const Rough to_corner = h.centre + (q_.is_right(j) ? h.a : -h.a) + (q_.is_top(j) ? h.b : -h.b);
-    return times(2, (p_.is_backward(i) ? -to_corner : to_corner) + middle_);
-  }
-  /// Edge i of p times edge j of q, backwards.
-  Rough backwards(int i, int j) const noexcept {
-    const ByHalf& h = by_half(i);
-    const Rough product = times(4, q_.is_along_axis(j) ? h.a : h.b);
-    return p_.is_backward(i) == q_.is_backward(j) ? -product : product;
-  }
-
- private:
-  struct ByHalf {
-    Rough centre, a, b;
-  };
-  const ByHalf& by_half(int i) const noexcept { return p_.is_along_axis(i) ? along_ : across_; }
-
-  const Corners &p_, &q_;
-  Rough middle_;
-  ByHalf along_, across_;
-};
-
 /// The side of each edge of one outline on which each corner of another is.
 struct Sides {
-  Rough size[4][4];
+  Estimate size[4][4];
   int sign[4][4];
 
-  Sides(const Polygon& p, const Polygon& q) noexcept : Sides(p, q, Ways(p, q)) {}
-  Sides(const Polygon& p, const Polygon& q, const Ways& ways) noexcept {
+  Sides(const Polygon& p, const Polygon& q) noexcept : Sides(p, q, CornerVectors(p, q)) {}
+  Sides(const Polygon& p, const Polygon& q, const CornerVectors& from_p) noexcept {
     for (int i = 0; i < p.corners.edges; ++i) {
       for (int j = 0; j < q.corners.count; ++j) {
-        size[i][j] = p.dx[i] * ways.y[i][j] - p.dy[i] * ways.x[i][j];
-        if (!size[i][j].is_precise() && !by_centres_) by_centres_.emplace(p.corners, q.corners);
-        sign[i][j] = size[i][j].sign_is_known() ? size[i][j].sign() : sign_by_centres(p.corners, i, q.corners, j);
+        size[i][j] = p.dx[i] * from_p.y[i][j] - p.dy[i] * from_p.x[i][j];
+        sign[i][j] =
+            size[i][j].sign_is_known() ? size[i][j].sign() : side(Edge(p.corners, i), q.corners.x[j], q.corners.y[j]);
       }
     }
   }
-  /// From one corner to the next of q, which are on different sides of edge i: how far off the edge's line is. `edges`:
-  /// q's edge times p's, once it was worked out exactly.
-  double crossing(const Polygon& p, int i, const Polygon& q, int j, std::optional<Scaled>& edges) const noexcept {
+  /// From one corner to the next of q, which are on different sides of edge i: how far off the edge's line is.
+  double crossing(const Polygon& p, int i, const Polygon& q, int j) const noexcept {
     const int end = q.corners.next(j);
-    const Rough &part = size[i][j], whole = part - size[i][end];
+    const Estimate &part = size[i][j], whole = part - size[i][end];
     const Corners &a = p.corners, &b = q.corners;
-    Scaled x = part.scaled(), y = whole.scaled();
-    if (!part.is_precise() && !rounds_surely(by_centres_->size(i, j), x)) x = exact_size(a, i, b, j, a.x[i], a.y[i]);
-    if (!whole.is_precise() && !(by_centres_ && rounds_surely(by_centres_->backwards(i, j), y))) {
-      if (!edges) edges = exact_size(a, i, b, j, b.x[end], b.y[end]);
-      y = *edges;
-    }
-    return quotient(x, y);
+    return quotient(part.is_precise() ? part.scaled() : exact_size(a, i, b, j, a.x[i], a.y[i]),
+                    whole.is_precise() ? whole.scaled() : exact_size(a, i, b, j, b.x[end], b.y[end]));
   }
 
  private:
-  std::optional<SidesByCentres> by_centres_;  ///< where sizes of corners are not precise
-
-  int sign_by_centres(const Corners& p, int i, const Corners& q, int j) const noexcept {
-    const Rough by_centres = by_centres_->size(i, j);
-    if (by_centres.sign_is_known()) return by_centres.sign();
-    const int end = p.next(i);
-    return exact::sign_of(DifferenceOfProducts{}, p.x[end] - p.x[i], q.y[j] - p.y[i], p.y[end] - p.y[i],
-                          q.x[j] - p.x[i]);
-  }
   /// Edge i of a times the way to corner j of b from a place.
-  static Scaled exact_size(const Corners& a, int i, const Corners& b, int j, const Position& x,
-                           const Position& y) noexcept {
-    const int next = a.next(i);
-    return exact::rounded_value(DifferenceOfProducts{}, a.x[next] - a.x[i], b.y[j] - y, a.y[next] - a.y[i], b.x[j] - x);
+  VESICA_COLD static Scaled exact_size(const Corners& a, int i, const Corners& b, int j, const Position& x,
+                                       const Position& y) noexcept {
+    const Edge e(a, i);
+    return exact::rounded(exact::cross(e.dx, e.dy, b.x[j] - x, b.y[j] - y));
   }
 };
 
-/// Where corner j of q lies along p, from 0 to 4, or -1 where it does not lie on it.
+/// The place of corner j of q along p, from 0 to 4; -1 if it is not on p.
 inline double place_along(const Polygon& p, const Sides& sides, const Polygon& q, int j) noexcept {
   const Position &x = q.corners.x[j], &y = q.corners.y[j];
   for (int i = 0; i < p.corners.count; ++i) {
@@ -200,23 +146,20 @@ inline double place_along(const Polygon& p, const Sides& sides, const Polygon& q
   return -1;
 }
 
-/// Whether edges of one line have a stretch in common.
+/// True if edges of one line have a stretch in common.
 inline bool share_stretch(const Edge& e, const Edge& f) noexcept {
   const Shadow shadow(e);
   const Position &p = shadow.of(f.x, f.y), q = p + (shadow.of_x ? f.dx : f.dy);
   return (shadow.before_end(p) || shadow.before_end(q)) && (shadow.after_start(p) || shadow.after_start(q));
 }
 
-/// Where edges that cross do: rounded, and how far along either.
+/// The place where two edges cross, rounded, and how far along either edge it is.
 struct EdgeCrossing {
   double x, y, along_a, along_b;
 };
 inline EdgeCrossing edge_crossing(const Polygon& a, const Sides& of_a, int i, const Polygon& b, const Sides& of_b,
                                   int j) noexcept {
-  std::optional<Scaled> edges;
-  const double t = of_b.crossing(b, j, a, i, edges);
-  if (edges) edges->value = -edges->value;  // in the other order
-  const double s = of_a.crossing(a, i, b, j, edges);
+  const double t = of_b.crossing(b, j, a, i), s = of_a.crossing(a, i, b, j);
   const RoundedEdge e(a.corners, i), f(b.corners, j);
   // The shorter edge tells the place better. Of equal ones, either order of the boxes takes the same.
   const double ex = e.at_x(t), ey = e.at_y(t), fx = f.at_x(s), fy = f.at_y(s);
@@ -240,8 +183,8 @@ inline void cross_edges(const Polygon& a, const Sides& of_a, int i, const Polygo
 
 inline Found crossings(const exact::Box& box_a, const exact::Box& box_b) noexcept {
   const Polygon a(box_a), b(box_b);
-  const Ways ways(a, b);
-  const Sides of_a(a, b, ways), of_b(b, a, ways.back());
+  const CornerVectors from_a(a, b);
+  const Sides of_a(a, b, from_a), of_b(b, a, from_a.back());
   Found found;
   for (int i = 0; i < a.corners.count; ++i) {
     const double at = place_along(b, of_b, a, i);

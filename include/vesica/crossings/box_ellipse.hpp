@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Where the outlines of a box and an ellipse meet. Along an edge P + t E the ellipse's quadratic form less 1 is a
+/// The places where outlines of a box and an ellipse meet. Along an edge P + t E the ellipse's quadratic form less 1 is a
 /// quadratic in t, whose signs at the corners, slopes and discriminant are exact; and so accurate are its roots.
 #pragma once
 
-#include <optional>
 #include <vesica/arithmetic/spectrum.hpp>
 #include <vesica/crossings/box_box.hpp>
 
@@ -14,11 +13,11 @@ namespace vesica::detail::crossings {
 struct DiscFrame {
   const exact::Ellipse& e;
   exact::Number<4> radius;
-  Rough rough_radius;
+  Estimate radius_estimate;
   explicit DiscFrame(const exact::Ellipse& ellipse) noexcept
       : e(ellipse),
         radius(ellipse.a * ellipse.b * exact::dot(ellipse.ux, ellipse.uy, ellipse.ux, ellipse.uy)),
-        rough_radius(radius) {}
+        radius_estimate(radius) {}
   template <int Degree>
   exact::Number<4> along(const exact::Number<Degree>& x, const exact::Number<Degree>& y) const noexcept {
     return e.b * exact::dot(e.ux, e.uy, x, y);
@@ -49,147 +48,33 @@ struct DiscBox {
 /// A corner there, and its squared distance from the origin less the squared radius, however much of it cancels.
 struct DiscCorner {
   exact::Number<4> m0, m1;
-  Rough r0, r1, value;
+  Estimate r0, r1, value;
   void set(const DiscBox& box, const Corners& corners, int i) noexcept {
     const bool right = corners.is_right(i), top = corners.is_top(i);
     m0 = right ? box.k0 + box.p0 : box.k0 - box.p0;
     m1 = right ? box.k1 + box.p1 : box.k1 - box.p1;
     m0 = top ? m0 + box.q0 : m0 - box.q0;
     m1 = top ? m1 + box.q1 : m1 - box.q1;
-    r0 = Rough(m0);
-    r1 = Rough(m1);
+    r0 = Estimate(m0);
+    r1 = Estimate(m1);
     const DiscFrame& frame = box.frame;
-    value = square(r0) + square(r1) - square(frame.rough_radius);
-    if (!value.is_precise()) value = squares_less(frame.radius, m0, m1);
-    if (!value.is_precise()) value = rough(exact::BeyondRim(m0, m1, frame.radius).leading());
+    value = square(r0) + square(r1) - square(frame.radius_estimate);
+    if (!value.is_precise()) value = Estimate(exact::beyond_rim(m0, m1, frame.radius));
   }
   int sign() const noexcept { return value.sign(); }
-};
-
-/// The line of an edge h w of a box, w its axis or across it, in the plane itself. The frame's cross products are those
-/// of the plane times the radius r = a b V: so the line's distance from the origin, times the edge's length, is 2 h r
-/// x, and its discriminant (2 h r)^2 (p^2 + q^2 - x^2), where (p, q) is w in the frame.
-class PlaneLine {
- public:
-  PlaneLine(const DiscFrame& frame, const Corners& corners, int i) noexcept
-      : frame_(frame),
-        e_(frame.e),
-        corners_(corners),
-        edge_(i),
-        along_(corners.is_along_axis(i)),
-        backward_(corners.is_backward(i)),
-        c_(exact::dot(e_.ux, e_.uy, corners.box.ux, corners.box.uy)),
-        s_(exact::cross(e_.ux, e_.uy, corners.box.ux, corners.box.uy)),
-        p_(e_.b * (along_ ? c_ : s_)),
-        q_(e_.a * (along_ ? s_ : c_)),
-        half_(along_ ? corners.box.hx : corners.box.hy),
-        rough_half_(half_) {}
-  VESICA_COLD Scaled off() const noexcept {
-    const auto product = [](const auto& a, const auto& b) { return a * b; };
-    return nearest_size(scale() * Rough(distance()), product, exact_scale(), distance());
-  }
-  VESICA_COLD Scaled discriminant() const noexcept {
-    const auto& x = distance();
-    const bool by_p = is_greater(p_, q_);
-    const auto greater = exact::abs(by_p ? p_ : q_), size = exact::abs(x);
-    const Rough product = Rough(greater - size) * (Rough(greater) + Rough(size));
-    const Rough squared_scale = square(scale());
-    Scaled nearest;
-    if (rounds_surely(squared_scale * (product + square(Rough(by_p ? q_ : p_))), nearest)) return nearest;
-    // Of a degree of 6, where the same of the edge in the frame is one of 16.
-    const auto sum = square(p_) + square(q_) - square(x);
-    const auto all = [](const auto& s, const auto& factor) { return s * square(factor); };
-    return nearest_size(squared_scale * Rough(sum), all, sum, exact_scale());
-  }
-  /// Of DiscEdge: at the edge's start for an `end` of -1, at its end for 1.
-  VESICA_COLD Rough slope(int end) const noexcept {
-    if (!slopes_) slopes_ = {slope_in_middle(), times(2, rough_half_ * (square(Rough(p_)) + square(Rough(q_))))};
-    const auto& [middle, half] = *slopes_;
-    return rough_half_ * (middle + (end < 0 ? -half : half));
-  }
-
- private:
-  const DiscFrame& frame_;
-  const exact::Ellipse& e_;
-  const Corners& corners_;
-  int edge_;
-  bool along_, backward_;
-  Position c_, s_;
-  exact::Number<3> p_, q_;
-  const exact::Length& half_;
-  Rough rough_half_;
-  struct Slopes {
-    Rough in_middle, from_middle;
-  };
-  // Worked out where they are asked for.
-  mutable std::optional<exact::Number<3>> distance_;
-  mutable std::optional<Slopes> slopes_;
-
-  /// 2 h r.
-  Rough scale() const noexcept { return times(factor(), rough_half_ * frame_.rough_radius); }
-  exact::Number<5> exact_scale() const noexcept { return exact::integer(factor()) * (half_ * frame_.radius); }
-  int factor() const noexcept { return backward_ ? -2 : 2; }
-  exact::Length offset_x() const noexcept { return corners_.box.cx - e_.cx; }
-  exact::Length offset_y() const noexcept { return corners_.box.cy - e_.cy; }
-  /// w.m, which is the box's centre's too.
-  Position centre_on_way() const noexcept {
-    const exact::Box& box = corners_.box;
-    return along_ ? exact::dot(box.ux, box.uy, offset_x(), offset_y())
-                  : exact::cross(box.ux, box.uy, offset_x(), offset_y());
-  }
-  /// v x 2 m, or v.2 m.
-  exact::Number<3> twice_middle(bool across) const noexcept {
-    const int next = corners_.next(edge_);
-    const Position x = corners_.x[edge_] + corners_.x[next] - exact::integer(2) * e_.cx;
-    const Position y = corners_.y[edge_] + corners_.y[next] - exact::integer(2) * e_.cy;
-    return across ? exact::cross(e_.ux, e_.uy, x, y) : exact::dot(e_.ux, e_.uy, x, y);
-  }
-  /// With m the edge's middle in the plane, as seen from the ellipse, and a > b, w times m is in the frame
-  /// b^2 V (w.m) + (a + b) (a - b) (v x w) (v x m): only the sum may cancel. With a < b it is the same by a, and dot
-  /// products.
-  Rough slope_in_middle() const noexcept {
-    const bool across = exact::compare(e_.a, e_.b) > 0;
-    const exact::Length &lesser = across ? e_.b : e_.a, &greater = across ? e_.a : e_.b;
-    const Rough less(lesser), axis(exact::dot(e_.ux, e_.uy, e_.ux, e_.uy));
-    Rough middle = times(2, square(less) * axis * Rough(centre_on_way()));
-    const exact::Length excess = greater - lesser;
-    if (excess.sign != 0) {
-      const Rough of_way(across == along_ ? s_ : c_), of_middle(twice_middle(across));
-      const Rough more = (Rough(greater) + less) * Rough(excess) * of_way * of_middle;
-      middle = across || along_ ? middle + more : middle - more;
-    }
-    return backward_ ? -middle : middle;
-  }
-  /// x.
-  const exact::Number<3>& distance() const noexcept {
-    if (!distance_) {
-      const exact::Box& box = corners_.box;
-      const Position squared_axis = exact::dot(box.ux, box.uy, box.ux, box.uy);
-      // Edges in order are below the centre, to the right, above, to the left; a segment's is through it.
-      const auto off = (along_ ? box.hy : box.hx) * squared_axis;
-      const auto centre = along_ ? exact::cross(box.ux, box.uy, offset_x(), offset_y())
-                                 : exact::integer(-1) * exact::dot(box.ux, box.uy, offset_x(), offset_y());
-      distance_ = backward_ ? centre + off : centre - off;
-    }
-    return *distance_;
-  }
 };
 
 /// Along an edge m + t e the squared distance less the squared radius is square t^2 + 2 slope t + value.
 struct DiscEdge {
   const DiscFrame& frame;
-  const Corners& corners;
-  int number;
   const DiscCorner &from, &to;
   exact::Number<4> e0, e1;
-  Rough r0, r1, square_, slope, end_slope;
+  Estimate r0, r1, square_, slope, end_slope;
 
-  DiscEdge(const DiscFrame& f, const Corners& box, const DiscCorner* corner, int i) noexcept
+  DiscEdge(const DiscFrame& f, const DiscCorner& start, const DiscCorner& end) noexcept
       : frame(f),
-        corners(box),
-        number(i),
-        from(corner[i]),
-        to(corner[box.next(i)]),
+        from(start),
+        to(end),
         e0(to.m0 - from.m0),
         e1(to.m1 - from.m1),
         r0(e0),
@@ -197,19 +82,19 @@ struct DiscEdge {
         square_(square(r0) + square(r1)),
         slope(from.r0 * r0 + from.r1 * r1),
         end_slope(to.r0 * r0 + to.r1 * r1) {}
-  int slope_sign() const noexcept {
-    return sign_of_either(
-        slope, [&] { return line().slope(-1); }, SumOfProducts{}, from.m0, e0, from.m1, e1);
+  int slope_sign() const noexcept { return slope.sign_is_known() ? slope.sign() : exact_slope(from).sign; }
+  int end_slope_sign() const noexcept { return end_slope.sign_is_known() ? end_slope.sign() : exact_slope(to).sign; }
+  Scaled slope_size() const noexcept { return slope.is_precise() ? slope.scaled() : exact::rounded(exact_slope(from)); }
+  /// The distance of the edge's line from the origin, times the edge's length.
+  VESICA_COLD exact::Number<8> exact_off() const noexcept { return exact::cross(e0, e1, from.m0, from.m1); }
+  VESICA_COLD Scaled exact_discriminant() const noexcept {
+    return exact::rounded(exact::dot(e0, e1, e0, e1) * exact::square(frame.radius) - exact::square(exact_off()));
   }
-  int end_slope_sign() const noexcept {
-    return sign_of_either(
-        end_slope, [&] { return line().slope(1); }, SumOfProducts{}, to.m0, e0, to.m1, e1);
-  }
-  /// Worked out where it is asked for.
-  const PlaneLine& line() const noexcept { return line_ ? *line_ : line_.emplace(frame, corners, number); }
 
  private:
-  mutable std::optional<PlaneLine> line_;
+  VESICA_COLD exact::Number<8> exact_slope(const DiscCorner& m) const noexcept {
+    return exact::dot(e0, e1, m.m0, m.m1);
+  }
 };
 
 /// The roots strictly between 0 and 1, ascending; on which side of the chord's middle each is, 0 of a double root; and
@@ -234,16 +119,14 @@ inline Roots roots_inside(const DiscEdge& edge) noexcept {
   const bool both_outside = start > 0 && end > 0;
   if (both_outside && !(edge.slope_sign() < 0 && edge.end_slope_sign() > 0)) return roots;
   const DiscCorner& m = edge.from;
-  // Of the edge's line from the origin, times the edge's length.
-  const Rough off = m.r1 * edge.r0 - m.r0 * edge.r1;
-  const Rough discriminant = edge.square_ * square(edge.frame.rough_radius) - square(off);
-  const Scaled d = discriminant.is_precise() ? discriminant.scaled() : edge.line().discriminant();
+  // The distance of the edge's line from the origin, times the edge's length.
+  const Estimate off = m.r1 * edge.r0 - m.r0 * edge.r1;
+  const Estimate discriminant = edge.square_ * square(edge.frame.radius_estimate) - square(off);
+  const Scaled d = discriminant.is_precise() ? discriminant.scaled() : edge.exact_discriminant();
   if (d.value < 0 || (d.value == 0 && !both_outside)) return roots;
-  roots.off = off.is_precise() ? off.scaled() : edge.line().off();
+  roots.off = off.is_precise() ? off.scaled() : exact::rounded(edge.exact_off());
   roots.discriminant = d;
-  const Scaled a = edge.square_.scaled();
-  const Scaled b = size_of_either(
-      edge.slope, [&] { return edge.line().slope(-1); }, SumOfProducts{}, m.m0, edge.e0, m.m1, edge.e1);
+  const Scaled a = edge.square_.scaled(), b = edge.slope_size();
   if (d.value == 0) {
     roots.add(-quotient(b, a), 0);
     return roots;
@@ -257,8 +140,8 @@ inline Roots roots_inside(const DiscEdge& edge) noexcept {
   return roots;
 }
 
-/// Where the line of an edge meets the ellipse's outline: about the point of it that is nearest to the origin, which a
-/// long edge's ends would not tell well.
+/// The points where the line of an edge meets the ellipse's outline, from the line's point nearest to the origin. The
+/// ends of a long edge would lose digits.
 class Chord {
  public:
   Chord(const DiscEdge& edge, const Roots& roots) noexcept {
@@ -283,7 +166,7 @@ class Chord {
   double ux_, uy_, off_, half_;
 };
 
-/// Where among the places are those of each corner (-1: none) and those inside each edge, in order along it.
+/// The indices of the places at each corner (-1: none) and inside each edge, in order along it.
 struct PlacesOfBox {
   int at_corner[4], of_edge[5];
 };
@@ -328,14 +211,14 @@ inline Found crossings(const exact::Box& box, const exact::Ellipse& ellipse) noe
   for (int i = 0; i < corners.count; ++i) {
     corner[i].set(disc_box, corners, i);
     if (corner[i].sign() != 0) continue;
-    const int unit = frame.rough_radius.exponent;
+    const int unit = frame.radius_estimate.exponent;
     const Real at = turn(two_doubles(corner[i].m0, unit), two_doubles(corner[i].m1, unit));
     places.at_corner[i] = found.count;
     found.add({nearest(corners.x[i]), nearest(corners.y[i]), Real(i), at});
   }
   for (int i = 0; i < corners.edges; ++i) {
     places.of_edge[i] = places.of_edge[i + 1] = found.count;
-    const DiscEdge disc_edge(frame, corners, corner, i);
+    const DiscEdge disc_edge(frame, corner[i], corner[corners.next(i)]);
     const Roots roots = roots_inside(disc_edge);
     if (roots.count == 0) continue;
     const RoundedEdge edge(corners, i);

@@ -30,21 +30,20 @@ inline bool has_rank_one(const exact::ContactCubic& p) noexcept {
   return exact::compare(left * b, right * a) == 0;
 }
 
-/// Of ellipses that have a multiple root and one of which contains the other, touching it.
+/// The census of nested ellipses that touch: p has a multiple root.
 inline Census touching_inside(const exact::ContactCubic& p) noexcept {
   return {0, !has_triple_root(p) && has_rank_one(p) ? 2 : 1, false};
 }
 
-/// Of ellipses that cross, by the sign of the discriminant.
+/// The census of ellipses that cross, by the sign of the discriminant.
 inline Census crossing(const exact::ContactCubic& p, int roots) noexcept {
   if (roots != 0) return {roots > 0 ? 4 : 2, 0, false};
   return has_triple_root(p) ? Census{2, 0, false} : Census{2, 1, false};
 }
 
-/// The same distinctions as exact::relation makes, with the number of places; less of them where they are known to
-/// cross.
-VESICA_COLD inline Census census(const exact::Outline& outline, bool cross = false) noexcept {
-  exact::ContactCubic p = exact::contact_cubic(outline);
+/// Makes the distinctions of exact::relation, and counts the places. `cross`: the ellipses are known to cross.
+VESICA_COLD inline Census census(const exact::Ellipse& e, const exact::Ellipse& f, bool cross = false) noexcept {
+  exact::ContactCubic p = exact::contact_cubic(e, f);
   if (p.al.sign == 0) {
     switch (exact::detail::concentric(p)) {
       case Relation::cross:

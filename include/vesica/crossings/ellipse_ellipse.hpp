@@ -1,120 +1,56 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Where the outlines of two ellipses meet. The form of one along a quarter of the other's outline is a quartic, formed
-/// exactly and rounded once to 300 bits or more; its zeros are found to 2^-96 of a turn. Mostly each is certainly one
+/// The places where outlines of two ellipses meet. The form of one along a quarter of the other's outline is a quartic, formed
+/// exactly and rounded once to 370 bits; its zeros are found to 2^-96 of a turn. Mostly each is certainly one
 /// zero at which the sign changes, so that it is known how many there are. Else exact signs tell that, and how many
 /// places only touch: zeros closer than 2^-95 may be one spot with as many places as are missing.
 #pragma once
 
 #include <algorithm>
 #include <cassert>
-#include <initializer_list>
 #include <limits>
 #include <optional>
 #include <vesica/crossings/census.hpp>
+#include <vesica/crossings/estimate.hpp>
 #include <vesica/crossings/quartic_zeros.hpp>
-#include <vesica/crossings/rough.hpp>
 
 namespace vesica::detail::crossings {
 
-using exact::Image, exact::Outline;
-
-/// The first limbs of a number, so many or all.
-template <int Degree>
-exact::Number<Degree> first_limbs(const exact::Number<Degree>& x, int count) noexcept {
-  if (x.size <= count) return x;
-  exact::Number<Degree> out;
-  out.sign = x.sign;
-  out.low = x.low + (x.size - count);
-  out.size = count;
-  exact::detail::move_limbs(x.limb + (x.size - count), count, out.limb);
-  out.strip();
-  return out;
-}
-template <int Degree>
-Image<Degree> first_limbs(const Image<Degree>& z, int count) noexcept {
-  return {first_limbs(z.x, count), first_limbs(z.y, count)};
-}
-
-using BeyondRim = exact::BeyondRim<4, 4>;
-inline BeyondRim first_limbs(BeyondRim z, int count) noexcept {
-  z.less = first_limbs(z.less, count);
-  z.more = first_limbs(z.more, count);
-  z.other = first_limbs(z.other, count);
-  return z;
-}
-
-/// What the form of f along e is made of. P.Q = along across, factors that do not cancel. Twice the square of the
-/// radius is taken from what is about as great: from 2 |C|^2 if C is not well within the rim, else half of it from each
-/// of |P|^2 and |Q|^2, which it nearly is where outlines coincide.
-struct FormParts {
-  Image<3> c;
-  Image<4> p, q;
-  exact::Number<4> along, across;
-  BeyondRim beyond_c, beyond_p, beyond_q;
-
-  /// Of so many leading limbs of each number.
-  FormParts(const Outline& o, int limbs) noexcept : FormParts(o, limbs, is_within(o)) {}
-  /// No product is as great as 2 to this power.
-  std::int64_t top() const noexcept {
-    std::int64_t top = std::numeric_limits<std::int64_t>::min();
-    const auto see = [&top](const auto& a, const auto& b) {
-      if (a.sign != 0 && b.sign != 0) top = std::max(top, exact::detail::top_bit(a) + exact::detail::top_bit(b));
-    };
-    for (const BeyondRim* z : {&beyond_c, &beyond_p, &beyond_q}) see(z->less, z->more), see(z->other, z->other);
-    see(c.x, p.x), see(c.y, p.y), see(c.x, q.x), see(c.y, q.y);
-    return top;
-  }
-
- private:
-  FormParts(const Outline& o, int limbs, bool within) noexcept
-      : c(first_limbs(o.c, limbs)),
-        p(first_limbs(o.p, limbs)),
-        q(first_limbs(o.q, limbs)),
-        along(o.e.a * o.e.b * first_limbs(o.dot, limbs)),
-        across(first_limbs(o.f.a - o.f.b, limbs) * first_limbs(o.f.a + o.f.b, limbs) * first_limbs(o.cross, limbs)),
-        beyond_c(first_limbs(BeyondRim(o.c.x, o.c.y, within ? exact::Number<4>() : o.radius), limbs)),
-        beyond_p(first_limbs(BeyondRim(o.p.x, o.p.y, within ? o.radius : exact::Number<4>()), limbs)),
-        beyond_q(first_limbs(BeyondRim(o.q.x, o.q.y, within ? o.radius : exact::Number<4>()), limbs)) {}
-
-  /// Whether C is within a quarter of the radius at least.
-  static bool is_within(const Outline& o) noexcept {
-    const auto is_less = [&o](const exact::Number<3>& x) {
-      return x.sign == 0 || exact::detail::top_bit(x) + 2 < exact::detail::top_bit(o.radius);
-    };
-    return is_less(o.c.x) && is_less(o.c.y);
-  }
-};
+using exact::Outline;
 
 /// Twice the form of f along e: mean + c1 cos + s1 sin + c2 cos of twice the angle + s2 sin of that. Negative within f.
 struct Harmonics {
   Fixed mean, c1, s1, c2, s2;
 
-  explicit Harmonics(const Outline& outline) noexcept {
-    // Numbers of very unlike exponents have many limbs, of which the first almost always do. 8 are right to 2^-448.
-    if (!set(FormParts(outline, 8), true)) set(FormParts(outline, exact::Number<4>::capacity), false);
+  /// P.Q = along across, factors that do not cancel. Twice the square of the radius is taken from what is about as
+  /// great: from 2 |C|^2 if C is not well within the rim, else half of it from each of |P|^2 and |Q|^2, which it nearly
+  /// is where outlines coincide.
+  VESICA_CALLED explicit Harmonics(const Outline& o) noexcept {
+    const exact::Number<4> none;
+    const bool within = is_within(o);
+    const exact::Number<4>&of_c = within ? none : o.radius, &of_axes = within ? o.radius : none;
+    const exact::Number<8> pp = beyond_rim(o.p.x, o.p.y, of_axes), qq = beyond_rim(o.q.x, o.q.y, of_axes);
+    exact::Number<8> terms[5] = {exact::integer(2) * beyond_rim(o.c.x, o.c.y, of_c) + pp + qq,
+                                 exact::integer(4) * dot(o.c, o.p), exact::integer(4) * dot(o.c, o.q), pp - qq,
+                                 exact::integer(2) * (along(o) * across(o))};
+    std::int64_t top = std::numeric_limits<std::int64_t>::min();
+    for (const auto& x : terms) {
+      if (x.sign != 0) top = std::max(top, exact::detail::top_bit(x));
+    }
+    // Coefficients of the quartics are less than 72 times the greatest of these.
+    top += 10;
+    Fixed* const out[5] = {&mean, &c1, &s1, &c2, &s2};
+    for (int i = 0; i < 5; ++i) *out[i] = fixed(terms[i], top);
   }
 
  private:
-  /// False where shortened numbers leave less than 320 bits.
-  bool set(const FormParts& o, bool is_short) noexcept {
-    const auto two = exact::integer(2), four = exact::integer(4);
-    const exact::Number<8> pp = o.beyond_p.value(), qq = o.beyond_q.value();
-    const exact::Number<8> exact_mean = two * o.beyond_c.value() + pp + qq, exact_c1 = four * dot(o.c, o.p),
-                           exact_s1 = four * dot(o.c, o.q), exact_c2 = pp - qq, exact_s2 = two * (o.along * o.across);
-    std::int64_t top = std::numeric_limits<std::int64_t>::min();
-    for (const auto* x : {&exact_mean, &exact_c1, &exact_s1, &exact_c2, &exact_s2}) {
-      if (x->sign != 0) top = std::max(top, exact::detail::top_bit(*x));
-    }
-    // Where outlines coincide there is neither a term nor a product, and both are the least number.
-    if (is_short && top + 100 < o.top()) return false;
-    // Coefficients of the quartics are less than 72 times the greatest of these.
-    top += 10;
-    mean = fixed(exact_mean, top);
-    c1 = fixed(exact_c1, top);
-    s1 = fixed(exact_s1, top);
-    c2 = fixed(exact_c2, top);
-    s2 = fixed(exact_s2, top);
-    return true;
+  static exact::Number<4> along(const Outline& o) noexcept { return o.e.a * o.e.b * o.dot; }
+  static exact::Number<4> across(const Outline& o) noexcept { return (o.f.a - o.f.b) * (o.f.a + o.f.b) * o.cross; }
+  /// True if C is within a quarter of the radius at least.
+  static bool is_within(const Outline& o) noexcept {
+    const auto is_less = [&o](const exact::Number<3>& x) {
+      return x.sign == 0 || exact::detail::top_bit(x) + 2 < exact::detail::top_bit(o.radius);
+    };
+    return is_less(o.c.x) && is_less(o.c.y);
   }
 
  public:
@@ -152,7 +88,7 @@ inline Spots find_spots(Harmonics harmonics) noexcept {
 
 /// Spots next to each other, which are one.
 struct Group {
-  /// Of the form along e.
+  /// The sign of the form along e.
   struct Sign {
     bool negative, is_certain;
     bool differs(const Sign& other) const noexcept { return negative != other.negative; }
@@ -215,7 +151,7 @@ struct Groups {
             {p.negative_before, p.is_certain_before},
             {q.negative_after, q.is_certain_after},
             meet && p.most == 1 && q.most == 1};
-    // Where spots meet may be a zero that is known exactly; a start is.
+    // A zero that is known exactly may lie where two spots join. The outline's start is one.
     if (end - from > 1) g.at = spots.spot[(from + (end - from) / 2) % spots.count].from;
     for (int i = from; i < end; ++i) {
       const Spot& s = spots.spot[i % spots.count];
@@ -290,7 +226,7 @@ struct Direction {
   }
 };
 
-/// Where a place of e is along f.
+/// Computes the position along f of a place of e.
 class AlongOther {
  public:
   explicit AlongOther(const Outline& o) noexcept {
@@ -346,7 +282,7 @@ class StoredOutline {
   int lift_;
 };
 
-/// Where a point of a circle about the origin is along it: quarters, and within one the tangent of half the angle.
+/// The position of a point along a circle about the origin: quarters, and within one the tangent of half the angle.
 inline Real along_circle(const Real& x, const Real& y, const Real& radius) noexcept {
   const double at_x = rounded(x), at_y = rounded(y);
   if (at_x > 0 && at_y >= 0) return y / (radius + x);
@@ -373,27 +309,37 @@ inline void mend_start(const exact::Ellipse& e, const exact::Ellipse& f, Found& 
   if (next != end) next->begins_b();
 }
 
+/// Twice the form of f along e, and positions along f.
+struct Prepared {
+  Harmonics harmonics;
+  AlongOther along_other;
+};
+/// Not inlined: the exact outline takes stack only here.
+VESICA_CALLED inline Prepared prepared(const exact::Ellipse& e, const exact::Ellipse& f) noexcept {
+  const Outline outline(e, f);
+  return {Harmonics(outline), AlongOther(outline)};
+}
+
 /// The places along e, whose outline is `stored`, with where they are along f.
 inline Found places(const exact::Ellipse& e, const StoredOutline& stored, const exact::Ellipse& f) noexcept {
   Found found;
-  const Outline outline(e, f);
-  Groups groups(find_spots(Harmonics(outline)));
+  const Prepared pair = prepared(e, f);
+  Groups groups(find_spots(pair.harmonics));
   const std::optional<int> crossings = groups.certain_crossings();
-  const Census all = crossings ? Census{*crossings, 0, false} : census(outline, groups.surely_odd() > 0);
+  const Census all = crossings ? Census{*crossings, 0, false} : census(e, f, groups.surely_odd() > 0);
   found.shared = all.equal;
   if (all.crossing + all.touching == 0) return found;
   assert(groups.count > 0);
   share_out(groups, all);
-  const AlongOther along_other(outline);
   for (int i = 0; i < groups.count; ++i) {
     const Group& g = groups.group[i];
     if (g.places == 0) continue;
     const Direction d(g.at);
-    Place place{0, 0, g.at, along_other(d)};
+    Place place{0, 0, g.at, pair.along_other(d)};
     stored.point(d, place.x, place.y);
     for (int k = 0; k < g.places; ++k) found.add(place);
   }
-  if (!along_other.is_precise() || found.is_near_start_of_b()) mend_start(e, f, found);
+  if (!pair.along_other.is_precise() || found.is_near_start_of_b()) mend_start(e, f, found);
   return found;
 }
 
@@ -402,8 +348,7 @@ inline Found places(const exact::Ellipse& e, const StoredOutline& stored, const 
 /// where they do not meet or are the same; then it writes nothing.
 inline bool any_place(const exact::Ellipse& e, const StoredOutline& stored, const exact::Ellipse& f, double& x,
                       double& y, const std::optional<Census>& known) noexcept {
-  const Outline outline(e, f);
-  Harmonics harmonics(outline);
+  Harmonics harmonics = prepared(e, f).harmonics;
   Spots spots;
   spots.shortest = 0x1p-64;  // one place alone need only be right beyond its rounding
   for (int quarter = 0; quarter < 4; ++quarter) {
@@ -417,7 +362,7 @@ inline bool any_place(const exact::Ellipse& e, const StoredOutline& stored, cons
     }
     harmonics.advance();
   }
-  const Census all = known ? *known : census(outline);
+  const Census all = known ? *known : census(e, f);
   if (all.crossing + all.touching == 0) return false;
   Groups groups(spots);
   share_out(groups, all);

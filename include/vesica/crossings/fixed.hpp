@@ -231,7 +231,7 @@ inline int part(const Quartic& q, exact::Limb from, exact::Limb to, int limbs, Q
 struct Derivatives {
   double size[5];
 
-  /// Of coefficients that the lowest `limbs` limbs hold; 0 <= t <= 1.
+  /// The coefficients must fit the lowest `limbs` limbs; 0 <= t <= 1.
   Derivatives(const Quartic& q, double t, int limbs) noexcept {
     Quartic beyond = q;  // from t to the farther end
     Fixed* const c = beyond.coefficient;
@@ -252,7 +252,7 @@ struct Derivatives {
   }
 };
 
-/// Of the halves of a quartic.
+/// The changes of sign of a quartic's halves.
 struct HalvesChanges {
   int low, high;
 };
@@ -281,7 +281,7 @@ struct InDoubles {
   int exponent;
   int limbs;  ///< so many of the lowest hold the coefficients with two bits to spare; at least 2
 
-  /// Of coefficients that the lowest `most_limbs` limbs hold.
+  /// The coefficients must fit the lowest `most_limbs` limbs.
   explicit InDoubles(const Quartic& q, int most_limbs = Fixed::limbs) noexcept {
     Fixed magnitude[5];
     exact::Limb seen[Fixed::limbs] = {};

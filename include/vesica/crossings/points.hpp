@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the crossings of two outlines are gathered in.
+/// The result of crossings(), and corners and edges of boxes.
 #pragma once
 
 #include <cstdint>
@@ -78,7 +78,7 @@ struct Found {
   void add(const Place& p) noexcept {
     if (count < 8) place[count++] = p;
   }
-  /// Whether a place may be the one where the second outline begins: all are known to far less than this.
+  /// True if a place may be the one where the second outline begins: all are known to far less than this.
   bool is_near_start_of_b() const noexcept {
     const Real margin(0x1p-30);
     for (int i = 0; i < count; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Where a quartic is zero between 0 and 1: bisection by Descartes' rule of signs, in steps that double in length where
+/// The zeros of a quartic between 0 and 1: bisection by Descartes' rule of signs, in steps that double in length where
 /// the zeros of an interval lie close together. J. Abbott, ACM Comm. Computer Algebra 48 (2014) 3; M. Sagraloff and K.
 /// Mehlhorn, J. Symb. Comput. 73 (2016) 46.
 #pragma once
@@ -136,7 +136,7 @@ struct Local {
     if constexpr (k > 3) see(root(1, (std::fabs(derivative<3>(t)) + rest) / leading));
     return 2 * most_reach;
   }
-  /// Whether reach(k, t) is 2^-5 or more wherever t is, with little work. Were it less, the derivatives at t of order i
+  /// True if reach(k, t) is 2^-5 or more wherever t is, with little work. Were it less, the derivatives at t of order i
   /// below k would be less than 2^(-6 (k - i)) times the one of order k, `leading`. So `leading` would exceed 2^(6 k)
   /// times what rounding adds, and, by Taylor's series about t, the sum of all others 1/32 of it at most: the value at
   /// the ends would be less than 1.04 times the sum of the derivatives' greatest values from order k on.
@@ -152,7 +152,7 @@ struct Local {
     // All roundings together are below 2^-41 of the greatest coefficient.
     return 1.01 * leading < least[k] * most || 1.1 * all + 0x1p-40 * most < ends;
   }
-  /// Whether the value at t is lost in what rounding adds.
+  /// True if the value at t is lost in what rounding adds.
   bool is_unknown_at(double t) const noexcept { return std::fabs(derivative<0>(t)) <= 0x1p-46 * most; }
   double height() const noexcept {
     const double t = zero_of_derivative<1>();
@@ -217,7 +217,7 @@ class ZeroSearch {
     i.from = i.from + Real(way);
     if (opposite_ != nullptr) i.opposite_from = i.opposite_from + Real(way);
   }
-  /// Of what is left of an interval whose start is where the spot's is.
+  /// Adds the spot from the interval's start on.
   void add_spot(const Interval& i, double length) noexcept {
     Spot s{i.from,
            i.from + Real(length),
@@ -285,14 +285,14 @@ class ZeroSearch {
   struct Group {
     double t, reach;
   };
-  /// Of k zeros, others being beyond the ends or complex. One change is of a group of one.
+  /// Finds a group of k zeros; others are beyond the ends or complex. One change of sign means a group of one.
   Group find_group(const Interval& i, const Local& local, int k) const noexcept {
     // A reach of 2^-5 ends only what is shorter than that.
     if (!(k == 1 && i.length < 0x1p5 * spots_.shortest) && local.is_far_reaching(k)) return {0, 1};
     const double t = local.zero_of_derivative(k - 1), reach = local.reach(k, t);
     return {t, k > 1 && reach < 0x1p-5 && local.is_unknown_at(t) ? exact_reach(i, k, t) : reach};
   }
-  /// Whether an interval with one change ends, its zero being known.
+  /// True if an interval with one change ends, its zero being known.
   bool ends_with(Interval& i, const Group& zero) noexcept {
     if (!(zero.reach * i.length < spots_.shortest)) return false;
     if (i.q.coefficient[0].negligible() || i.q.coefficient[4].negligible()) return false;
@@ -317,7 +317,7 @@ class ZeroSearch {
     }
     return 2 * most;
   }
-  /// Whether all zeros of an interval are in this part of it, as none is on either side.
+  /// True if all zeros of an interval are in this part of it, as none is on either side.
   static bool has_no_zero_beside(const Interval& i, exact::Limb from, exact::Limb to) noexcept {
     const exact::Limb side[][2] = {{0, from}, {to, 0}};
     Quartic beside;

@@ -30,7 +30,7 @@ inline NineIntersections of_areas(Relation r, char meeting) noexcept {
   return {"2FFF1FFF2"};
 }
 
-/// Whether intervals have a length in common.
+/// True if intervals have a length in common.
 inline bool overlap_in_length(double p0, double p1, double q0, double q1) noexcept { return p0 < q1 && q0 < p1; }
 inline bool share_a_side(double p0, double p1, double q0, double q1) noexcept {
   return p0 == q0 || p0 == q1 || p1 == q0 || p1 == q1;
@@ -53,7 +53,7 @@ VESICA_COLD inline bool outlines_share_stretch(const exact::Box& box_a, const ex
   return false;
 }
 
-/// Whether two axes are certainly neither parallel nor at right angles. With u = 2^-53, a sum of two rounded products
+/// True if two axes are certainly neither parallel nor at right angles. With u = 2^-53, a sum of two rounded products
 /// errs by 2u of their magnitudes and by what underflows.
 inline bool certainly_oblique(double ux, double uy, double wx, double wy) noexcept {
   const double bound = 0x1p-50 * (std::fabs(ux * wx) + std::fabs(uy * wy) + std::fabs(ux * wy) + std::fabs(uy * wx));

@@ -32,7 +32,7 @@ inline Ends ends_in_polygon(const Sides& of_b) noexcept {
   return ends;
 }
 
-/// Whether a segment has a stretch in common with a side.
+/// True if a segment has a stretch in common with a side.
 inline bool lies_along_side(const Polygon& a, const Sides& of_a, const Polygon& b) noexcept {
   for (int j = 0; j < b.corners.edges; ++j) {
     const bool on_line = of_a.sign[0][j] == 0 && of_a.sign[0][b.corners.next(j)] == 0;
@@ -92,10 +92,7 @@ VESICA_COLD inline NineIntersections of_segment_and_box(const exact::Box& box_a,
 inline int place_in(const exact::Ellipse& e, const crossings::Position& x, const crossings::Position& y) noexcept {
   const auto dx = x - e.cx, dy = y - e.cy;
   const auto along = e.b * exact::dot(e.ux, e.uy, dx, dy), across = e.a * exact::cross(e.ux, e.uy, dx, dy);
-  const auto room = [](const auto& radius, const auto& p, const auto& q) {
-    return exact::square(radius) - (exact::square(p) + exact::square(q));
-  };
-  return exact::sign_of(room, e.a * e.b * exact::dot(e.ux, e.uy, e.ux, e.uy), along, across);
+  return exact::side_of_rim(along, across, e.a * e.b * exact::dot(e.ux, e.uy, e.ux, e.uy));
 }
 
 VESICA_COLD inline NineIntersections of_segment_and_ellipse(const exact::Box& box_a, const exact::Ellipse& b,

@@ -21,7 +21,7 @@ struct BoxDepth {
 /// A computed depth below this share of the sizes may stand for 0. Exact arithmetic tells.
 inline constexpr double least_settled_depth = 0x1p-46;
 
-/// Whether the pair is to be exchanged, so that (a, b) and (b, a) do the same work. Boxes are ordered by their numbers,
+/// True if the pair is to be exchanged, so that (a, b) and (b, a) do the same work. Boxes are ordered by their numbers,
 /// and equal boxes by the sign of their offset.
 template <class V>
 VESICA_INLINE auto out_of_order(const BoxPair<V>& p) noexcept {

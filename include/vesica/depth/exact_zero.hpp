@@ -7,7 +7,7 @@
 
 namespace vesica::detail::depth {
 
-/// Of a box without area, along its length.
+/// The direction of a box without area, along its length.
 struct Line {
   exact::Length x, y;
 };
@@ -19,7 +19,7 @@ inline Line line(const exact::Box& flat) noexcept {
 inline bool has_no_length(const exact::Box& box) noexcept { return box.hx.sign == 0 && box.hy.sign == 0; }
 inline bool has_no_area(const exact::Box& box) noexcept { return box.hx.sign == 0 || box.hy.sign == 0; }
 
-/// Whether the Minkowski sum of two boxes has no area: then all of it is outline. Degree 2.
+/// True if the Minkowski sum of two boxes has no area: then all of it is outline. Degree 2.
 inline bool sum_is_flat(const exact::Box& a, const exact::Box& b) noexcept {
   if (!has_no_area(a) || !has_no_area(b)) return false;
   if (has_no_length(a) || has_no_length(b)) return true;
@@ -27,7 +27,7 @@ inline bool sum_is_flat(const exact::Box& a, const exact::Box& b) noexcept {
   return exact::cross(m.x, m.y, n.x, n.y).sign == 0;
 }
 
-/// What is known of shapes: that they are disjoint, that they overlap, and then perhaps whether their depth is 0.
+/// Disjoint, overlapping, or overlapping with a depth known to be 0 or positive.
 enum class Overlap : std::int32_t { none, some, some_without_depth, some_with_depth };
 
 /// Both questions at once: they cost no more than the first. contact() asks for the sum's relative inside, which with

@@ -16,7 +16,7 @@ struct LaneDepth {
   MaskOf<V> settled;
 };
 
-/// Whether the pair is to be exchanged, so that (a, b) and (b, a) do the same work: by the ellipses' numbers, equal
+/// True if the pair is to be exchanged, so that (a, b) and (b, a) do the same work: by the ellipses' numbers, equal
 /// ones by the sign of their offset.
 template <class V>
 VESICA_INLINE MaskOf<V> out_of_order(const Ellipse<V>& a, const Ellipse<V>& b, const Vector<V>& d) noexcept {

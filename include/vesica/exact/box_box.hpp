@@ -16,14 +16,13 @@ constexpr int gap(const Number<P>& p, const Number<R>& r) noexcept {
   return sign == 0 && p.sign == 0 ? -1 : sign;
 }
 
-/// What two boxes are along and across each other's axes: c and s of one axis by the other, and of the offset of
-/// centres in the frame of either, in units of its axis. Every question about them takes these.
-struct SeenBoxes {
+/// Two boxes, the offset of their centres, and |u.w| and |u x w| of their axes u and w. All predicates share these.
+struct BoxPair {
   const Box &a, &b;
   Length dx, dy;
   Number<2> c, s;
 
-  constexpr SeenBoxes(const Box& first, const Box& second) noexcept
+  constexpr BoxPair(const Box& first, const Box& second) noexcept
       : a(first),
         b(second),
         dx(b.cx - a.cx),
@@ -32,12 +31,12 @@ struct SeenBoxes {
         s(abs(cross(a.ux, a.uy, b.ux, b.uy))) {}
 };
 
-/// In the frame of one of them.
+/// Both boxes in the frame of one of them, in units of its axis.
 struct FrameOfBox {
   Number<2> x, y;
   Number<3> hx, hy, other_x, other_y;  ///< half lengths of the box, and how far the other reaches
 
-  constexpr FrameOfBox(const SeenBoxes& seen, const Box& box, const Box& other) noexcept
+  constexpr FrameOfBox(const BoxPair& seen, const Box& box, const Box& other) noexcept
       : x(dot(box.ux, box.uy, seen.dx, seen.dy)),
         y(cross(box.ux, box.uy, seen.dx, seen.dy)),
         other_x(other.hx * seen.c + other.hy * seen.s),
@@ -64,7 +63,7 @@ constexpr int clearance(const Number<P>& p, const Number<E>& extent, const Numbe
   return sign == 0 && size.sign == 0 ? 1 : sign;
 }
 
-/// How far the other box stays within that of the frame.
+/// The clearance of the other box within the box of the frame.
 constexpr int clearance(const FrameOfBox& frame) noexcept {
   const int along = clearance(frame.x, frame.other_x, frame.hx);
   if (along < 0) return -1;
@@ -78,19 +77,19 @@ constexpr int clearance(const FrameOfBox& frame) noexcept {
 /// Minkowski sum of two boxes, flat ones included, is bounded by lines across the four axes, so no other direction need
 /// be tried; the insides meet iff the offset of centres is in the relative inside of that sum.
 constexpr int contact(const Box& a, const Box& b) noexcept {
-  const detail::SeenBoxes seen(a, b);
+  const detail::BoxPair seen(a, b);
   const int first = detail::FrameOfBox(seen, a, b).widest_gap();
   if (first > 0) return 1;
   const int second = detail::FrameOfBox(seen, b, a).widest_gap();
   return first > second ? first : second;
 }
 
-/// Whether the boxes share a point.
+/// True if the boxes share a point.
 constexpr bool overlap(const Box& a, const Box& b) noexcept { return contact(a, b) <= 0; }
 
 /// How far box a stays within box b: 1 clear of b's outline, 0 up to it, -1 not within. b is bounded by its own axes.
 constexpr int clearance(const Box& a, const Box& b) noexcept {
-  return detail::clearance(detail::FrameOfBox(detail::SeenBoxes(a, b), b, a));
+  return detail::clearance(detail::FrameOfBox(detail::BoxPair(a, b), b, a));
 }
 
 }  // namespace vesica::exact

@@ -49,18 +49,15 @@ struct Outline {
 /// J. W. Perram and M. S. Wertheim, J. Comput. Phys. 58 (1985) 409.
 struct ContactCubic {
   Number<8> d1, c1, c2, d2, mu, al, be;
-  Number<4> root1, root2;  ///< of d1 and d2
 
   constexpr void set(const Outline& o) noexcept {
     const Ellipse &e = o.e, &f = o.f;
     const Image<3> from_e = image(e, f.cx - e.cx, f.cy - e.cy);
-    mu = sum_of_squares(o.p.x, o.p.y, o.q.x, o.q.y);
-    al = sum_of_squares(from_e.x, from_e.y);
-    be = sum_of_squares(o.c.x, o.c.y);
-    root1 = e.a * e.b * dot(e.ux, e.uy, e.ux, e.uy);
-    root2 = o.radius;
-    d1 = square(root1);
-    d2 = square(root2);
+    mu = square(o.p.x) + square(o.p.y) + square(o.q.x) + square(o.q.y);
+    al = square(from_e.x) + square(from_e.y);
+    be = square(o.c.x) + square(o.c.y);
+    d1 = square(e.a * e.b * dot(e.ux, e.uy, e.ux, e.uy));
+    d2 = square(o.radius);
     c1 = d1 + mu - al;
     c2 = d2 + mu - be;
   }

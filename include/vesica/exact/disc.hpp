@@ -7,7 +7,7 @@
 
 namespace vesica::exact {
 
-/// Whether the offset (dx, dy) is at most r long. Degree 2.
+/// True if the offset (dx, dy) is at most r long. Degree 2.
 constexpr bool within(const Length& dx, const Length& dy, const Length& r) noexcept {
   return compare(square(dx) + square(dy), square(r)) <= 0;
 }
@@ -37,7 +37,7 @@ constexpr int contact(const Box& box, const Circle<double>& disc) noexcept {
   return compare(square(x) + square(y), square(from_double(disc.r)) * f.uu);
 }
 
-/// Whether a box and a disc share a point.
+/// True if a box and a disc share a point.
 constexpr bool overlap(const Box& box, const Circle<double>& disc) noexcept { return contact(box, disc) <= 0; }
 
 /// How far a box stays within a disc: 1 clear of the rim, 0 up to it, -1 not within. Degree 6.

@@ -2,7 +2,7 @@
 /// The two forms the exact stage knows. Each shape becomes one without rounding, by the mapping of form/form.hpp.
 #pragma once
 
-#include <vesica/exact/leading.hpp>
+#include <vesica/exact/compare.hpp>
 #include <vesica/form/form.hpp>
 
 namespace vesica::exact {
@@ -81,33 +81,17 @@ constexpr Number<A + B> cross(const Number<A>& ux, const Number<A>& uy, const Nu
 /// How far a point is beyond the rim of the disc of radius r about the origin: x^2 + y^2 - r^2 as
 /// (|x| - r) (|x| + r) + y^2, or with x and y exchanged, so that only the sum may cancel.
 template <int A, int R>
-struct BeyondRim {
-  static constexpr int degree = A > R ? A : R;
-  Number<degree> less, more;
-  Number<A> other;
-
-  constexpr BeyondRim(const Number<A>& x, const Number<A>& y, const Number<R>& radius) noexcept
-      : BeyondRim(detail::compare_magnitude(x.span(), y.span()) > 0, x, y, radius) {}
-  constexpr Number<2 * degree> value() const noexcept { return less * more + square(other); }
-  /// Its leading digits, however many cancel.
-  VESICA_CALLED constexpr Leading<few_limbs> leading() const noexcept {
-    detail::DigitsOfDegree<degree> a(less), b(more), c(other);
-    return exact::leading(detail::ToldSum({{1, &a, &b}, {1, &c, &c}}));
-  }
-
- private:
-  constexpr BeyondRim(bool x_is_greater, const Number<A>& x, const Number<A>& y, const Number<R>& radius) noexcept
-      : less(abs(x_is_greater ? x : y) - radius),
-        more(abs(x_is_greater ? x : y) + radius),
-        other(x_is_greater ? y : x) {}
-};
+constexpr Number<2 * (A > R ? A : R)> beyond_rim(const Number<A>& x, const Number<A>& y,
+                                                 const Number<R>& radius) noexcept {
+  const bool x_is_greater = detail::compare_magnitude(x.span(), y.span()) > 0;
+  const Number<A> greater = abs(x_is_greater ? x : y);
+  return (greater - radius) * (greater + radius) + square(x_is_greater ? y : x);
+}
 
 /// 1 inside that disc, 0 on its rim, -1 outside.
 template <int A, int R>
 VESICA_CALLED constexpr int side_of_rim(const Number<A>& x, const Number<A>& y, const Number<R>& radius) noexcept {
-  BeyondRim<A, R> z(x, y, radius);
-  z.less.sign = -z.less.sign;
-  return compare_product_with_square(z.less, z.more, z.other);
+  return -beyond_rim(x, y, radius).sign;
 }
 
 }  // namespace vesica::exact

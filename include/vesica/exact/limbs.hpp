@@ -101,26 +101,20 @@ constexpr Limb set_multiple(Limb factor, const Limb* a, int n, Limb* out) noexce
   return carry;
 }
 
-/// out[0, na + nb) = a * b, schoolbook, na > 0. Zero limbs of a are skipped. Products of limbs that lie below limb
-/// `first` <= na, nb are left out: these are less than `first` at limb first + 1. Then out[0, first) is not set.
-constexpr void multiply(const Limb* a, int na, const Limb* b, int nb, Limb* out, int first = 0) noexcept {
-  out[nb] = set_multiple(a[0], b + first, nb - first, out + first);
-  for (int i = 1; i < na; ++i) {
-    const int skipped = first > i ? first - i : 0;
-    out[i + nb] = a[i] == 0 ? 0 : add_multiple(a[i], b + skipped, nb - skipped, out + i + skipped);
-  }
+/// out[0, na + nb) = a * b, schoolbook, na > 0. Zero limbs of a are skipped.
+constexpr void multiply(const Limb* a, int na, const Limb* b, int nb, Limb* out) noexcept {
+  out[nb] = set_multiple(a[0], b, nb, out);
+  for (int i = 1; i < na; ++i) out[i + nb] = a[i] == 0 ? 0 : add_multiple(a[i], b, nb, out + i);
 }
 
-/// out[0, 2 n) = a * a: products of different limbs once, doubled, and the squares. Leaves out what multiply() does,
-/// for an even `first`.
-constexpr void multiply_by_itself(const Limb* a, int n, Limb* out, int first = 0) noexcept {
-  for (int i = first; i <= n; ++i) out[i] = 0;
+/// out[0, 2 n) = a * a: products of different limbs once, doubled, and the squares.
+constexpr void multiply_by_itself(const Limb* a, int n, Limb* out) noexcept {
+  for (int i = 0; i <= n; ++i) out[i] = 0;
   for (int i = 0; i < n; ++i) {
-    const int from = first > 2 * i ? first - i : i + 1;
-    out[i + n] = a[i] == 0 ? 0 : add_multiple(a[i], a + from, n - from, out + i + from);
+    out[i + n] = a[i] == 0 ? 0 : add_multiple(a[i], a + i + 1, n - i - 1, out + 2 * i + 1);
   }
   Limb carry = 0, shifted_out = 0;
-  for (int i = first / 2; i < n; ++i) {
+  for (int i = 0; i < n; ++i) {
     const Limb low = out[2 * i] << 1 | shifted_out, high = out[2 * i + 1] << 1 | out[2 * i] >> 63;
     shifted_out = out[2 * i + 1] >> 63;
     const LimbPair sum = multiply_add(a[i], a[i], low, carry);
@@ -151,7 +145,7 @@ constexpr int compare_magnitude(const Span& a, const Span& b) noexcept {
   return 0;
 }
 
-/// What is left of a magnitude above a place on the grid.
+/// The limbs of a magnitude from a place on the grid up.
 constexpr Span from(const Span& a, int low) noexcept {
   const int cut = low > a.low ? low - a.low : 0;
   return cut >= a.size ? Span{a.limb, low, 0} : Span{a.limb + cut, a.low + cut, a.size - cut};

@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <vesica/exact/limbs.hpp>
-#include <vesica/exact/sparse.hpp>
 
 namespace vesica::exact {
 
@@ -109,29 +108,9 @@ constexpr Number<A + B> operator*(const Number<A>& a, const Number<B>& b) noexce
   assert(product.size <= product.capacity);
   const bool in_order = a.size <= b.size;
   const detail::Span shorter = in_order ? a.span() : b.span(), longer = in_order ? b.span() : a.span();
-  if (shorter.size < detail::least_sparse || !detail::multiply_sparse(shorter, longer, product.limb)) {
-    detail::multiply(shorter.limb, shorter.size, longer.limb, longer.size, product.limb);
-  }
+  detail::multiply(shorter.limb, shorter.size, longer.limb, longer.size, product.limb);
   product.strip();
   return product;
-}
-
-/// A small whole number of times.
-template <int A>
-constexpr Number<A> times(int factor, const Number<A>& a) noexcept {
-  return integer(factor) * a;
-}
-
-/// One square after the other is added to the same limbs: numbers are long where few limbs matter.
-template <int A, class... Same>
-constexpr Number<2 * A> sum_of_squares(const Number<A>& first, const Same&... rest) noexcept {
-  const detail::Span part[] = {first.span(), rest.span()...};
-  Number<2 * A> sum;
-  sum.size = detail::sum_squares(part, 1 + static_cast<int>(sizeof...(rest)), sum.limb, sum.low);
-  assert(sum.size <= sum.capacity);
-  sum.sign = 1;
-  sum.strip();
-  return sum;
 }
 
 template <int A>
@@ -142,9 +121,7 @@ constexpr Number<2 * A> square(const Number<A>& a) noexcept {
   product.low = 2 * a.low;
   product.size = 2 * a.size;
   assert(product.size <= product.capacity);
-  if (a.size < detail::least_sparse || !detail::square_sparse(a.span(), product.limb)) {
-    detail::multiply_by_itself(a.limb, a.size, product.limb);
-  }
+  detail::multiply_by_itself(a.limb, a.size, product.limb);
   product.strip();
   return product;
 }
@@ -201,6 +178,12 @@ constexpr Number<(A > B ? A : B)> operator-(const Number<A>& a, const Number<B>&
 template <int A>
 constexpr Number<A> abs(Number<A> a) noexcept {
   a.sign = a.sign < 0 ? 1 : a.sign;
+  return a;
+}
+
+template <int A>
+constexpr Number<A> operator-(Number<A> a) noexcept {
+  a.sign = -a.sign;
   return a;
 }
 

@@ -45,10 +45,10 @@ constexpr Relation box_relation(const Box& a, const Other& b) noexcept {
 
 }  // namespace detail
 
-/// As detail::box_relation(); what each question takes is worked out once.
+/// detail::box_relation() of two boxes, which computes common terms once.
 constexpr Relation relate(const Box& a, const Box& b) noexcept {
   if (detail::is_point(a)) return detail::box_relation(a, b);
-  const detail::SeenBoxes seen(a, b);
+  const detail::BoxPair seen(a, b);
   const detail::FrameOfBox of_a(seen, a, b);
   const int first = of_a.widest_gap();
   if (first > 0) return Relation::disjoint;
@@ -83,7 +83,7 @@ constexpr Relation relate(const Circle<double>& a, const Circle<double>& b) noex
 constexpr Relation relate(const Circle<double>& a, const Ellipse& b) noexcept { return relate(form(a), b); }
 constexpr Relation relate(const Ellipse& a, const Circle<double>& b) noexcept { return relate(a, form(b)); }
 
-/// Whether b contains all of a.
+/// True if b contains all of a.
 constexpr bool within(const Box& a, const Box& b) noexcept { return clearance(a, b) >= 0; }
 
 template <class Round>

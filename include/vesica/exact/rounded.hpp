@@ -4,7 +4,7 @@
 
 #include <cstddef>
 #include <vesica/arithmetic/scaled.hpp>
-#include <vesica/exact/leading.hpp>
+#include <vesica/exact/number.hpp>
 
 namespace vesica::exact {
 
@@ -17,7 +17,7 @@ constexpr Limb upper_bits(Limb top, bool rest) noexcept {
   return kept + (cut > half || (cut == half && (rest || (kept & 1) != 0)) ? 1 : 0);
 }
 
-/// What a number, not 0, begins with: `bits` whose uppermost is set, from 2^(exponent - 1) down.
+/// The leading limbs of a number that is not 0: `bits`, the uppermost bit set, from 2^(exponent - 1) down.
 template <int limbs>
 struct Beginning {
   Limb bits[std::size_t{limbs}];  ///< the uppermost first
@@ -57,52 +57,7 @@ constexpr vesica::detail::arithmetic::Scaled rounded(const Number<Degree>& x) no
   return {x.sign * magnitude.value, magnitude.exponent};
 }
 
-namespace detail {
-
-/// The digits that are kept, as a number of a degree that has room for them.
-template <int limbs>
-constexpr auto digits_of(const Leading<limbs>& x) noexcept {
-  Number<(limbs + 31) / 32 + 1> kept;
-  static_assert(limbs <= kept.capacity);
-  kept.sign = x.sign;
-  kept.low = x.low;
-  kept.size = x.sign == 0 ? 0 : limbs;
-  for (int i = 0; i < kept.size; ++i) kept.limb[i] = x.limb[i];
-  kept.strip();
-  return kept;
-}
-
-/// rounded() of leading digits, if the missing digits cannot change the result.
-template <int limbs>
-constexpr bool rounds_surely(const Leading<limbs>& x, vesica::detail::arithmetic::Scaled& out) noexcept {
-  if (!x.sign_is_certain()) return false;
-  auto kept = digits_of(x);
-  out = rounded(kept);
-  if (x.error == x.nothing) return true;
-  if (x.error < std::int64_t{64} * x.low) return false;  // beyond the digits kept
-  decltype(kept) missing;
-  const int place = static_cast<int>(x.error - std::int64_t{64} * x.low);
-  missing.sign = 1;
-  missing.low = x.low + place / 64;
-  missing.size = 1;
-  missing.limb[0] = Limb{1} << place % 64;
-  const auto most = rounded(kept + missing), least = rounded(kept - missing);
-  return most.value == out.value && most.exponent == out.exponent && least.value == out.value &&
-         least.exponent == out.exponent;
-}
-
-}  // namespace detail
-
-/// rounded() of a polynomial in these numbers, from the leading digits of long ones if these suffice.
-template <class Polynomial, int... Degree>
-constexpr vesica::detail::arithmetic::Scaled rounded_value(const Polynomial& value,
-                                                           const Number<Degree>&... x) noexcept {
-  vesica::detail::arithmetic::Scaled out{0, 0};
-  if ((is_long(x) || ...) && detail::rounds_surely(value(Leading<few_limbs>(x)...), out)) return out;
-  return rounded(value(x...));
-}
-
-/// The same as rounded(), and what it leaves: (high.value + low) * 2^high.exponent, low rounded as high is.
+/// rounded(), and the remainder rounded once more: (high.value + low) * 2^high.exponent, low rounded as high is.
 struct RoundedTwice {
   vesica::detail::arithmetic::Scaled high;
   double low;
@@ -110,16 +65,16 @@ struct RoundedTwice {
 
 namespace detail {
 
-/// Of a sign and a magnitude that are not 0; false where three limbs do not tell what is left.
+/// Rounds a nonzero number twice from its first three limbs. Returns false if lower limbs decide the remainder.
 VESICA_CALLED constexpr bool limbs_rounded_twice(int sign, const Span& x, RoundedTwice& out) noexcept {
   using vesica::detail::arithmetic::power_of_two;
   const Beginning<3> begins(x);
   const Limb kept = begins.rounded();
   out = {{sign * (static_cast<double>(kept) * 0x1p-53), begins.exponent}, 0};
-  // What is left in two limbs and 11 bits above them, or what lacks where it was rounded up.
-  const bool lacks = kept != begins.bits[0] >> 11;
+  // The remainder, in two limbs and 11 bits above them; the missing part if the number was rounded up.
+  const bool was_rounded_up = kept != begins.bits[0] >> 11;
   Limb left[] = {begins.bits[0] & 0x7ff, begins.bits[1], begins.bits[2]};
-  if (lacks) {
+  if (was_rounded_up) {
     const LimbPair low = subtract_limbs(0, left[2], begins.rest ? 1 : 0);
     const LimbPair middle = subtract_limbs(0, left[1], low.high);
     left[0] = 0x800 - left[0] - middle.high;
@@ -132,7 +87,7 @@ VESICA_CALLED constexpr bool limbs_rounded_twice(int sign, const Span& x, Rounde
   const Limb next = left[skipped + 1], top = left[skipped] << shift | next >> 1 >> (63 - shift);
   const bool rest = next << shift != 0 || (skipped == 0 && left[2] != 0) || begins.rest;
   const double low = static_cast<double>(upper_bits(top, rest)) * power_of_two(-53 - 64 * skipped - shift);
-  out.low = (lacks ? -sign : sign) * low;
+  out.low = (was_rounded_up ? -sign : sign) * low;
   return true;
 }
 

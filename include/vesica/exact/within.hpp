@@ -13,11 +13,11 @@ namespace detail {
 struct CornerGap {
   Number<3> x, y;
 
-  /// Whether it is no closer than another corner.
+  /// True if it is no closer than another corner.
   bool is_behind(const CornerGap& other) const noexcept { return compare(other.x, x) <= 0 && compare(other.y, y) <= 0; }
 };
 
-/// Whether any corner of a is at most `reach` from b; (dx, dy) leads from b's centre to a's. In b's frame, in units of
+/// True if any corner of a is at most `reach` from b; (dx, dy) leads from b's centre to a's. In b's frame, in units of
 /// |u|, the corners are p +- g +- h. A box without a size has fewer. One that is behind another needs no test; nor does
 /// one that a corner of b is closest to, where these are known to be too far from a. Degree 6.
 inline bool corner_within(const Box& a, const Box& b, const Length& dx, const Length& dy, const Length& reach,
@@ -25,9 +25,7 @@ inline bool corner_within(const Box& a, const Box& b, const Length& dx, const Le
   const auto uu = dot(b.ux, b.uy, b.ux, b.uy), c = dot(b.ux, b.uy, a.ux, a.uy), s = cross(b.ux, b.uy, a.ux, a.uy);
   const auto p0 = dot(b.ux, b.uy, dx, dy), p1 = cross(b.ux, b.uy, dx, dy);
   const auto g0 = a.hx * c, g1 = a.hx * s, h0 = a.hy * s, h1 = a.hy * c, ex = b.hx * uu, ey = b.hy * uu;
-  const auto beyond = [](const auto& x, const auto& y, const auto& r, const auto& unit) {
-    return square(x) + square(y) - square(r) * unit;
-  };
+  const Number<4> squared_reach = square(reach) * uu;
   CornerGap gap[4];
   int count = 0;
   for (int along = a.hx.sign == 0 ? 1 : -1; along <= 1; along += 2) {
@@ -44,14 +42,14 @@ inline bool corner_within(const Box& a, const Box& b, const Length& dx, const Le
     for (int j = 0; j < count && is_first; ++j) {
       is_first = j == i || !gap[i].is_behind(gap[j]) || (i < j && gap[j].is_behind(gap[i]));
     }
-    if (is_first && sign_of(beyond, gap[i].x, gap[i].y, reach, uu) <= 0) return true;
+    if (is_first && compare(square(gap[i].x) + square(gap[i].y), squared_reach) <= 0) return true;
   }
   return false;
 }
 
 }  // namespace detail
 
-/// Whether two boxes are at most `reach` >= 0 apart.
+/// True if two boxes are at most `reach` >= 0 apart.
 inline bool within(const Box& a, const Box& b, const Length& reach) noexcept {
   const Length dx = a.cx - b.cx, dy = a.cy - b.cy;
   return detail::corner_within(a, b, dx, dy, reach, false) ||

@@ -86,25 +86,25 @@ inline Chord chord(const int (&side)[4]) noexcept {
 /// Both shapes, and the rounded coordinates of their corners.
 struct Pair {
   Polygon a, b;
-  crossings::Ways ways;
+  crossings::CornerVectors from_a;
   Sides of_a, of_b;
   const Vertex *corner_a, *corner_b;
 
   Pair(const exact::Box& box_a, const exact::Box& box_b, const Vertex* of_first, const Vertex* of_second) noexcept
       : a(box_a),
         b(box_b),
-        ways(a, b),
-        of_a(a, b, ways),
-        of_b(b, a, ways.back()),
+        from_a(a, b),
+        of_a(a, b, from_a),
+        of_b(b, a, from_a.back()),
         corner_a(of_first),
         corner_b(of_second) {}
 
-  /// Of two quadrilaterals. Convex insides are apart iff the line of an edge of one shape has the other on its outer
+  /// For two quadrilaterals. Convex insides are apart iff the line of an edge of one shape has the other on its outer
   /// side.
   bool insides_meet() const noexcept { return !separates(of_a) && !separates(of_b); }
   Chord chord_of(int edge) const noexcept { return chord(of_a.sign[edge]); }
 
-  /// Of corner i of a.
+  /// Corner i of a lies in b; corner j of b lies in a.
   bool is_in_b(int i) const noexcept { return least_side(of_b, b, i, a) >= 0; }
   bool is_in_a(int j) const noexcept { return least_side(of_a, a, j, b) >= 0; }
   bool is_on_edge(int i, int edge) const noexcept { return of_b.sign[edge][i] == 0; }
@@ -112,7 +112,7 @@ struct Pair {
   bool is_at(int i, const Place& p) const noexcept {
     return is_on_edge(i, p.index) && (!p.corner || is_on_edge(i, before(p.index)));
   }
-  /// Whether corner i of a, on the line of a chord, is outside of b's edge, or of one of two, at that place.
+  /// True if corner i of a, on the line of a chord, is outside of b's edge, or of one of two, at that place.
   bool is_beyond(int i, const Place& p) const noexcept {
     return of_b.sign[p.index][i] < 0 || (p.corner && of_b.sign[before(p.index)][i] < 0);
   }

@@ -81,7 +81,7 @@ VESICA_INLINE NormalOf<V> feature_normal(const Box<V>& box, const Feature<V>& f,
                                                factor(pick(found.y, across_x.y, across_y.y))});
 }
 
-/// What was found along a normal from a feature, with the place in the box that the ellipse's point stands above.
+/// The result along a normal from a feature, with the place in the box that the ellipse's point stands above.
 /// Settled where the direction, if it was found, lies between the normals of the vertex's faces, or the foot in the
 /// face: then nothing of the box is closer.
 template <class V>
@@ -130,7 +130,7 @@ VESICA_INLINE BoxEllipse<V> box_ellipse(const Box<V>& box, const Axes<V>& e, con
   const Feature<V> f = closest_feature(box, e, d.x.high, d.y.high);
   const Vector<V> from_vertex = renormalised(d - vertex(box, f.i, f.j));
   const OneEllipse<V> shape = one_ellipse(e);
-  // Where all is settled by faces there is nothing to search for.
+  // No search if faces settle all lanes.
   FoundDirection<V> direction{{}, zero > zero, 0};
   if (!all(either(f.face_x, f.face_y))) {
     direction = farthest_direction(shape, Direction<V>{from_vertex.x.high, from_vertex.y.high}, size);

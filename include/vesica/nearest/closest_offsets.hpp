@@ -11,7 +11,7 @@ namespace vesica::detail::nearest {
 /// than this the point, which is moved along a tangent, stays within some 2^-52 of the longer half axis of its outline.
 inline constexpr double settled_turn = 0x1p-26;
 
-/// Whether the last turn of a search leaves a point on its outline; flatness: (longer half axis / h)^2.
+/// True if the last turn of a search leaves a point on its outline; flatness: (longer half axis / h)^2.
 template <class V>
 VESICA_INLINE MaskOf<V> stays_on_outline(V turn, V flatness) noexcept {
   return (turn * turn) * flatness <= V(settled_turn * settled_turn);

@@ -11,7 +11,7 @@
 
 namespace vesica::detail::nearest {
 
-/// Whether a shape holds the point at d from its centre.
+/// True if a shape holds the point at d from its centre.
 inline bool holds(const ScaledShape& s, const Vector<double>& d) noexcept {
   const double x = d.x.high, y = d.y.high;
   if (s.radius > 0) return x * x + y * y <= s.radius * s.radius;
@@ -30,7 +30,7 @@ struct Common {
 
 inline constexpr Contact middle_of_shape{{0, 0}, 0, 0};
 
-/// Of a segment from (x, y), along (dx, dy), the place 0 <= t <= 1 deepest inside |x| <= hx, |y| <= hy, and how far it
+/// On a segment from (x, y) along (dx, dy): the place 0 <= t <= 1 deepest inside |x| <= hx, |y| <= hy, and how far it
 /// is outside (negative inside). The depth is the largest of four straight functions of t, so it is least at an end or
 /// where two of them meet.
 struct Deepest {
@@ -98,7 +98,7 @@ inline Common common_of_boxes(const Box<double>& a, const Box<double>& b, const 
   return {true, on_box(a, at)};
 }
 
-/// Of the edges of the box the point that is closest to the ellipse's centre in the ellipse's own metric.
+/// The point of the box's edges that is closest to the ellipse's centre in the ellipse's own metric.
 inline Common common_of_box_and_ellipse(const Box<double>& box, const ScaledShape& ellipse,
                                         const Vector<double>& d) noexcept {
   const Axes<double> s = ellipse.axes();
@@ -156,7 +156,7 @@ inline Common common_of_ellipses(const Axes<double>& a, const Axes<double>& b, c
 
 inline Common exchanged(const Common& c) noexcept { return {!c.of_a, c.contact}; }
 
-/// Of a circle and another shape that does not hold its centre: the other's closest point to that centre; of two
+/// For a circle and another shape that does not hold its centre: the other's closest point to that centre; for two
 /// circles a point of the line between the centres.
 inline Common common_with_circle(const ScaledPair& p) noexcept {
   const double dx = p.d.x.high, dy = p.d.y.high;
@@ -186,12 +186,12 @@ inline bool in_order(const ScaledPair& p) noexcept {
   return a != b ? a < b : in_order(p.d.x.high, p.d.y.high);
 }
 
-/// Where neither holds the other's centre.
+/// A common point if neither shape holds the other's centre.
 inline Common common_point(const ScaledPair& p) noexcept {
   return in_order(p) ? common_of_outlines(p) : exchanged(common_of_outlines(exchanged(p)));
 }
 
-/// Of shapes that are disjoint by no more than rounding.
+/// A point for shapes whose distance is at most a rounding error.
 inline Common closest_point(const ScaledPair& p) noexcept {
   int steps = 0;
   return in_order(p) ? Common{true, closest(p, steps).a} : exchanged(Common{true, closest(exchanged(p), steps).a});
@@ -211,7 +211,7 @@ inline double beyond(const ScaledShape& s, double x, double y) noexcept {
   return inside ? 0 : off_ellipse(a, b, along, across);
 }
 
-/// Whether both shapes hold the point, to rounding.
+/// True if both shapes hold the point, to rounding.
 inline bool is_certain(const Common& c, const ScaledPair& p) noexcept {
   const ScaledShape &own = c.of_a ? p.a : p.b, &other = c.of_a ? p.b : p.a;
   const Vector<double> d = flipped(p.d, c.of_a ? -1.0 : 1.0);

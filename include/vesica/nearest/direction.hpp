@@ -25,7 +25,7 @@ VESICA_INLINE SemiAxes<V> semi_axes(const Axes<V>& e) noexcept {
   return {e.a * e.ux, e.a * e.uy, -(e.b * e.uy), e.b * e.ux, area * area, (longer * longer) * uu};
 }
 
-/// What D leads to: an ellipse, from a point; or from one ellipse to another.
+/// The shapes that D connects: a point and an ellipse, or two ellipses.
 template <class V>
 struct OneEllipse {
   Axes<V> a;
@@ -207,7 +207,7 @@ VESICA_INLINE Direction<V> middle_seen_by(const Axes<V>& e, const Bracket<V>& br
   return about_unit(s * e.ux - t * e.uy, s * e.uy + t * e.ux);
 }
 
-/// Whether D leads right, or straight up. Choices that must not depend on the order of the arguments use this.
+/// True if D leads right, or straight up. Choices that must not depend on the order of the arguments use this.
 template <class V>
 VESICA_INLINE MaskOf<V> in_order(V dx, V dy) noexcept {
   const V zero(0.0);
@@ -238,7 +238,7 @@ VESICA_INLINE Bracket<V> first_bracket(const Direction<V>& d, const Direction<V>
   return {choose(to_left, d, {d.y, -d.x}), choose(to_left, {-d.y, d.x}, d)};
 }
 
-/// Of ordinary numbers no search has been seen to take more than 30 steps (tests/nearest fails at 48). At extreme
+/// For ordinary numbers no search has taken more than 30 steps (tests/nearest fails at 48). At extreme
 /// magnitudes some take 48, and some do not end before this.
 inline constexpr int direction_step_limit = 64;
 

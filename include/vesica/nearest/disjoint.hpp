@@ -74,7 +74,7 @@ inline Feature<double> feature(int k) noexcept {
   return {(k & 1) != 0 ? 1.0 : -1.0, (k & 2) != 0 ? 1.0 : -1.0, k >= 4 && k < 8, k >= 8};
 }
 
-/// Whether vertex k needs no search, being certainly farther than the best feature so far: it is another one with the
+/// True if vertex k needs no search, being certainly farther than the best feature so far: it is another one with the
 /// same place, or behind the best one as seen along the best one's normal, which alone keeps the ellipse farther from
 /// it. Or the way to the ellipse's centre is over 8 times as long as the ellipse and over 4 times as long as the best
 /// distance. Then the slope that the search sees has the right sign, but for directions within 12 degrees of that way:
@@ -103,7 +103,7 @@ inline double beyond_ends(const Box<double>& box, const Axes<double>& e, const V
   return positive_part(rounded(flipped(place, place.high) - end)) / root(uu).value.high;
 }
 
-/// Whether a face is as far from the ellipse as their distance along its normal.
+/// True if a face is as far from the ellipse as their distance along its normal.
 inline bool stands_above(const Box<double>& box, const Axes<double>& e, const Vector<double>& d,
                          const Feature<double>& f, double distance) noexcept {
   return beyond_ends(box, e, d, f) <= beyond_face * abs(distance);

@@ -104,7 +104,7 @@ class Frame {
   VectorFactor<Factor<double>> u_;
 };
 
-/// That of the ellipse that is the flatter where two are closest, to rounding: farthest_normal() is given.
+/// The frame of the ellipse that is flatter where the two are closest, given farthest_normal().
 inline Frame frame_of_flatter(const TwoEllipses<double>& s, const FoundNormal& best) noexcept {
   const Direction<double> n{best.n.x.high, best.n.y.high};
   const double a = s.sa.longer_squared * image(s.sb, n).square, b = s.sb.longer_squared * image(s.sa, n).square;
@@ -120,10 +120,10 @@ inline constexpr int most_bracket_steps = 400;
 /// A slope below this share of its terms is of rounding alone.
 inline constexpr double lost_slope = 0x1p-52;
 
-/// Of ellipses that are not thinner than 2^-52 a normal turned by this is that of the same point.
+/// For ellipses not thinner than 2^-52 a normal turned by this belongs to the same point.
 inline constexpr double least_turn = 0x1p-200;
 
-/// Whether rounding leaves nothing between its ends, which are about 1 long, or nothing that matters.
+/// True if rounding leaves nothing between its ends, which are about 1 long, or nothing that matters.
 inline bool is_closed(const Bracket<double>& b) noexcept {
   const double p = b.low.x * b.high.y, q = b.low.y * b.high.x;
   return p - q <= 0x1p-52 * (abs(p) + abs(q)) + least_turn;

@@ -69,7 +69,7 @@ VESICA_INLINE Box<V> box(const Rect<V>& r) noexcept {
   return {{{r.ux, zero}, {r.uy, zero}}, {r.hx, zero}, {r.hy, zero}};
 }
 
-/// Whether a shape holds the point at d from its centre, to rounding.
+/// True if a shape holds the point at d from its centre, to rounding.
 template <class V>
 VESICA_INLINE MaskOf<V> holds(const Rect<V>& r, const Vector<V>& d) noexcept {
   const V uu = r.ux * r.ux + r.uy * r.uy;
@@ -170,7 +170,7 @@ VESICA_INLINE MaskOf<V> moderate(const Circle<V>& c) noexcept {
   return moderate_size(c.r);
 }
 
-/// Whether the direction from centre to centre, where a search begins, shows already that moderate shapes are disjoint:
+/// True if the direction from centre to centre, where a search begins, shows already that moderate shapes are disjoint:
 /// D.D > h_a + h_b along it, by far more than rounding.
 inline bool apart_along_offset(const Ellipse<double>& a, const Ellipse<double>& b) noexcept {
   const Vector<double> offsets = offset(a.cx, a.cy, b.cx, b.cy);
@@ -188,7 +188,7 @@ template <class A, class B, class V>
 VESICA_INLINE MaskOf<V> moderate_pair(const A& a, const B& b, const Vector<V>& d) noexcept {
   return both(moderate(d), both(moderate(a), moderate(b)));
 }
-/// Of two shapes this is asked first: of others a search might take all steps that it may, for nothing.
+/// Scalar calls ask this first. For other shapes a search might take all its steps in vain.
 template <class A, class B>
 VESICA_INLINE bool moderate_pair(const A& a, const B& b) noexcept {
   return moderate_pair(a, b, offset(a.cx, a.cy, b.cx, b.cy));

@@ -136,7 +136,7 @@ inline ScaledPair scaled_pair(const UnscaledShape& a, const UnscaledShape& b) no
   return p;
 }
 
-/// Whether any sum or difference of the pair's coordinates overflowed. Then all lengths are taken at an eighth.
+/// True if any sum or difference of the pair's coordinates overflowed. Then all lengths are taken at an eighth.
 inline bool overflowed(const UnscaledShape& a, const UnscaledShape& b) noexcept {
   const double x = ((b.place.x0 - a.place.x0) + (b.place.x1 - a.place.x1)) + (a.box.u.x.high + b.box.u.x.high);
   const double y = ((b.place.y0 - a.place.y0) + (b.place.y1 - a.place.y1)) + (a.box.u.y.high + b.box.u.y.high);
@@ -158,7 +158,7 @@ ScaledPair scaled_pair(const A& a, const B& b) noexcept {
   return p;
 }
 
-/// Where on a scaled shape: a place in a box; an offset from the centre, of a circle or an ellipse the only one.
+/// A point of a scaled shape: its coordinates in a box's frame, and its offset from the centre.
 struct Contact {
   Spot<double> spot;
   double x, y;

@@ -9,7 +9,7 @@ namespace vesica::detail::nearest {
 
 using namespace arithmetic;
 
-/// Whether a loop over lanes may end; the lanes of a vector bring their own.
+/// True if a loop over lanes may end; the lanes of a vector bring their own.
 constexpr bool all(bool mask) noexcept { return mask; }
 
 template <class V>

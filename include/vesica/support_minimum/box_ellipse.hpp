@@ -114,7 +114,7 @@ VESICA_INLINE Polynomial<4, V> deflated(const Polynomial<4, V>& p, V x, MaskOf<V
 consteval Cuts<10> cut_near_first() noexcept { return Cuts<10>({.02, .05, .09, .14, .2, .28, .38, .52, .74, 1}); }
 consteval Cuts<7> cut_evenly() noexcept { return Cuts<7>({.08, .22, .4, .6, .8, .92, 1}); }
 
-/// Whether on each piece of 0 <= x <= 1 the one or the other is positive.
+/// True if on each piece of 0 <= x <= 1 the one or the other is positive.
 template <int count, class V>
 VESICA_INLINE MaskOf<V> either_positive(const Polynomial<4, V>& p, const Polynomial<2, V>& q, V margin,
                                         const Cuts<count>& cuts) noexcept {
@@ -128,7 +128,7 @@ VESICA_INLINE MaskOf<V> either_positive(const Polynomial<4, V>& p, const Polynom
   return proved;
 }
 
-/// Whether F is nowhere less than `least`, its value along a face's normal, or a local minimum in the direction n.
+/// True if F is nowhere less than `least`, its value along a face's normal, or a local minimum in the direction n.
 template <class V>
 VESICA_INLINE MaskOf<V> is_least_of_corners(const MirroredPair<V>& p, const QuadraticForm<V>& s,
                                             const CornerStart<V>& at, const Direction<V>& n, V least) noexcept {
@@ -248,7 +248,7 @@ VESICA_INLINE NearestCorner<V> nearest_corner(const FoldedCorners<V>& c, V a, V 
   return best;
 }
 
-/// Whether no corner is nearer to the outline than `least`, the least distance of the best one. From a point of a
+/// True if no corner is nearer to the outline than `least`, the least distance of the best one. From a point of a
 /// quadrant the outline is nearest in that quadrant, and there it has one minimum only (D. Eberly, "Distance from a
 /// Point to an Ellipse"); a point that is nearer to both axes is farther from it.
 template <class V>

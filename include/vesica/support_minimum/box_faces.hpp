@@ -85,7 +85,7 @@ VESICA_INLINE Axes<V> choose(Mask m, const Axes<V>& yes, const Axes<V>& no) noex
   return {select(m, yes.ux, no.ux), select(m, yes.uy, no.uy), select(m, yes.a, no.a), select(m, yes.b, no.b)};
 }
 
-/// Whether all numbers lie where nothing under- or overflows: axes within 2^+-60 of 1, sizes and offset below 2^200.
+/// True if all numbers lie where nothing under- or overflows: axes within 2^+-60 of 1, sizes and offset below 2^200.
 template <class V>
 VESICA_INLINE auto in_range(const Axes<V>& s) noexcept {
   using namespace lane;
@@ -99,7 +99,7 @@ VESICA_INLINE auto in_range(const BoxPair<V>& p) noexcept {
   return both(both(in_range(p.first), in_range(p.second)), offset);
 }
 
-/// Whether nothing underflows either: a product of the pair's numbers keeps its low digits.
+/// True if nothing underflows either: a product of the pair's numbers keeps its low digits.
 template <class V>
 VESICA_INLINE auto large_enough(V size) noexcept {
   return size >= V(0x1p-400);

@@ -22,7 +22,7 @@ inline PlaneVector rest_of_size(const Form& f) noexcept {
   return {sum(f.to.x, -f.from.x).low, sum(f.to.y, -f.from.y).low};
 }
 
-/// Whether the pair is to be exchanged. Boxes come before ellipses. Two of the same form are ordered by their sizes and
+/// True if the pair is to be exchanged. Boxes come before ellipses. Two of the same form are ordered by their sizes and
 /// axes; if these are equal too, the lower or left one comes first. Only the difference of positions is used.
 inline bool out_of_order(const Form& a, const Form& b, const PlacedPair& p) noexcept {
   if (a.curved != b.curved) return a.curved;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts of the header at the ends of what they are defined for, which no pair of shapes is known to reach.
+// Functions of the header at the ends of their ranges: roots, ranks, roundings, angles, slices of areas.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,9 +12,6 @@
 #include <vesica/arithmetic/scaled.hpp>
 #include <vesica/boundary_distance.hpp>
 #include <vesica/bounds.hpp>
-#include <vesica/crossings/points.hpp>
-#include <vesica/depth.hpp>
-#include <vesica/methods/circle_ellipse_closed_form.hpp>
 #include <vesica/square_root.hpp>
 #include <vesica/within.hpp>
 
@@ -25,7 +22,7 @@ namespace {
 using namespace vesica::detail;
 
 /// What the compiler evaluates has the same bits when the program runs.
-TEST(CoreParts, SquareRoot) {
+TEST(CoreFunctions, SquareRoot) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   properties::Random random(properties::seed());
   for (int i = 0; i < 20000 * properties::repeat(); ++i) {
@@ -54,13 +51,13 @@ void expect_ranks() {
     EXPECT_EQ(arithmetic::at_rank<T>(at(x)), x);
   }
 }
-TEST(CoreParts, RanksOfNumbers) {
+TEST(CoreFunctions, RanksOfNumbers) {
   expect_ranks<double>();
   expect_ranks<float>();
 }
 
 /// The least float at or above a double, also beyond the floats, where a constant must not overflow.
-TEST(CoreParts, RoundedUpToFloats) {
+TEST(CoreFunctions, RoundedUpToFloats) {
   constexpr float largest = std::numeric_limits<float>::max(), least = std::numeric_limits<float>::denorm_min();
   const auto up = [](double x) {
     float out = 7;
@@ -78,7 +75,7 @@ TEST(CoreParts, RoundedUpToFloats) {
   EXPECT_EQ(up(0x1p128), 7);
 }
 
-TEST(CoreParts, AngleOfArea) {
+TEST(CoreFunctions, AngleOfArea) {
   EXPECT_EQ(area::angle(0, -1), area::pi_high);
   EXPECT_EQ(area::angle(0, 1), 0);
   EXPECT_EQ(area::angle(0, 0), 0);
@@ -92,7 +89,7 @@ TEST(CoreParts, AngleOfArea) {
 
 /// How far the value is concave along the upper half of the disc, and where it is least: nowhere as soon as the other's
 /// height reaches its flatness.
-TEST(CoreParts, UpperHalf) {
+TEST(CoreFunctions, UpperHalf) {
   for (const double ratio : {0.0, 0.25, 0.5, 0.75, 0x1.fffp-1}) {
     area::Against<double> f{};
     f.p = 1, f.over_p = 1, f.q = ratio;
@@ -111,27 +108,8 @@ TEST(CoreParts, UpperHalf) {
   }
 }
 
-/// A value that has no other sign between two places: the search ends all the same, at the place that was said to have
-/// one.
-TEST(CoreParts, CrossingThatIsNone) {
-  area::Against<double> f{};  // holds the disc: the value is about -0.95 all along its outline
-  f.p = 5, f.over_p = 0.2, f.q = 4, f.over_q = 0.25;
-  for (const double side : {1.0, -1.0}) {
-    const area::HalfCircle<double> half{f, side};
-    const auto found = [&](const area::Place& from, const area::Place& to) {
-      area::Searches<double> one;
-      one.add(half, from, to);
-      one.run();
-      return one.search[0].place();
-    };
-    const double up = found({-1, -0.96}, {0, 0.96}), down = found({0, 0.96}, {1, -0.96});
-    EXPECT_TRUE(up < 0 && up > -0x1p-60) << up;
-    EXPECT_TRUE(down > 0 && down < 0x1p-60) << down;
-  }
-}
-
 /// Places at which an ellipse just reaches beyond the disc are told in few steps, however thin and near to each other.
-TEST(CoreParts, CrossingsThatNearlyCoincide) {
+TEST(CoreFunctions, CrossingsThatNearlyCoincide) {
   for (const double q : {0x1p-3, 0x1p-20, 0x1p-56, 0x1p-400}) {
     for (const double y : {0x1p-40, 0.5, 1 - 0x1p-30, 1 - 0x1p-53}) {
       area::Against<double> f{};
@@ -149,7 +127,7 @@ TEST(CoreParts, CrossingsThatNearlyCoincide) {
 }
 
 /// The shared area between two places, of a disc and an ellipse above it or below: mirror images share as much.
-TEST(CoreParts, MirroredSlices) {
+TEST(CoreFunctions, MirroredSlices) {
   const auto slice = [](double y, double q, double from, double to) {
     area::Against<double> f{};
     f.y = y;
@@ -174,7 +152,7 @@ TEST(CoreParts, MirroredSlices) {
 
 /// Two discs that share a lens of 2 t - sin 2 t for cos t = 1 - 2^-31, some 2^-45 of either: double-doubles have its
 /// digits.
-TEST(CoreParts, AreaOfAThinLens) {
+TEST(CoreFunctions, AreaOfAThinLens) {
   const vesica::Ellipse<double> a{0, 0, 1, 0, 1, 1}, b{2 - 0x1p-30, 0, 0, 1, 1, 1};
   const double angle = 4 * std::asin(0x1p-16), squared = angle * angle;
   const double lens = angle * squared / 6 * (1 - squared / 20);
@@ -182,33 +160,8 @@ TEST(CoreParts, AreaOfAThinLens) {
   EXPECT_NEAR(vesica::area(b, a), lens, 0x1p-40 * lens);
 }
 
-/// Of outlines that are said to meet and do not, the point that was found is given: one of either.
-TEST(CoreParts, ClosestPointsOfOutlinesApart) {
-  const vesica::Ellipse<double> a{0, 0, 1, 0, 1, 1}, b{9, 0, 1, 0, 2, 2};
-  for (const auto& points : {boundary_distance::closest_outline_points(vesica::Relation::touch, a, b),
-                             boundary_distance::closest_outline_points(vesica::Relation::cross, b, a)}) {
-    EXPECT_EQ(points.distance, 0);
-    EXPECT_TRUE(points.ax == points.bx && points.ay == points.by);
-    const double off_a = std::hypot(points.ax, points.ay) - 1, off_b = std::hypot(points.ax - 9, points.ay) - 2;
-    EXPECT_LE(std::fmin(std::fabs(off_a), std::fabs(off_b)), 0x1p-49);
-  }
-}
-
-/// The root of a quartic that an ellipse and a circle's centre make, down to nothing at all.
-TEST(CoreParts, QuarticOfACircle) {
-  EXPECT_EQ(vesica::methods::detail::quartic_root(0.0, 0.0, 0.0), 0);
-  for (const double a : {0.25, 0.5, 1.0}) {
-    for (const double b : {0.125, 0.5, 1.0}) {
-      for (const double c : {0.0, 0.25, 1.0}) {
-        const double k = vesica::methods::detail::quartic_root(a, b, c);
-        EXPECT_NEAR(a * a / ((k + c) * (k + c)) + b * b / (k * k), 1, 1e-12) << a << ' ' << b << ' ' << c;
-      }
-    }
-  }
-}
-
 /// The part of the unit disc on one side of a line that crosses it, or passes it on either side.
-TEST(CoreParts, DiscInAHalfPlane) {
+TEST(CoreFunctions, DiscInAHalfPlane) {
   const auto part = [](double distance) {
     return area::area_in_half_plane(area::Oval<double>{1, 0, 1, 1}, area::HalfPlane{1, 0, distance});
   };
@@ -224,19 +177,8 @@ TEST(CoreParts, DiscInAHalfPlane) {
   }
 }
 
-/// The first 192 bits after the point, cut off.
-/// pi = 3.243f6a88 85a308d3 13198a2e 03707344 a4093822 299f31d0 082efa98...
-TEST(CoreParts, PiOfExactAreas) {
-  const auto pi = area::exact_pi();
-  EXPECT_EQ(pi.sign, 1);
-  EXPECT_EQ(pi.low, -3);
-  ASSERT_EQ(pi.size, 4);
-  const std::uint64_t digits[4] = {0xa4093822299f31d0, 0x13198a2e03707344, 0x243f6a8885a308d3, 3};
-  for (int i = 0; i < 4; ++i) EXPECT_EQ(pi.limb[i], digits[i]) << i;
-}
-
 /// Bounds of ordinary shapes need no exact numbers: what they are estimated by leaves no doubt but of a few.
-TEST(CoreParts, EstimatesThatSettleBounds) {
+TEST(CoreFunctions, EstimatesThatSettleBounds) {
   properties::Random random(properties::seed());
   int settled = 0, asked = 0;
   const auto ask = [&](const auto& shape, const bounds::Reach& reach) {
@@ -256,22 +198,8 @@ TEST(CoreParts, EstimatesThatSettleBounds) {
   EXPECT_GT(settled, asked * 99 / 100);
 }
 
-/// A direction that only rounding has made an axis, along which boxes do not overlap, leaves the depth as it was.
-TEST(CoreParts, DepthAlongNoAxis) {
-  using Box = vesica::Aabb<double>;
-  const auto depth_of = [](const Box& a, const Box& b, double x, double y) {
-    vesica::Penetration<double> p{0.125, x, y};
-    depth::round_once<Box, Box>(support_minimum::form(a), support_minimum::form(b), p);
-    return p.depth;
-  };
-  const Box a{0, 0, 2, 2}, over{1.5, 0, 3, 2}, beside{2, 0, 3, 2};
-  EXPECT_EQ(depth_of(a, over, 1, 0), 0.5);
-  EXPECT_EQ(depth_of(a, over, 0.6, 0.8), 0.125);
-  EXPECT_EQ(depth_of(a, beside, 1, 0), 0.125);
-}
-
 /// Outlines that are one curve have no single places in common: any point of it will do.
-TEST(CoreParts, ClosestPointsOfOneCurve) {
+TEST(CoreFunctions, ClosestPointsOfOneCurve) {
   const vesica::Ellipse<double> shapes[] = {
       {0, 0, 1, 0, 2, 1}, {0, 0, 0, 1, 1, 2}, {0, 0, -2, 0, 1, 0.5}, {0, 0, 0, -0.5, 2, 4}};
   for (const auto& a : shapes) {
@@ -285,23 +213,8 @@ TEST(CoreParts, ClosestPointsOfOneCurve) {
   }
 }
 
-/// A sum of numbers far apart, and of nothing.
-TEST(CoreParts, SumOfScaled) {
-  using arithmetic::Scaled;
-  const auto expect = [](const Scaled& a, const Scaled& b, double value, int exponent) {
-    const Scaled s = crossings::sum(a, b);
-    EXPECT_EQ(std::ldexp(s.value, s.exponent - exponent), value);
-  };
-  expect({0.5, 3}, {0.5, 1}, 0.625, 3);
-  expect({0.5, 1}, {0.5, 3}, 0.625, 3);
-  expect({0.5, 3}, {0, 0}, 0.5, 3);
-  expect({0, 0}, {0.5, 3}, 0.5, 3);
-  expect({0, 0}, {0, 0}, 0, 0);
-  expect({0.5, 900}, {0.5, -900}, 0.5, 900);
-}
-
 /// At half a quantum the even one of two subnormal numbers, unless what is left tells.
-TEST(CoreParts, SubnormalTies) {
+TEST(CoreFunctions, SubnormalTies) {
   constexpr double quantum = 0x1p-1074;
   for (int k = 0; k < 8; ++k) {
     for (const double sign : {1.0, -1.0}) {

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Quick ways of the header against the slow ones that they stand for, where it is close which is taken.
+// Quartics of fixed-point fractions: results do not depend on how many limbs are computed with, and doubles decide only
+// what exact numbers confirm.
+#include "crossings/quartics.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <vesica/crossings.hpp>
-#include <vesica/within.hpp>
+#include <vesica/crossings/quartic_zeros.hpp>
 
-#include "crossings/quartics.hpp"
 #include "properties/random.hpp"
 
 namespace {
@@ -83,7 +84,7 @@ Quartic part_of(const Quartic& q, exact::Limb from, exact::Limb to, int limbs) {
 }
 
 /// Only the limbs that hold the coefficients are computed with.
-TEST(QuickWays, FewLimbsOfQuartics) {
+TEST(Quartics, FewLimbsOfQuartics) {
   Random random(properties::seed());
   std::array<int, Fixed::limbs + 1> of_limbs{};
   for (int i = 0; i < 20000 * properties::repeat(); ++i) {
@@ -128,7 +129,7 @@ void expect_moved(const Fixed& a, const Fixed& b, exact::Limb s) {
   const exact::Number<8> rest = place - exact::from_double(0x1p64) * exactly(found);
   EXPECT_TRUE(rest.sign >= 0 && exact::compare(rest, exact::from_double(0x1p64)) < 0) << n << ' ' << s;
 }
-TEST(QuickWays, PlacesBetweenFixedNumbers) {
+TEST(Quartics, PlacesBetweenFixedNumbers) {
   Random random(properties::seed());
   const auto of_one = [](int x) {
     Fixed one{};
@@ -153,23 +154,9 @@ TEST(QuickWays, PlacesBetweenFixedNumbers) {
   }
 }
 
-/// A stage makes as many coefficients as it is asked for, and leaves the last as it was.
-TEST(QuickWays, StagesOfAConstruction) {
-  Random random(properties::seed());
-  for (int count = 1; count <= 4; ++count) {
-    Quartic q, stage;
-    for (Fixed& c : q.coefficient) c = draw_fixed(random, 380);
-    stage = q;
-    const exact::Limb s = random.bits() | 1;
-    interpolate<Fixed::limbs>(stage.coefficient, count, s);
-    for (int i = 0; i < count; ++i) move_towards<Fixed::limbs>(q.coefficient[i], q.coefficient[i + 1], s);
-    EXPECT_TRUE(equal(stage, q)) << count;
-  }
-}
-
 /// The part from 0 on or up to 1, by one construction, is that of the polar form; and the number of its changes of sign
 /// is known, be they those that were expected or not.
-TEST(QuickWays, PartsFromAnEnd) {
+TEST(Quartics, PartsFromAnEnd) {
   Random random(properties::seed());
   std::array<int, 5> counts{};
   for (int i = 0; i < 5000 * properties::repeat(); ++i) {
@@ -190,7 +177,7 @@ TEST(QuickWays, PartsFromAnEnd) {
   for (const int count : counts) EXPECT_GT(count, 0);
 }
 
-TEST(QuickWays, ChangesOfSign) {
+TEST(Quartics, ChangesOfSign) {
   Random random(properties::seed());
   std::array<int, 6> counts{};
   for (int i = 0; i < 20000 * properties::repeat(); ++i) {
@@ -220,7 +207,7 @@ TEST(QuickWays, ChangesOfSign) {
 }
 
 /// Where no group is searched, none would have been found; and a sign from doubles is that of the part cut off.
-TEST(QuickWays, SearchesThatFail) {
+TEST(Quartics, SearchesThatFail) {
   Random random(properties::seed());
   int left_out = 0, narrow = 0, close = 0, certain = 0, uncertain = 0;
   for (int i = 0; i < 40000 * properties::repeat(); ++i) {
@@ -271,7 +258,7 @@ exact::Number<8> exact_derivative(const Quartic& q, int order, double t) {
 }
 
 /// Of groups whose derivatives cancel in doubles.
-TEST(QuickWays, ExactDerivatives) {
+TEST(Quartics, ExactDerivatives) {
   Random random(properties::seed());
   int cancelled = 0;
   for (int i = 0; i < 20000 * properties::repeat(); ++i) {
@@ -288,104 +275,6 @@ TEST(QuickWays, ExactDerivatives) {
     cancelled += local.is_unknown_at(t);
   }
   EXPECT_GT(cancelled, 1000 * properties::repeat());
-}
-
-/// by_distance() that asks whether scaled shapes overlap.
-template <class A, class B>
-vesica::Within always_asked(A a, B b, double distance) {
-  namespace within = vesica::detail::within;
-  std::int32_t overlapping = 0;
-  for (int unit = 0; unit < 4; ++unit) {
-    vesica::ClosestPoints<double> found;
-    const double error = 9 * 0x1p-54 * within::scale(a, b) + std::numeric_limits<double>::denorm_min();
-    if (std::isfinite(error) && vesica::detail::nearest::nearest_in_order(a, b, overlapping, found) == 0) {
-      return within::compared(found.distance, distance, error);
-    }
-    overlapping = vesica::detail::nearest::not_asked;
-    a = within::times(0x1p-600, a), b = within::times(0x1p-600, b), distance *= 0x1p-600;
-  }
-  return vesica::Within::nearly;
-}
-
-vesica::Ellipse<double> draw_beyond(Random& random) {
-  const auto number = [&](int low, int high) {
-    return random.sign() * std::ldexp(1 + random.unit(), random.integer(low, high));
-  };
-  const auto small = [&] { return random.chance(0.5) ? number(-1074, 0) : number(0, 1000); };
-  const bool long_axis = random.chance(0.7);
-  const double first = number(600, 1020), second = random.chance(0.5) ? number(600, 1020) : number(-700, 1020);
-  vesica::Ellipse<double> e{small(), small(), small(), number(400, 1020), std::fabs(first), std::fabs(second)};
-  if (!long_axis) e.uy = number(0, 40), e.ux = number(-1074, 0);
-  return e;
-}
-
-TEST(QuickWays, WithinBeyondTheRange) {
-  Random random(properties::seed());
-  std::array<int, 3> answers{};
-  for (int i = 0; i < 20000 * properties::repeat(); ++i) {
-    vesica::Ellipse<double> a = draw_beyond(random), b = draw_beyond(random);
-    if (random.chance(0.7)) b = {b.cx, b.cy, 0, 1, std::ldexp(1.0, random.integer(0, 900)), b.b * 0x1p-500};
-    const double distance = std::ldexp(1 + random.unit(), random.integer(-1000, 1023));
-    if (vesica::overlap_or_error(a, b) != 0) continue;
-    const vesica::Within answer = vesica::detail::within::by_distance(a, b, distance);
-    ASSERT_EQ(answer, always_asked(a, b, distance));
-    ++answers[static_cast<std::size_t>(answer)];
-  }
-  for (const int count : answers) EXPECT_GT(count, 20 * properties::repeat());
-}
-
-/// How far a box stays within an ellipse, from its corners in the frame of the ellipse, one by one.
-int least_room_of_corners(const exact::Box& box, const exact::Ellipse& e) {
-  int least = 1;
-  for (const int i : {-1, 1}) {
-    for (const int j : {-1, 1}) {
-      const auto x = exact::integer(i) * box.hx, y = exact::integer(j) * box.hy;
-      const auto dx = box.cx + (x * box.ux - y * box.uy) - e.cx, dy = box.cy + (x * box.uy + y * box.ux) - e.cy;
-      const auto along = square(e.b * exact::dot(e.ux, e.uy, dx, dy)),
-                 across = square(e.a * exact::cross(e.ux, e.uy, dx, dy));
-      least = std::min(least, compare(square(e.a * e.b * exact::dot(e.ux, e.uy, e.ux, e.uy)), along + across));
-    }
-  }
-  return least;
-}
-
-/// Boxes and ellipses in the frame in which the ellipse is a disc, against the frame of the box, at like exponents and
-/// unlike ones. The ellipse has its centre below an end of an axis of half length `half`, or above that by next to
-/// nothing.
-TEST(QuickWays, BoxAtDisc) {
-  Random random(properties::seed());
-  std::array<int, 3> clearances{}, gaps{};
-  int long_ones = 0, short_ones = 0;
-  for (int i = 0; i < 20000 * properties::repeat(); ++i) {
-    const int most = random.chance(0.5) ? 900 : 2;
-    const auto power = [&] { return std::ldexp(1.0, random.integer(-most, most)); };
-    const double half = power(), x = random.chance(0.5) ? 0 : random.sign() * half;
-    const vesica::Ellipse<double> e{x,    random.chance(0.5) ? power() : 0,   1, random.chance(0.5) ? power() : 0,
-                                    half, random.chance(0.5) ? half : power()};
-    const double off = random.chance(0.3) ? 0 : random.sign() * power(), left = random.chance(0.5) ? x : off;
-    const double right = x + half * random.integer(0, 1);
-    const exact::Box box =
-        random.chance(0.5) ? exact::form(vesica::Segment<double>{left, e.cy, right, e.cy + off})
-                           : exact::form(vesica::Rect<double>{right, e.cy + off, 1, random.chance(0.5) ? power() : 0,
-                                                              random.chance(0.5) ? half : power(), power()});
-    const exact::Ellipse ellipse = exact::form(e);
-    const exact::detail::BoxAtDisc at_disc(box, ellipse);
-    const int clearance = at_disc.clearance();
-    ASSERT_EQ(clearance, least_room_of_corners(box, ellipse));
-    ASSERT_EQ(exact::clearance(box, ellipse), clearance);
-    ++clearances[static_cast<std::size_t>(clearance + 1)];
-    const exact::detail::VisibleEdges edges(box, ellipse);
-    if (edges.centre_inside) continue;
-    const int gap = at_disc.gap(edges.near_x, edges.near_y);
-    ASSERT_EQ(gap, edges.gap(-1));
-    ASSERT_EQ(exact::contact(box, ellipse), gap);
-    ++gaps[static_cast<std::size_t>(gap + 1)];
-    (edges.are_long() ? long_ones : short_ones) += 1;
-  }
-  for (const int count : clearances) EXPECT_GT(count, 100 * properties::repeat());
-  for (const int count : gaps) EXPECT_GT(count, 100 * properties::repeat());
-  EXPECT_GT(long_ones, 1000 * properties::repeat());
-  EXPECT_GT(short_ones, 1000 * properties::repeat());
 }
 
 }  // namespace
