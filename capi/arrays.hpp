@@ -21,9 +21,10 @@ struct CShapes<float> {
 template <class T>
 using CShapesOf = typename CShapes<T>::Type;
 
-/// The numbers of a shape as doubles.
+/// Copies the numbers of a shape of scalar T as doubles.
 template <class T>
-void widen(int32_t kind, const T* numbers, double (&out)[max_fields]) noexcept {
+void widen(int32_t kind, const void* shape, double (&out)[max_fields]) noexcept {
+  const T* const numbers = static_cast<const T*>(shape);
   for (int k = 0; k < field_count(kind); ++k) out[k] = static_cast<double>(numbers[k]);
 }
 
@@ -51,8 +52,9 @@ using Suits = bool (*)(int32_t kind) noexcept;
 template <class Array>
 int32_t check_array(const Array& shapes, Suits suits = is_kind) noexcept {
   if (!suits(shapes.kind)) return VESICA_E_KIND;
+  const bool no_offsets = shapes.rings == nullptr && shapes.polygons == nullptr && shapes.each == 0;
   const bool sound = shapes.reserved == 0 && shapes.count >= 0 && addressable(shapes.count, shapes.stride);
-  return sound ? 0 : VESICA_E_ARGUMENT;
+  return no_offsets && sound ? 0 : VESICA_E_ARGUMENT;
 }
 
 template <class Array>

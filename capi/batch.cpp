@@ -43,7 +43,14 @@ int32_t shapes_from_records(int32_t kind, int64_t count, const void* base, ptrdi
   if (out == nullptr || (base == nullptr && count != 0)) return VESICA_E_NULL;
   if (!vesica::is_kind(kind)) return VESICA_E_KIND;
   if (count < 0) return VESICA_E_ARGUMENT;
-  *out = {kind, 0, count, stride, {}};
+  *out = {.kind = kind,
+          .reserved = 0,
+          .count = count,
+          .stride = stride,
+          .field = {},
+          .rings = nullptr,
+          .polygons = nullptr,
+          .each = 0};
   for (int k = 0; k < vesica::field_count(kind) && base != nullptr; ++k) {
     out->field[k] =
         reinterpret_cast<const T*>(static_cast<const unsigned char*>(base) + static_cast<std::size_t>(k) * sizeof(T));

@@ -8,12 +8,12 @@
 namespace {
 
 template <class T>
-int32_t check_numbers(int32_t kind, const T* numbers) noexcept {
-  VESICA_DEFAULT_ENVIRONMENT(check_numbers<T>, kind, numbers);
-  return vesica::with_shape(kind, numbers, [](const auto& shape) { return vesica::check(shape); });
+int32_t check_shape(int32_t kind, const void* shape) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT(check_shape<T>, kind, shape);
+  return vesica::with_shape(kind, static_cast<const T*>(shape), [](const auto& s) { return vesica::check(s); });
 }
 
 }  // namespace
 
-int32_t vesica_check_f64(int32_t kind, const double* numbers) { return check_numbers(kind, numbers); }
-int32_t vesica_check_f32(int32_t kind, const float* numbers) { return check_numbers(kind, numbers); }
+int32_t vesica_check_f64(int32_t kind, const void* shape) { return check_shape<double>(kind, shape); }
+int32_t vesica_check_f32(int32_t kind, const void* shape) { return check_shape<float>(kind, shape); }

@@ -21,11 +21,11 @@ int32_t construct(CShape* out, Make make) noexcept {
 }
 
 template <class T, class CShape>
-int32_t bounds(int32_t kind, const T* numbers, CShape* out) noexcept {
+int32_t bounds(int32_t kind, const void* shape, CShape* out) noexcept {
   if (out == nullptr) return VESICA_E_NULL;
   return construct<vesica::Aabb<T>>(out, [&](auto& box) {
-    return vesica::with_shape(kind, numbers,
-                              [&](const vesica::HasForm auto& shape) { return vesica::bounds(shape, box); });
+    return vesica::with_shape(kind, static_cast<const T*>(shape),
+                              [&](const vesica::HasForm auto& s) { return vesica::bounds(s, box); });
   });
 }
 
@@ -41,9 +41,9 @@ int32_t rect_from_corners(const T* corners, CShape* out) noexcept {
 
 // X(suffix, T): the functions of one scalar type.
 #define VESICA_CONSTRUCTORS(suffix, T)                                                                                 \
-  int32_t vesica_bounds_##suffix(int32_t kind, const T* numbers, vesica_aabb_##suffix* out) {                          \
-    VESICA_DEFAULT_ENVIRONMENT(vesica_bounds_##suffix, kind, numbers, out);                                            \
-    return bounds(kind, numbers, out);                                                                                 \
+  int32_t vesica_bounds_##suffix(int32_t kind, const void* shape, vesica_aabb_##suffix* out) {                         \
+    VESICA_DEFAULT_ENVIRONMENT(vesica_bounds_##suffix, kind, shape, out);                                              \
+    return bounds<T>(kind, shape, out);                                                                                \
   }                                                                                                                    \
   int32_t vesica_aabb_from_corners_##suffix(T x0, T y0, T x1, T y1, vesica_aabb_##suffix* out) {                       \
     VESICA_DEFAULT_ENVIRONMENT(vesica_aabb_from_corners_##suffix, x0, y0, x1, y1, out);                                \

@@ -8,20 +8,20 @@
 namespace {
 
 template <class T, class Out>
-int32_t crossings(int32_t kind_a, const T* a, int32_t kind_b, const T* b, Out* out) noexcept {
+int32_t crossings(int32_t kind_a, const void* a, int32_t kind_b, const void* b, Out* out) noexcept {
   VESICA_DEFAULT_ENVIRONMENT((crossings<T, Out>), kind_a, a, kind_b, b, out);
   static_assert(sizeof(Out) == sizeof(vesica::CrossingPoints<T>));
   if (out == nullptr) return VESICA_E_NULL;
-  return vesica::ask(vesica::queries::crossings, kind_a, a, kind_b, b, out);
+  return vesica::ask<T>(vesica::queries::crossings, kind_a, a, kind_b, b, out);
 }
 
 }  // namespace
 
-int32_t vesica_crossings_f64(int32_t kind_a, const double* numbers_a, int32_t kind_b, const double* numbers_b,
+int32_t vesica_crossings_f64(int32_t kind_a, const void* a, int32_t kind_b, const void* b,
                              vesica_crossing_points_f64* out) {
-  return crossings(kind_a, numbers_a, kind_b, numbers_b, out);
+  return crossings<double>(kind_a, a, kind_b, b, out);
 }
-int32_t vesica_crossings_f32(int32_t kind_a, const float* numbers_a, int32_t kind_b, const float* numbers_b,
+int32_t vesica_crossings_f32(int32_t kind_a, const void* a, int32_t kind_b, const void* b,
                              vesica_crossing_points_f32* out) {
-  return crossings(kind_a, numbers_a, kind_b, numbers_b, out);
+  return crossings<float>(kind_a, a, kind_b, b, out);
 }

@@ -23,14 +23,14 @@ static_assert(is_code(Ratio::distance, VESICA_RATIO_DISTANCE) && is_code(Ratio::
 using vesica::is_ratio;
 
 template <class T>
-int32_t ratio_of(int32_t ratio, int32_t kind_a, const T* a, int32_t kind_b, const T* b, T* out) noexcept {
+int32_t ratio_of(int32_t ratio, int32_t kind_a, const void* a, int32_t kind_b, const void* b, T* out) noexcept {
   VESICA_DEFAULT_ENVIRONMENT(ratio_of<T>, ratio, kind_a, a, kind_b, b, out);
   if (a == nullptr || b == nullptr || out == nullptr) return VESICA_E_NULL;
   if (!have_form(kind_a, kind_b)) return VESICA_E_KIND;
   if (!is_ratio(ratio)) return VESICA_E_ARGUMENT;
   double first[vesica::max_fields], second[vesica::max_fields], result = 0;
-  widen(kind_a, a, first);
-  widen(kind_b, b, second);
+  widen<T>(kind_a, a, first);
+  widen<T>(kind_b, b, second);
   const int32_t error = queries::ratio_of_pair(static_cast<Ratio>(ratio), kind_a, first, kind_b, second, result);
   if (error == 0) *out = static_cast<T>(result);
   return error;
@@ -45,9 +45,8 @@ int64_t not_a_ratio(const Shapes* a, const Shapes* b, const void* out) noexcept 
 }  // namespace
 
 #define VESICA_RATIO(scalar, T)                                                                                        \
-  int32_t vesica_ratio_##scalar(int32_t ratio, int32_t kind_a, const T* numbers_a, int32_t kind_b, const T* numbers_b, \
-                                T* out) {                                                                              \
-    return ratio_of(ratio, kind_a, numbers_a, kind_b, numbers_b, out);                                                 \
+  int32_t vesica_ratio_##scalar(int32_t ratio, int32_t kind_a, const void* a, int32_t kind_b, const void* b, T* out) { \
+    return ratio_of(ratio, kind_a, a, kind_b, b, out);                                                                 \
   }                                                                                                                    \
   int64_t vesica_ratio_many_##scalar(int32_t ratio, const vesica_shapes_##scalar* a, const vesica_shapes_##scalar* b,  \
                                      T* out) {                                                                         \

@@ -34,7 +34,8 @@ Motion motion_of(T vx, T vy, T end) noexcept {
 }
 
 template <class T>
-Body body_of(int32_t kind, const T* numbers) noexcept {
+Body body_of(int32_t kind, const void* shape) noexcept {
+  const T* const numbers = static_cast<const T*>(shape);
   Body body{static_cast<vesica::Kind>(kind), {}};
   for (int k = 0; k < vesica::field_count(kind); ++k) body.number[k] = static_cast<double>(numbers[k]);
   return body;
@@ -96,7 +97,7 @@ template <class T>
 constinit const RestOfCasts<T> casts_by_kind = rest_of_casts<T>();
 
 template <class T, class Out>
-int32_t cast_any(int32_t kind_a, const T* a, int32_t kind_b, const T* b, T vx, T vy, T end, Out* out) noexcept {
+int32_t cast_any(int32_t kind_a, const void* a, int32_t kind_b, const void* b, T vx, T vy, T end, Out* out) noexcept {
   VESICA_DEFAULT_ENVIRONMENT((cast_any<T, Out>), kind_a, a, kind_b, b, vx, vy, end, out);
   if (a == nullptr || b == nullptr || out == nullptr) return VESICA_E_NULL;
   if (!have_form(kind_a, kind_b)) return VESICA_E_KIND;
@@ -111,13 +112,13 @@ int32_t cast_any(int32_t kind_a, const T* a, int32_t kind_b, const T* b, T vx, T
   }
   if (!vesica::detail::cast::is_sound(motion)) return VESICA_E_ARGUMENT;
   Impact<T> impact = vesica::detail::cast::no_impact<T>();
-  const int32_t code = vesica::queries::cast(body_of(kind_a, a), body_of(kind_b, b), motion, impact);
+  const int32_t code = vesica::queries::cast(body_of<T>(kind_a, a), body_of<T>(kind_b, b), motion, impact);
   if (code >= 0) write(impact, out);
   return code;
 }
 
 template <class T, class Out>
-VESICA_INLINE int32_t cast(int32_t kind_a, const T* a, int32_t kind_b, const T* b, T vx, T vy, T end,
+VESICA_INLINE int32_t cast(int32_t kind_a, const void* a, int32_t kind_b, const void* b, T vx, T vy, T end,
                            Out* out) noexcept {
   const vesica::CallTable* const calls = vesica::chosen_calls();
   const bool given = a != nullptr && b != nullptr && out != nullptr;
@@ -144,8 +145,8 @@ VESICA_INLINE int32_t cast_typed(const void* a, const void* b, T vx, T vy, T end
 }
 
 template <class T, class CTurn, class Out>
-int32_t impact_time(int32_t kind_a, const T* a, const CTurn* turn_a, int32_t kind_b, const T* b, const CTurn* turn_b,
-                    T tolerance, Out* out, T* gap) noexcept {
+int32_t impact_time(int32_t kind_a, const void* a, const CTurn* turn_a, int32_t kind_b, const void* b,
+                    const CTurn* turn_b, T tolerance, Out* out, T* gap) noexcept {
   VESICA_DEFAULT_ENVIRONMENT((impact_time<T, CTurn, Out>), kind_a, a, turn_a, kind_b, b, turn_b, tolerance, out, gap);
   if (a == nullptr || turn_a == nullptr || b == nullptr || turn_b == nullptr) return VESICA_E_NULL;
   if (out == nullptr || gap == nullptr) return VESICA_E_NULL;
@@ -158,7 +159,7 @@ int32_t impact_time(int32_t kind_a, const T* a, const CTurn* turn_a, int32_t kin
   if (!sound || !(tolerance > 0)) return VESICA_E_ARGUMENT;
   Impact<T> impact = vesica::detail::cast::no_impact<T>();
   T most = impact.x;
-  const int32_t code = vesica::queries::impact_time(body_of(kind_a, a), first, body_of(kind_b, b), second,
+  const int32_t code = vesica::queries::impact_time(body_of<T>(kind_a, a), first, body_of<T>(kind_b, b), second,
                                                     static_cast<double>(tolerance), impact, most);
   if (code < 0) return code;
   write(impact, out);
@@ -206,12 +207,13 @@ int64_t first(const CShapesOf<T>* shapes, const CShapesOf<T>* one, T vx, T vy, T
 }
 
 template <class T, class Out>
-int32_t sweep_bounds(int32_t kind, const T* numbers, T vx, T vy, T end, Out* out) noexcept {
-  VESICA_DEFAULT_ENVIRONMENT((sweep_bounds<T, Out>), kind, numbers, vx, vy, end, out);
+int32_t sweep_bounds(int32_t kind, const void* shape, T vx, T vy, T end, Out* out) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT((sweep_bounds<T, Out>), kind, shape, vx, vy, end, out);
   if (out == nullptr) return VESICA_E_NULL;
   vesica::Aabb<T> box;
-  const int32_t error = vesica::with_shape(
-      kind, numbers, [&](const vesica::HasForm auto& shape) { return vesica::sweep_bounds(shape, vx, vy, end, box); });
+  const int32_t error = vesica::with_shape(kind, static_cast<const T*>(shape), [&](const vesica::HasForm auto& s) {
+    return vesica::sweep_bounds(s, vx, vy, end, box);
+  });
   if (error == 0) *out = {box.min_x, box.min_y, box.max_x, box.max_y};
   return error;
 }
@@ -302,37 +304,37 @@ int64_t index_first(const void* from, const CShapesOf<T>* sets, int32_t set_coun
 
 }  // namespace
 
-#define VESICA_MOTION(scalar, T)                                                                                     \
-  int32_t vesica_cast_##scalar(int32_t kind_a, const T* numbers_a, int32_t kind_b, const T* numbers_b, T vx, T vy,   \
-                               T t_end, vesica_impact_##scalar* out) {                                               \
-    return cast(kind_a, numbers_a, kind_b, numbers_b, vx, vy, t_end, out);                                           \
-  }                                                                                                                  \
-  int64_t vesica_cast_many_##scalar(const vesica_shapes_##scalar* a, const vesica_shapes_##scalar* b, const T* vx,   \
-                                    const T* vy, ptrdiff_t stride, T t_end, T* t, T* x, T* y, T* nx, T* ny) {        \
-    return many_columns<T>(a, b, vx, vy, stride, t_end, t, x, y, nx, ny);                                            \
-  }                                                                                                                  \
-  int64_t vesica_cast_first_##scalar(const vesica_shapes_##scalar* one, const vesica_shapes_##scalar* many, T vx,    \
-                                     T vy, T t_end, vesica_impact_##scalar* out) {                                   \
-    return first<T>(many, one, vx, vy, t_end, out);                                                                  \
-  }                                                                                                                  \
-  int32_t vesica_impact_time_##scalar(int32_t kind_a, const T* numbers_a, const vesica_turn_##scalar* turn_a,        \
-                                      int32_t kind_b, const T* numbers_b, const vesica_turn_##scalar* turn_b,        \
-                                      T tolerance, vesica_impact_##scalar* out, T* gap) {                            \
-    return impact_time(kind_a, numbers_a, turn_a, kind_b, numbers_b, turn_b, tolerance, out, gap);                   \
-  }                                                                                                                  \
-  int32_t vesica_sweep_bounds_##scalar(int32_t kind, const T* numbers, T vx, T vy, T t_end,                          \
-                                       vesica_aabb_##scalar* out) {                                                  \
-    return sweep_bounds(kind, numbers, vx, vy, t_end, out);                                                          \
-  }                                                                                                                  \
-  int64_t vesica_index_cast_##scalar(const void* index, const vesica_shapes_##scalar* sets, int32_t set_count,       \
-                                     const vesica_shapes_##scalar* one, T vx, T vy, T t_end, int64_t* out,           \
-                                     int64_t capacity, int64_t* state) {                                             \
-    return index_all<T>(index, sets, set_count, one, vx, vy, t_end, out, capacity, state);                           \
-  }                                                                                                                  \
-  int64_t vesica_index_cast_first_##scalar(const void* index, const vesica_shapes_##scalar* sets, int32_t set_count, \
-                                           const vesica_shapes_##scalar* one, T vx, T vy, T t_end,                   \
-                                           vesica_impact_##scalar* out) {                                            \
-    return index_first<T>(index, sets, set_count, one, vx, vy, t_end, out);                                          \
+#define VESICA_MOTION(scalar, T)                                                                                      \
+  int32_t vesica_cast_##scalar(int32_t kind_a, const void* a, int32_t kind_b, const void* b, T vx, T vy, T t_end,     \
+                               vesica_impact_##scalar* out) {                                                         \
+    return cast(kind_a, a, kind_b, b, vx, vy, t_end, out);                                                            \
+  }                                                                                                                   \
+  int64_t vesica_cast_many_##scalar(const vesica_shapes_##scalar* a, const vesica_shapes_##scalar* b, const T* vx,    \
+                                    const T* vy, ptrdiff_t stride, T t_end, T* t, T* x, T* y, T* nx, T* ny) {         \
+    return many_columns<T>(a, b, vx, vy, stride, t_end, t, x, y, nx, ny);                                             \
+  }                                                                                                                   \
+  int64_t vesica_cast_first_##scalar(const vesica_shapes_##scalar* one, const vesica_shapes_##scalar* many, T vx,     \
+                                     T vy, T t_end, vesica_impact_##scalar* out) {                                    \
+    return first<T>(many, one, vx, vy, t_end, out);                                                                   \
+  }                                                                                                                   \
+  int32_t vesica_impact_time_##scalar(int32_t kind_a, const void* a, const vesica_turn_##scalar* turn_a,              \
+                                      int32_t kind_b, const void* b, const vesica_turn_##scalar* turn_b, T tolerance, \
+                                      vesica_impact_##scalar* out, T* gap) {                                          \
+    return impact_time(kind_a, a, turn_a, kind_b, b, turn_b, tolerance, out, gap);                                    \
+  }                                                                                                                   \
+  int32_t vesica_sweep_bounds_##scalar(int32_t kind, const void* shape, T vx, T vy, T t_end,                          \
+                                       vesica_aabb_##scalar* out) {                                                   \
+    return sweep_bounds(kind, shape, vx, vy, t_end, out);                                                             \
+  }                                                                                                                   \
+  int64_t vesica_index_cast_##scalar(const void* index, const vesica_shapes_##scalar* sets, int32_t set_count,        \
+                                     const vesica_shapes_##scalar* one, T vx, T vy, T t_end, int64_t* out,            \
+                                     int64_t capacity, int64_t* state) {                                              \
+    return index_all<T>(index, sets, set_count, one, vx, vy, t_end, out, capacity, state);                            \
+  }                                                                                                                   \
+  int64_t vesica_index_cast_first_##scalar(const void* index, const vesica_shapes_##scalar* sets, int32_t set_count,  \
+                                           const vesica_shapes_##scalar* one, T vx, T vy, T t_end,                    \
+                                           vesica_impact_##scalar* out) {                                             \
+    return index_first<T>(index, sets, set_count, one, vx, vy, t_end, out);                                           \
   }
 
 VESICA_MOTION(f64, double)

@@ -59,16 +59,16 @@ VESICA_INLINE int32_t overlap_typed(const void* a, const void* b) noexcept {
 }
 
 template <class T>
-int32_t overlap_by_table(int32_t kind_a, const T* a, int32_t kind_b, const T* b) noexcept {
+int32_t overlap_by_table(int32_t kind_a, const void* a, int32_t kind_b, const void* b) noexcept {
   VESICA_DEFAULT_ENVIRONMENT(overlap_by_table<T>, kind_a, a, kind_b, b);
-  return vesica::ask(vesica::queries::overlap, kind_a, a, kind_b, b, nullptr);
+  return vesica::ask<T>(vesica::queries::overlap, kind_a, a, kind_b, b, nullptr);
 }
 
 template <class T>
-VESICA_INLINE int32_t overlap_by_kind(int32_t kind_a, const T* a, int32_t kind_b, const T* b) noexcept {
+VESICA_INLINE int32_t overlap_by_kind(int32_t kind_a, const void* a, int32_t kind_b, const void* b) noexcept {
   const vesica::CallTable* const calls = vesica::chosen_calls();
   const bool asked_well = a != nullptr && b != nullptr && vesica::is_kind(kind_a) && vesica::is_kind(kind_b);
-  if (calls == nullptr || !asked_well) return overlap_by_table(kind_a, a, kind_b, b);
+  if (calls == nullptr || !asked_well) return overlap_by_table<T>(kind_a, a, kind_b, b);
   if (kind_a > kind_b) {
     std::swap(kind_a, kind_b);
     std::swap(a, b);
@@ -78,12 +78,12 @@ VESICA_INLINE int32_t overlap_by_kind(int32_t kind_a, const T* a, int32_t kind_b
 
 }  // namespace
 
-int32_t vesica_overlap_f64(int32_t kind_a, const double* numbers_a, int32_t kind_b, const double* numbers_b) {
-  return overlap_by_kind(kind_a, numbers_a, kind_b, numbers_b);
+int32_t vesica_overlap_f64(int32_t kind_a, const void* a, int32_t kind_b, const void* b) {
+  return overlap_by_kind<double>(kind_a, a, kind_b, b);
 }
 
-int32_t vesica_overlap_f32(int32_t kind_a, const float* numbers_a, int32_t kind_b, const float* numbers_b) {
-  return overlap_by_kind(kind_a, numbers_a, kind_b, numbers_b);
+int32_t vesica_overlap_f32(int32_t kind_a, const void* a, int32_t kind_b, const void* b) {
+  return overlap_by_kind<float>(kind_a, a, kind_b, b);
 }
 
 #define VESICA_PAIR_OF(a, A, b, B, scalar, T)                                                                   \

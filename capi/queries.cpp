@@ -32,18 +32,18 @@ static_assert(is_code(Relation::contains_touch, VESICA_CONTAINS_TOUCH) && is_cod
     return matrix<T>(queries::name, a, b, out, row_stride);                                                           \
   }
 
-#define VESICA_NUMBERS(name, Out, scalar, T)                                                                           \
-  int32_t vesica_##name##_##scalar(int32_t kind_a, const T* numbers_a, int32_t kind_b, const T* numbers_b, Out* out) { \
-    VESICA_DEFAULT_ENVIRONMENT(vesica_##name##_##scalar, kind_a, numbers_a, kind_b, numbers_b, out);                   \
-    return answer(queries::name, kind_a, numbers_a, kind_b, numbers_b, out);                                           \
+#define VESICA_NUMBERS(name, Out, scalar, T)                                                                 \
+  int32_t vesica_##name##_##scalar(int32_t kind_a, const void* a, int32_t kind_b, const void* b, Out* out) { \
+    VESICA_DEFAULT_ENVIRONMENT(vesica_##name##_##scalar, kind_a, a, kind_b, b, out);                         \
+    return answer<T>(queries::name, kind_a, a, kind_b, b, out);                                              \
   }
 
 /// Queries whose result is the returned code, a byte in batches.
-#define VESICA_CODE(name, scalar, T)                                                                         \
-  int32_t vesica_##name##_##scalar(int32_t kind_a, const T* numbers_a, int32_t kind_b, const T* numbers_b) { \
-    VESICA_DEFAULT_ENVIRONMENT(vesica_##name##_##scalar, kind_a, numbers_a, kind_b, numbers_b);              \
-    return vesica::ask(queries::name, kind_a, numbers_a, kind_b, numbers_b, nullptr);                        \
-  }                                                                                                          \
+#define VESICA_CODE(name, scalar, T)                                                               \
+  int32_t vesica_##name##_##scalar(int32_t kind_a, const void* a, int32_t kind_b, const void* b) { \
+    VESICA_DEFAULT_ENVIRONMENT(vesica_##name##_##scalar, kind_a, a, kind_b, b);                    \
+    return vesica::ask<T>(queries::name, kind_a, a, kind_b, b, nullptr);                           \
+  }                                                                                                \
   VESICA_MANY_AND_MATRIX(name, uint8_t, scalar, T)
 
 /// Queries of one number.

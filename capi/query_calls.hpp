@@ -12,8 +12,8 @@ using batch::QueryTally;
 
 /// The result is written in place: a C struct is the core's byte for byte.
 template <class T, class Out>
-int32_t answer(const Query& query, int32_t kind_a, const T* a, int32_t kind_b, const T* b, Out* out) noexcept {
-  return out == nullptr ? VESICA_E_NULL : vesica::ask(query, kind_a, a, kind_b, b, out);
+int32_t answer(const Query& query, int32_t kind_a, const void* a, int32_t kind_b, const void* b, Out* out) noexcept {
+  return out == nullptr ? VESICA_E_NULL : vesica::ask<T>(query, kind_a, a, kind_b, b, out);
 }
 
 inline int64_t result(const QueryTally& tally) noexcept { return tally.error != 0 ? tally.error : tally.count; }

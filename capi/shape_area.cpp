@@ -9,18 +9,18 @@
 namespace {
 
 template <class T>
-int32_t shape_area_by_kind(int32_t kind, const T* numbers, T* out) noexcept {
-  VESICA_DEFAULT_ENVIRONMENT(shape_area_by_kind<T>, kind, numbers, out);
+int32_t shape_area_by_kind(int32_t kind, const void* shape, T* out) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT(shape_area_by_kind<T>, kind, shape, out);
   if (out == nullptr) return VESICA_E_NULL;
-  return vesica::with_shape(
-      kind, numbers, [&](const vesica::HasForm auto& shape) { return vesica::shape_area_or_error(shape, *out); });
+  return vesica::with_shape(kind, static_cast<const T*>(shape),
+                            [&](const vesica::HasForm auto& s) { return vesica::shape_area_or_error(s, *out); });
 }
 
 }  // namespace
 
-int32_t vesica_shape_area_f64(int32_t kind, const double* numbers, double* out) {
-  return shape_area_by_kind(kind, numbers, out);
+int32_t vesica_shape_area_f64(int32_t kind, const void* shape, double* out) {
+  return shape_area_by_kind(kind, shape, out);
 }
-int32_t vesica_shape_area_f32(int32_t kind, const float* numbers, float* out) {
-  return shape_area_by_kind(kind, numbers, out);
+int32_t vesica_shape_area_f32(int32_t kind, const void* shape, float* out) {
+  return shape_area_by_kind(kind, shape, out);
 }

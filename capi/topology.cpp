@@ -22,16 +22,14 @@ int32_t vesica_de9im_match(const char* matrix, const char* pattern) {
   return matrix == nullptr || pattern == nullptr ? VESICA_E_NULL : vesica::de9im_match(matrix, pattern);
 }
 
-#define VESICA_TOPOLOGY(scalar, T)                                                                             \
-  int32_t vesica_de9im_##scalar(int32_t kind_a, const T* numbers_a, int32_t kind_b, const T* numbers_b,        \
-                                char* matrix) {                                                                \
-    VESICA_DEFAULT_ENVIRONMENT(vesica_de9im_##scalar, kind_a, numbers_a, kind_b, numbers_b, matrix);           \
-    return answer(queries::de9im, kind_a, numbers_a, kind_b, numbers_b, matrix);                               \
-  }                                                                                                            \
-  int32_t vesica_intersection_##scalar(int32_t kind_a, const T* numbers_a, int32_t kind_b, const T* numbers_b, \
-                                       T vertices[16]) {                                                       \
-    VESICA_DEFAULT_ENVIRONMENT(vesica_intersection_##scalar, kind_a, numbers_a, kind_b, numbers_b, vertices);  \
-    return answer(queries::intersection, kind_a, numbers_a, kind_b, numbers_b, vertices);                      \
+#define VESICA_TOPOLOGY(scalar, T)                                                                                     \
+  int32_t vesica_de9im_##scalar(int32_t kind_a, const void* a, int32_t kind_b, const void* b, char* matrix) {          \
+    VESICA_DEFAULT_ENVIRONMENT(vesica_de9im_##scalar, kind_a, a, kind_b, b, matrix);                                   \
+    return answer<T>(queries::de9im, kind_a, a, kind_b, b, matrix);                                                    \
+  }                                                                                                                    \
+  int32_t vesica_intersection_##scalar(int32_t kind_a, const void* a, int32_t kind_b, const void* b, T vertices[16]) { \
+    VESICA_DEFAULT_ENVIRONMENT(vesica_intersection_##scalar, kind_a, a, kind_b, b, vertices);                          \
+    return answer<T>(queries::intersection, kind_a, a, kind_b, b, vertices);                                           \
   }
 
 VESICA_TOPOLOGY(f64, double)

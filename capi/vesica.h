@@ -17,8 +17,9 @@
  *    invalid shape gives an error, never a guess.
  *
  * Arguments:
- *  - A shape of any kind is passed as its kind (VESICA_POINT ...) and a pointer to its numbers, in the order of its
- *    struct. Two such shapes may be of any two kinds. A function named after two kinds takes its shapes in that order.
+ *  - A shape of any kind is passed as its kind (VESICA_POINT ...) and a pointer to its struct: the one in double for
+ *    functions that end in _f64, the one in float for _f32. Two such shapes may be of any two kinds. A function named
+ *    after two kinds takes its shapes in that order.
  *  - Input is only read. The same memory may be passed as several inputs.
  *  - An output must not overlap an input or another output.
  *  - A pointer is aligned for its type, as always in C. The numbers behind vesica_shapes need no alignment.
@@ -206,7 +207,7 @@ typedef struct {
  * Errors: VESICA_E_NULL, VESICA_E_KIND.
  * Cost: a few ns.
  */
-VESICA_API int32_t vesica_check_f64(int32_t kind, const double *numbers);
+VESICA_API int32_t vesica_check_f64(int32_t kind, const void *shape);
 
 /**
  * Do two shapes share a point? Touching counts.
@@ -214,7 +215,7 @@ VESICA_API int32_t vesica_check_f64(int32_t kind, const double *numbers);
  * Accuracy: exact.
  * Cost: about 2 ns more than the function named after the two kinds.
  */
-VESICA_API int32_t vesica_overlap_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b, const double *numbers_b);
+VESICA_API int32_t vesica_overlap_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b);
 
 /**
  * How does a relate to b? The answer is one of the eight relations of the region connection calculus (RCC-8).
@@ -228,8 +229,7 @@ VESICA_API int32_t vesica_overlap_f64(int32_t kind_a, const double *numbers_a, i
  * Accuracy: exact.
  * Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 30 us.
  */
-VESICA_API int32_t vesica_relation_f64(int32_t kind_a, const double *numbers_a,
-                                       int32_t kind_b, const double *numbers_b);
+VESICA_API int32_t vesica_relation_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b);
 
 /**
  * Does a contain all of b? A shape contains itself, and whatever touches its outline from inside.
@@ -237,8 +237,7 @@ VESICA_API int32_t vesica_relation_f64(int32_t kind_a, const double *numbers_a,
  * Accuracy: exact.
  * Cost: that of vesica_relation_f64.
  */
-VESICA_API int32_t vesica_contains_f64(int32_t kind_a, const double *numbers_a,
-                                       int32_t kind_b, const double *numbers_b);
+VESICA_API int32_t vesica_contains_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b);
 
 /* ---- Measures of shapes of any kinds, double ----
  * Returns: 0.
@@ -261,8 +260,8 @@ VESICA_API int32_t vesica_contains_f64(int32_t kind_a, const double *numbers_a,
  * where the outlines nearly coincide. Places closer to one another than that may come in either order or be equal.
  * Cost: 1 to 10 us; at worst 30 us.
  */
-VESICA_API int32_t vesica_crossings_f64(int32_t kind_a, const double *numbers_a,
-                                        int32_t kind_b, const double *numbers_b, vesica_crossing_points_f64 *out);
+VESICA_API int32_t vesica_crossings_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b,
+                                        vesica_crossing_points_f64 *out);
 
 /**
  * How far apart are two solid shapes, and which of their points are closest?
@@ -278,7 +277,7 @@ VESICA_API int32_t vesica_crossings_f64(int32_t kind_a, const double *numbers_a,
  * if a shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below
  * 2^-40; at worst 25 us.
  */
-VESICA_API int32_t vesica_nearest_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b, const double *numbers_b,
+VESICA_API int32_t vesica_nearest_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b,
                                       vesica_closest_points_f64 *out);
 
 /**
@@ -294,8 +293,8 @@ VESICA_API int32_t vesica_nearest_f64(int32_t kind_a, const double *numbers_a, i
  * Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.4 to 0.8
  * us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for near-ties; at worst 30 us.
  */
-VESICA_API int32_t vesica_boundary_distance_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b,
-                                                const double *numbers_b, vesica_closest_points_f64 *out);
+VESICA_API int32_t vesica_boundary_distance_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b,
+                                                vesica_closest_points_f64 *out);
 
 /**
  * Penetration depth: how far and which way must b be moved until the two shapes only touch?
@@ -312,7 +311,7 @@ VESICA_API int32_t vesica_boundary_distance_f64(int32_t kind_a, const double *nu
  * Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to 5 us if only
  * exact arithmetic can tell the depth from 0; at worst 25 us.
  */
-VESICA_API int32_t vesica_depth_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b, const double *numbers_b,
+VESICA_API int32_t vesica_depth_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b,
                                     vesica_penetration_f64 *out);
 
 /**
@@ -321,7 +320,7 @@ VESICA_API int32_t vesica_depth_f64(int32_t kind_a, const double *numbers_a, int
  * has the greater area, and equal shapes have equal areas, whatever kinds and numbers describe them.
  * Cost: about 20 ns.
  */
-VESICA_API int32_t vesica_shape_area_f64(int32_t kind, const double *numbers, double *out);
+VESICA_API int32_t vesica_shape_area_f64(int32_t kind, const void *shape, double *out);
 
 /**
  * Area of the intersection of two shapes.
@@ -336,8 +335,7 @@ VESICA_API int32_t vesica_shape_area_f64(int32_t kind, const double *numbers, do
  * Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines
  * nearly touch or coincide, or if one shape is far larger; at worst 30 us.
  */
-VESICA_API int32_t vesica_area_f64(int32_t kind_a, const double *numbers_a,
-                                   int32_t kind_b, const double *numbers_b, double *out);
+VESICA_API int32_t vesica_area_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b, double *out);
 
 /**
  * Intersection over union (Jaccard index) of two shapes: the area they share over the area they cover together.
@@ -348,8 +346,7 @@ VESICA_API int32_t vesica_area_f64(int32_t kind_a, const double *numbers_a,
  * Accuracy: the bound of vesica_area_f64, divided by the area of the union.
  * Cost: that of vesica_area_f64 and of vesica_shape_area_f64 twice.
  */
-VESICA_API int32_t vesica_iou_f64(int32_t kind_a, const double *numbers_a,
-                                  int32_t kind_b, const double *numbers_b, double *out);
+VESICA_API int32_t vesica_iou_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b, double *out);
 
 /**
  * Smallest box of representable numbers that contains a shape.
@@ -357,7 +354,7 @@ VESICA_API int32_t vesica_iou_f64(int32_t kind_a, const double *numbers_a,
  * Cost: up to 80 ns; 1 to 3 us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis and
  * representable sides; at worst 6 us.
  */
-VESICA_API int32_t vesica_bounds_f64(int32_t kind, const double *numbers, vesica_aabb_f64 *out);
+VESICA_API int32_t vesica_bounds_f64(int32_t kind, const void *shape, vesica_aabb_f64 *out);
 
 /* ---- Overlap of two given kinds, double ----
  * Returns: 1 if the shapes share a point (touching counts), 0 if not.
@@ -503,14 +500,19 @@ VESICA_API int32_t vesica_ellipse_from_matrix_f64(double cx, double cy, double m
  *
  * Number k of element i is at field[k] + i * stride bytes, with k in the order of the shape's struct. stride is the
  * size of a record for records, sizeof(double) for columns, 0 to repeat one shape, and negative to run backwards.
- * Fields beyond those of the kind are ignored. Numbers need no alignment. reserved must be 0.
+ * Fields beyond those of the kind are ignored. Numbers need no alignment.
+ * reserved and each must be 0, rings and polygons NULL. They are for kinds with any number of vertices, which this
+ * version does not have. vesica_shapes_from_records_f64 sets them; if you fill the struct yourself, start from {0}.
  */
 typedef struct {
     int32_t kind;
     int32_t reserved;
     int64_t count;
     ptrdiff_t stride;
-    const double *field[6];
+    const double *field[8];
+    const int32_t *rings;
+    const int32_t *polygons;
+    int64_t each;
 } vesica_shapes_f64;
 
 /**
@@ -529,8 +531,8 @@ VESICA_API int32_t vesica_shapes_from_records_f64(int32_t kind, int64_t count, c
  * Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
  * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
  * written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
- * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
- * exceeds the address space).
+ * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, an unused member that is not 0 or NULL, or
+ * an array that exceeds the address space).
  * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
  * Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more where
  * numbers are copied first (docs/benchmarks.md).
@@ -598,8 +600,8 @@ VESICA_API int64_t vesica_iou_many_f64(const vesica_shapes_f64 *a, const vesica_
  * Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
  * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
  * written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
- * VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that
- * exceed the address space).
+ * VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an unused member that is not 0 or NULL, rows that overlap, or an
+ * array or rows that exceed the address space).
  * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
  * Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
  * Since: 0.1.
@@ -713,35 +715,33 @@ typedef struct {
 typedef struct { float depth, x, y; } vesica_penetration_f32;
 
 /** As vesica_check_f64. */
-VESICA_API int32_t vesica_check_f32(int32_t kind, const float *numbers);
+VESICA_API int32_t vesica_check_f32(int32_t kind, const void *shape);
 /** As vesica_overlap_f64. */
-VESICA_API int32_t vesica_overlap_f32(int32_t kind_a, const float *numbers_a, int32_t kind_b, const float *numbers_b);
+VESICA_API int32_t vesica_overlap_f32(int32_t kind_a, const void *a, int32_t kind_b, const void *b);
 /** As vesica_relation_f64. */
-VESICA_API int32_t vesica_relation_f32(int32_t kind_a, const float *numbers_a, int32_t kind_b, const float *numbers_b);
+VESICA_API int32_t vesica_relation_f32(int32_t kind_a, const void *a, int32_t kind_b, const void *b);
 /** As vesica_contains_f64. */
-VESICA_API int32_t vesica_contains_f32(int32_t kind_a, const float *numbers_a, int32_t kind_b, const float *numbers_b);
+VESICA_API int32_t vesica_contains_f32(int32_t kind_a, const void *a, int32_t kind_b, const void *b);
 /** As vesica_crossings_f64, rounded to float. */
-VESICA_API int32_t vesica_crossings_f32(int32_t kind_a, const float *numbers_a, int32_t kind_b, const float *numbers_b,
+VESICA_API int32_t vesica_crossings_f32(int32_t kind_a, const void *a, int32_t kind_b, const void *b,
                                         vesica_crossing_points_f32 *out);
 /** As vesica_nearest_f64, rounded to float. */
-VESICA_API int32_t vesica_nearest_f32(int32_t kind_a, const float *numbers_a, int32_t kind_b, const float *numbers_b,
+VESICA_API int32_t vesica_nearest_f32(int32_t kind_a, const void *a, int32_t kind_b, const void *b,
                                       vesica_closest_points_f32 *out);
 /** As vesica_boundary_distance_f64, rounded to float. */
-VESICA_API int32_t vesica_boundary_distance_f32(int32_t kind_a, const float *numbers_a, int32_t kind_b,
-                                                const float *numbers_b, vesica_closest_points_f32 *out);
+VESICA_API int32_t vesica_boundary_distance_f32(int32_t kind_a, const void *a, int32_t kind_b, const void *b,
+                                                vesica_closest_points_f32 *out);
 /** As vesica_depth_f64, rounded to float. */
-VESICA_API int32_t vesica_depth_f32(int32_t kind_a, const float *numbers_a, int32_t kind_b, const float *numbers_b,
+VESICA_API int32_t vesica_depth_f32(int32_t kind_a, const void *a, int32_t kind_b, const void *b,
                                     vesica_penetration_f32 *out);
 /** As vesica_shape_area_f64, rounded to float. */
-VESICA_API int32_t vesica_shape_area_f32(int32_t kind, const float *numbers, float *out);
+VESICA_API int32_t vesica_shape_area_f32(int32_t kind, const void *shape, float *out);
 /** As vesica_area_f64, rounded to float. */
-VESICA_API int32_t vesica_area_f32(int32_t kind_a, const float *numbers_a, int32_t kind_b, const float *numbers_b,
-                                   float *out);
+VESICA_API int32_t vesica_area_f32(int32_t kind_a, const void *a, int32_t kind_b, const void *b, float *out);
 /** As vesica_iou_f64, rounded to float. */
-VESICA_API int32_t vesica_iou_f32(int32_t kind_a, const float *numbers_a, int32_t kind_b, const float *numbers_b,
-                                  float *out);
+VESICA_API int32_t vesica_iou_f32(int32_t kind_a, const void *a, int32_t kind_b, const void *b, float *out);
 /** As vesica_bounds_f64. */
-VESICA_API int32_t vesica_bounds_f32(int32_t kind, const float *numbers, vesica_aabb_f32 *out);
+VESICA_API int32_t vesica_bounds_f32(int32_t kind, const void *shape, vesica_aabb_f32 *out);
 /** As vesica_overlap_point_point_f64. */
 VESICA_API int32_t vesica_overlap_point_point_f32(const vesica_point_f32 *a, const vesica_point_f32 *b);
 /** As vesica_overlap_point_segment_f64. */
@@ -810,7 +810,10 @@ typedef struct {
     int32_t reserved;
     int64_t count;
     ptrdiff_t stride;
-    const float *field[6];
+    const float *field[8];
+    const int32_t *rings;
+    const int32_t *polygons;
+    int64_t each;
 } vesica_shapes_f32;
 
 /** As vesica_shapes_from_records_f64. */

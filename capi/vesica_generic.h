@@ -82,10 +82,8 @@
     _Generic((char (*)[size])0, char (*)[8]: of_double, char (*)[4]: of_float)
 #define VESICA_QUERY_(query, size) VESICA_PICK_(size, query##_f64, query##_f32)
 
-/* A shape as the functions take it: its kind and a pointer to its numbers. */
-#define VESICA_SHAPE_(shape) \
-    VESICA_KIND_OF(shape), VESICA_PICK_(VESICA_SIZE_(shape), (const double *)(const void *)(shape), \
-                                        (const float *)(const void *)(shape))
+/* A shape as the functions take it: its kind and a pointer to its struct. */
+#define VESICA_SHAPE_(shape) VESICA_KIND_OF(shape), (shape)
 
 #define VESICA_ONE_(query, shape, out) \
     VESICA_QUERY_(query, VESICA_SIZE_(shape) & VESICA_SIZE_(out))(VESICA_SHAPE_(shape), out)

@@ -56,8 +56,8 @@ extern "C" {
  * lengths from 2^-200 to 2^200.
  * Cost: that of vesica_area_f64 or vesica_iou_f64, and 100 to 150 ns more; in arrays 40 to 100 ns more.
  */
-VESICA_API int32_t vesica_ratio_f64(int32_t ratio, int32_t kind_a, const double *numbers_a, int32_t kind_b,
-                                    const double *numbers_b, double *out);
+VESICA_API int32_t vesica_ratio_f64(int32_t ratio, int32_t kind_a, const void *a, int32_t kind_b, const void *b,
+                                    double *out);
 
 /**
  * A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f64.
@@ -125,8 +125,8 @@ VESICA_API int64_t vesica_depth_matrix_f64(const vesica_shapes_f64 *a, const ves
  * Returns: 0.
  * Cost: that of vesica_nearest_f64 or vesica_depth_f64.
  */
-VESICA_API int32_t vesica_signed_distance_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b,
-                                              const double *numbers_b, double *out);
+VESICA_API int32_t vesica_signed_distance_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b,
+                                              double *out);
 
 /**
  * Signed distances of a[i] and b[i]. Arrays and errors are those of vesica_iou_many_f64.
@@ -159,8 +159,7 @@ VESICA_API int64_t vesica_signed_distance_matrix_f64(const vesica_shapes_f64 *a,
  * Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can decide, as
  * when the distance is met exactly. At worst 25 us.
  */
-VESICA_API int32_t vesica_within_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b, const double *numbers_b,
-                                     double distance);
+VESICA_API int32_t vesica_within_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b, double distance);
 
 /**
  * Are a[i] and b[i] at most `distance` apart? out[i] is the answer of vesica_within_f64.
@@ -233,8 +232,8 @@ VESICA_API int32_t vesica_suppress_soft_f64(const vesica_shapes_f64 *shapes, con
 /* ---- The same functions with float in place of double ---- */
 
 /** As vesica_ratio_f64, rounded to float. */
-VESICA_API int32_t vesica_ratio_f32(int32_t ratio, int32_t kind_a, const float *numbers_a, int32_t kind_b,
-                                    const float *numbers_b, float *out);
+VESICA_API int32_t vesica_ratio_f32(int32_t ratio, int32_t kind_a, const void *a, int32_t kind_b, const void *b,
+                                    float *out);
 /** As vesica_ratio_many_f64, rounded to float. */
 VESICA_API int64_t vesica_ratio_many_f32(int32_t ratio, const vesica_shapes_f32 *a, const vesica_shapes_f32 *b,
                                          float *out);
@@ -255,16 +254,14 @@ VESICA_API int32_t vesica_suppress_f32(const vesica_shapes_f32 *shapes, const fl
                                        int32_t ratio, float threshold, float least_score, int64_t most,
                                        void *scratch, int64_t scratch_size, int64_t *keep, int64_t *kept);
 /** As vesica_signed_distance_f64, rounded to float. */
-VESICA_API int32_t vesica_signed_distance_f32(int32_t kind_a, const float *numbers_a, int32_t kind_b,
-                                              const float *numbers_b, float *out);
+VESICA_API int32_t vesica_signed_distance_f32(int32_t kind_a, const void *a, int32_t kind_b, const void *b, float *out);
 /** As vesica_signed_distance_many_f64, rounded to float. */
 VESICA_API int64_t vesica_signed_distance_many_f32(const vesica_shapes_f32 *a, const vesica_shapes_f32 *b, float *out);
 /** As vesica_signed_distance_matrix_f64, rounded to float. */
 VESICA_API int64_t vesica_signed_distance_matrix_f32(const vesica_shapes_f32 *a, const vesica_shapes_f32 *b, float *out,
                                                      ptrdiff_t row_stride);
 /** As vesica_within_f64. */
-VESICA_API int32_t vesica_within_f32(int32_t kind_a, const float *numbers_a, int32_t kind_b, const float *numbers_b,
-                                     float distance);
+VESICA_API int32_t vesica_within_f32(int32_t kind_a, const void *a, int32_t kind_b, const void *b, float distance);
 /** As vesica_within_many_f64. */
 VESICA_API int64_t vesica_within_many_f32(const vesica_shapes_f32 *a, const vesica_shapes_f32 *b, float distance,
                                           uint8_t *out);

@@ -67,8 +67,8 @@ typedef struct {
  * the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly unlike exponents most
  * take 10 to 30 us; at worst 0.3 ms.
  */
-VESICA_API int32_t vesica_cast_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b, const double *numbers_b,
-                                   double vx, double vy, double t_end, vesica_impact_f64 *out);
+VESICA_API int32_t vesica_cast_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b, double vx, double vy,
+                                   double t_end, vesica_impact_f64 *out);
 
 /**
  * When and where does b[i], moved by t (vx[i], vy[i]), touch a[i]? The columns are the fields of vesica_cast_f64's
@@ -110,7 +110,7 @@ VESICA_API int64_t vesica_cast_first_f64(const vesica_shapes_f64 *one, const ves
  * units in the last place of the largest of three numbers: the side at rest, the way it moves, and where it ends.
  * Cost: 15 ns more than vesica_bounds_f64.
  */
-VESICA_API int32_t vesica_sweep_bounds_f64(int32_t kind, const double *numbers, double vx, double vy, double t_end,
+VESICA_API int32_t vesica_sweep_bounds_f64(int32_t kind, const void *shape, double vx, double vy, double t_end,
                                            vesica_aabb_f64 *out);
 
 /**
@@ -173,9 +173,9 @@ typedef struct {
  * 1.4 ms.
  * Since: 0.1.
  */
-VESICA_API int32_t vesica_impact_time_f64(int32_t kind_a, const double *numbers_a, const vesica_turn_f64 *turn_a,
-                                          int32_t kind_b, const double *numbers_b, const vesica_turn_f64 *turn_b,
-                                          double tolerance, vesica_impact_f64 *out, double *gap);
+VESICA_API int32_t vesica_impact_time_f64(int32_t kind_a, const void *a, const vesica_turn_f64 *turn_a, int32_t kind_b,
+                                          const void *b, const vesica_turn_f64 *turn_b, double tolerance,
+                                          vesica_impact_f64 *out, double *gap);
 
 /* ---- Casts of two given kinds, double: the same bits as vesica_cast_f64, without its dispatch by kind ----
  * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
@@ -223,8 +223,8 @@ typedef struct {
 } vesica_impact_f32;
 
 /** As vesica_cast_f64. */
-VESICA_API int32_t vesica_cast_f32(int32_t kind_a, const float *numbers_a, int32_t kind_b, const float *numbers_b,
-                                   float vx, float vy, float t_end, vesica_impact_f32 *out);
+VESICA_API int32_t vesica_cast_f32(int32_t kind_a, const void *a, int32_t kind_b, const void *b, float vx, float vy,
+                                   float t_end, vesica_impact_f32 *out);
 /** As vesica_cast_many_f64. */
 VESICA_API int64_t vesica_cast_many_f32(const vesica_shapes_f32 *a, const vesica_shapes_f32 *b, const float *vx,
                                         const float *vy, ptrdiff_t stride, float t_end, float *t, float *x, float *y,
@@ -233,7 +233,7 @@ VESICA_API int64_t vesica_cast_many_f32(const vesica_shapes_f32 *a, const vesica
 VESICA_API int64_t vesica_cast_first_f32(const vesica_shapes_f32 *one, const vesica_shapes_f32 *many, float vx,
                                          float vy, float t_end, vesica_impact_f32 *out);
 /** As vesica_sweep_bounds_f64. */
-VESICA_API int32_t vesica_sweep_bounds_f32(int32_t kind, const float *numbers, float vx, float vy, float t_end,
+VESICA_API int32_t vesica_sweep_bounds_f32(int32_t kind, const void *shape, float vx, float vy, float t_end,
                                            vesica_aabb_f32 *out);
 /** As vesica_index_cast_f64. */
 VESICA_API int64_t vesica_index_cast_f32(const void *index, const vesica_shapes_f32 *sets, int32_t set_count,
@@ -253,9 +253,9 @@ typedef struct {
  * As vesica_impact_time_f64. The gap is that at the rounded time, and rounded up: it may exceed the tolerance by 2^-24
  * of the way that the shapes move relative to each other.
  */
-VESICA_API int32_t vesica_impact_time_f32(int32_t kind_a, const float *numbers_a, const vesica_turn_f32 *turn_a,
-                                          int32_t kind_b, const float *numbers_b, const vesica_turn_f32 *turn_b,
-                                          float tolerance, vesica_impact_f32 *out, float *gap);
+VESICA_API int32_t vesica_impact_time_f32(int32_t kind_a, const void *a, const vesica_turn_f32 *turn_a, int32_t kind_b,
+                                          const void *b, const vesica_turn_f32 *turn_b, float tolerance,
+                                          vesica_impact_f32 *out, float *gap);
 
 /* ---- Casts of two given kinds, float ----
  * Errors: those of the double functions.

@@ -39,8 +39,7 @@ extern "C" {
  * Cost: that of vesica_relation_f64; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel. At
  * worst 30 us.
  */
-VESICA_API int32_t vesica_de9im_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b, const double *numbers_b,
-                                    char *matrix);
+VESICA_API int32_t vesica_de9im_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b, char *matrix);
 
 /**
  * Does a nine-intersection matrix match a pattern, such as "T*F**F***" for "a is within b"?
@@ -69,17 +68,16 @@ VESICA_API int32_t vesica_de9im_match(const char *matrix, const char *pattern);
  * Cost: that of vesica_overlap_f64 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6 us for areas; at worst
  * 30 us.
  */
-VESICA_API int32_t vesica_intersection_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b,
-                                           const double *numbers_b, double vertices[16]);
+VESICA_API int32_t vesica_intersection_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b,
+                                           double vertices[16]);
 
 /* ---- The same functions with float in place of double ---- */
 
 /** As vesica_de9im_f64. */
-VESICA_API int32_t vesica_de9im_f32(int32_t kind_a, const float *numbers_a, int32_t kind_b, const float *numbers_b,
-                                    char *matrix);
+VESICA_API int32_t vesica_de9im_f32(int32_t kind_a, const void *a, int32_t kind_b, const void *b, char *matrix);
 /** As vesica_intersection_f64, rounded to float. */
-VESICA_API int32_t vesica_intersection_f32(int32_t kind_a, const float *numbers_a, int32_t kind_b,
-                                           const float *numbers_b, float vertices[16]);
+VESICA_API int32_t vesica_intersection_f32(int32_t kind_a, const void *a, int32_t kind_b, const void *b,
+                                           float vertices[16]);
 
 #ifdef __cplusplus
 }

@@ -20,18 +20,18 @@ static_assert(is_code(vesica::Within::no, VESICA_WITHIN_NO) && is_code(vesica::W
 static_assert(is_code(vesica::Within::nearly, VESICA_WITHIN_NEARLY));
 
 template <class T>
-int32_t within(int32_t kind_a, const T* a, int32_t kind_b, const T* b, T distance) noexcept {
+int32_t within(int32_t kind_a, const void* a, int32_t kind_b, const void* b, T distance) noexcept {
   VESICA_DEFAULT_ENVIRONMENT(within<T>, kind_a, a, kind_b, b, distance);
   if (a == nullptr || b == nullptr) return VESICA_E_NULL;
   if (!have_form(kind_a, kind_b)) return VESICA_E_KIND;
   if (!(distance >= 0)) return VESICA_E_ARGUMENT;
   const queries::WithinOfPair pair = queries::within(kind_a, kind_b);
   if constexpr (std::is_same_v<T, double>) {
-    return pair(a, b, distance);
+    return pair(static_cast<const double*>(a), static_cast<const double*>(b), distance);
   } else {
     double first[vesica::max_fields], second[vesica::max_fields];
-    widen(kind_a, a, first);
-    widen(kind_b, b, second);
+    widen<T>(kind_a, a, first);
+    widen<T>(kind_b, b, second);
     return pair(first, second, static_cast<double>(distance));
   }
 }
@@ -64,17 +64,17 @@ int64_t within_matrix(const CShapesOf<T>* a, const CShapesOf<T>* b, T distance, 
 
 }  // namespace
 
-#define VESICA_WITHIN(scalar, T)                                                                                       \
-  int32_t vesica_within_##scalar(int32_t kind_a, const T* numbers_a, int32_t kind_b, const T* numbers_b, T distance) { \
-    return within(kind_a, numbers_a, kind_b, numbers_b, distance);                                                     \
-  }                                                                                                                    \
-  int64_t vesica_within_many_##scalar(const vesica_shapes_##scalar* a, const vesica_shapes_##scalar* b, T distance,    \
-                                      uint8_t* out) {                                                                  \
-    return within_many<T>(a, b, distance, out);                                                                        \
-  }                                                                                                                    \
-  int64_t vesica_within_matrix_##scalar(const vesica_shapes_##scalar* a, const vesica_shapes_##scalar* b, T distance,  \
-                                        uint8_t* out, ptrdiff_t row_stride) {                                          \
-    return within_matrix<T>(a, b, distance, out, row_stride);                                                          \
+#define VESICA_WITHIN(scalar, T)                                                                                      \
+  int32_t vesica_within_##scalar(int32_t kind_a, const void* a, int32_t kind_b, const void* b, T distance) {          \
+    return within(kind_a, a, kind_b, b, distance);                                                                    \
+  }                                                                                                                   \
+  int64_t vesica_within_many_##scalar(const vesica_shapes_##scalar* a, const vesica_shapes_##scalar* b, T distance,   \
+                                      uint8_t* out) {                                                                 \
+    return within_many<T>(a, b, distance, out);                                                                       \
+  }                                                                                                                   \
+  int64_t vesica_within_matrix_##scalar(const vesica_shapes_##scalar* a, const vesica_shapes_##scalar* b, T distance, \
+                                        uint8_t* out, ptrdiff_t row_stride) {                                         \
+    return within_matrix<T>(a, b, distance, out, row_stride);                                                         \
   }
 
 VESICA_WITHIN(f64, double)

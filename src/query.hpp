@@ -69,11 +69,11 @@ extern const Query overlap, relation, contains, nearest, boundary_distance, dept
 
 }  // namespace queries
 
-/// Answers a query for two shapes given by kind and flat numbers. Returns the answer or the first error: NULL, then the
-/// kinds, then the query's own. `out` has room for the result; it is null if the result is the returned code.
+/// Answers a query for two shapes of scalar T, each given by its kind and a pointer to its struct. Returns the answer or
+/// the first error: NULL, then the kinds, then the query's own. `out` is null if the result is the returned code.
 template <class T>
-VESICA_INLINE std::int32_t ask(const Query& query, std::int32_t kind_a, const T* a, std::int32_t kind_b, const T* b,
-                               void* out) noexcept {
+VESICA_INLINE std::int32_t ask(const Query& query, std::int32_t kind_a, const void* a, std::int32_t kind_b,
+                               const void* b, void* out) noexcept {
   if (a == nullptr || b == nullptr) return error_null;
   if (!is_kind(kind_a) || !is_kind(kind_b)) return error_kind;
   return query.pairs(T{}).of[kind_a][kind_b](a, b, out);

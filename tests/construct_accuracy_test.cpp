@@ -151,7 +151,7 @@ void ConstructAccuracy<Api>::check_covariance(const std::array<Scalar, 3>& c, Sc
   expect_at_most(8, error_in_ulps(e.a, a));
   expect_at_most(8, error_in_ulps(e.b, b));
   expect_axis(e, exact);
-  EXPECT_EQ(Api::check(VESICA_ELLIPSE, &e.cx), 0);
+  EXPECT_EQ(Api::check(VESICA_ELLIPSE, &e), 0);
   EXPECT_GE(e.a, e.b);
 }
 
@@ -173,7 +173,7 @@ void ConstructAccuracy<Api>::check_matrix(const std::array<Scalar, 3>& m) {
   expect_at_most(8, error_in_ulps(e.a, Real(1 / root(exact.smaller))));
   expect_at_most(8, error_in_ulps(e.b, Real(1 / root(exact.larger))));
   expect_axis(e, exact);
-  EXPECT_EQ(Api::check(VESICA_ELLIPSE, &e.cx), 0);
+  EXPECT_EQ(Api::check(VESICA_ELLIPSE, &e), 0);
   EXPECT_GE(e.a, e.b);
 }
 
@@ -257,7 +257,7 @@ void ConstructAccuracy<Api>::check_corners(const Scalar (&corners)[8]) {
   errno = 0;
   ASSERT_EQ(Api::rect_from_corners(corners, &r), 0);
   EXPECT_EQ(errno, 0);
-  EXPECT_EQ(Api::check(VESICA_RECT, &r.cx), 0);
+  EXPECT_EQ(Api::check(VESICA_RECT, &r), 0);
   std::array<Real, 8> p;
   double largest = 0;
   for (std::size_t i = 0; i < 8; ++i) {

@@ -15,7 +15,7 @@ double length_of(const Ellipse& e) { return std::hypot(e.ux, e.uy) * std::max(e.
 
 double exact_distance(const Ellipse& a, const Ellipse& b) {
   vesica_closest_points_f64 closest;
-  const std::int32_t code = vesica_boundary_distance_f64(VESICA_ELLIPSE, &a.cx, VESICA_ELLIPSE, &b.cx, &closest);
+  const std::int32_t code = vesica_boundary_distance_f64(VESICA_ELLIPSE, &a, VESICA_ELLIPSE, &b, &closest);
   return code == 0 ? closest.distance : -1;
 }
 

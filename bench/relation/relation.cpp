@@ -19,7 +19,7 @@ namespace vesica::bench {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using Function = std::int32_t (*)(std::int32_t, const double*, std::int32_t, const double*);
+using Function = std::int32_t (*)(std::int32_t, const void*, std::int32_t, const void*);
 
 constexpr std::size_t pairs_per_pass = 256;
 constexpr int passes = 400;

@@ -13,7 +13,7 @@
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using Overlap = std::int32_t (*)(std::int32_t, const double*, std::int32_t, const double*);
+using Overlap = std::int32_t (*)(std::int32_t, const void*, std::int32_t, const void*);
 constexpr int rounds = 7;
 
 double microseconds_since(Clock::time_point start) {

@@ -101,6 +101,8 @@ class Declaration:
         #: An array of shapes that is read; of several sets the first.
         self.is_shapes = self.is_const and self.base.startswith("vesica_shapes_")
         self.is_sets = False
+        #: One shape of any kind: a pointer to its struct.
+        self.is_shape = self.type == "const void *" and self.name in ("a", "b", "shape")
 
 
 class Description:

@@ -34,7 +34,9 @@ typedef struct {
     int32_t kind, reserved;
     int64_t count;
     ptrdiff_t stride;
-    const char *field[6];
+    const char *field[8];
+    const int32_t *rings, *polygons;
+    int64_t each;
 } vesica_go_view;
 
 /* As many as an index may have. */
@@ -95,18 +97,13 @@ def struct(entry):
     return f"{text}type {name}[T Float] struct {{\n{fields}}}\n\n{method}"
 
 
-def is_numbers(declaration):
-    """The numbers of one shape, which go by value."""
-    return declaration.name.startswith("numbers") and declaration.is_pointer
-
-
 def in_c(declaration):
     """The type of a parameter of the header's function."""
     if declaration.is_sets:
         return "vesica_go_sets"
     if declaration.is_shapes:
         return "vesica_go_view"
-    if is_numbers(declaration):
+    if declaration.is_shape:
         return "vesica_go_numbers"
     if declaration.is_pointer or declaration.count:
         return "char *" if not declaration.is_const else "const char *"
@@ -127,7 +124,7 @@ def passed_in_c(declaration, suffix):
     if declaration.is_shapes:
         copy = f"    vesica_shapes_{suffix} of_{name};\n    memcpy(&of_{name}, &{name}, sizeof of_{name});\n"
         return copy, f"&of_{name}"
-    if is_numbers(declaration):
+    if declaration.is_shape:
         base = SCALARS[suffix]
         copy = f"    {base} of_{name}[6];\n    memcpy(of_{name}, &{name}, sizeof of_{name});\n"
         return copy, f"of_{name}"

@@ -5,7 +5,7 @@ first sentences of their texts. Languages whose foreign interface reads C take c
 import re
 import textwrap
 
-from description import HEAD, broken, camel
+from description import HEAD, SCALARS, broken, camel
 
 WIDTH = 116
 
@@ -31,7 +31,12 @@ def is_pointer(declaration):
 
 def is_numbers(declaration):
     """The numbers of one shape, or the corners of a rectangle, which are read."""
-    return declaration.is_const and (declaration.name.startswith("numbers") or bool(declaration.count))
+    return declaration.is_shape or (declaration.is_const and bool(declaration.count))
+
+
+def number(declaration, entry):
+    """The C type of these numbers: that of the function's scalar."""
+    return SCALARS[entry.scalar] if declaration.is_shape else declaration.base
 
 
 def is_text(declaration):
@@ -69,16 +74,16 @@ def ruby(description):
 PERL = {"int32_t": "sint32", "int64_t": "sint64", "ptrdiff_t": "sint64", "double": "double", "float": "float"}
 
 
-def perl_type(declaration):
+def perl_type(declaration, entry=None):
     if is_text(declaration):
         return "'string'"
     if is_numbers(declaration):
-        return f"'{declaration.base}[]'"
+        return f"'{number(declaration, entry)}[]'"
     return "'opaque'" if is_pointer(declaration) else f"'{PERL[declaration.base]}'"
 
 
 def perl_function(entry):
-    types = ", ".join(map(perl_type, entry.parameters))
+    types = ", ".join(perl_type(each, entry) for each in entry.parameters)
     return broken(f"    [{entry.name} => [{types}] => {perl_type(entry.returns)}],") + "\n"
 
 
@@ -156,10 +161,10 @@ def fortran_lines(text, indent):
     return "".join(f"{indent}{line}{'' if i + 1 == len(lines) else ' &'}\n" for i, line in enumerate(lines))
 
 
-def fortran_argument(declaration, is_array):
+def fortran_argument(declaration, entry, is_array):
     name = declaration.name
     if is_numbers(declaration):
-        return f"{FORTRAN[declaration.base]}, intent(in) :: {name}(*)"
+        return f"{FORTRAN[number(declaration, entry)]}, intent(in) :: {name}(*)"
     if declaration.is_pointer and declaration.base.startswith("vesica_") and not declaration.is_sets and not is_array:
         intent = "in" if declaration.is_const else "out"
         return f"type({declaration.base}), intent({intent}) :: {name}"
@@ -176,7 +181,7 @@ def fortran_function(entry):
     names = ", ".join(each.name for each in entry.parameters)
     is_array = entry.stem in SHAPES_OUT
     arguments = "".join(
-        f"      {fortran_argument(each, is_array and each.name == 'out')}\n" for each in entry.parameters
+        f"      {fortran_argument(each, entry, is_array and each.name == 'out')}\n" for each in entry.parameters
     )
     statement = f"{fortran_result(entry)} function {entry.name}({names}) bind(c)"
     return (
@@ -302,9 +307,9 @@ def ada_type(declaration):
 def ada_field(declaration):
     if declaration.count:
         kind = {"double": "Doubles_8", "float": "Floats_8"}.get(declaration.base)
-        kind = "Addresses_6" if declaration.is_pointer else kind
+        kind = "Addresses_8" if declaration.is_pointer else kind
     else:
-        kind = ADA[declaration.base]
+        kind = ada_type(declaration)
     return f"      {ada_name(declaration.name)} : {kind};\n"
 
 
@@ -334,7 +339,7 @@ def ada(description):
         f"{constants}\n"
         "   type Doubles_8 is array (1 .. 8) of IEEE_Float_64 with Convention => C;\n"
         "   type Floats_8 is array (1 .. 8) of IEEE_Float_32 with Convention => C;\n"
-        "   type Addresses_6 is array (1 .. 6) of System.Address with Convention => C;\n\n"
+        "   type Addresses_8 is array (1 .. 8) of System.Address with Convention => C;\n\n"
         f"{structs}{functions}\nend Vesica_C;\n"
     )
 

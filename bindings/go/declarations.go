@@ -305,97 +305,94 @@ type Turn[T Float] struct {
 	Angle T
 }
 
-func cCheck(wide bool, kind C.int32_t, numbers C.vesica_go_numbers) C.int32_t {
+func cCheck(wide bool, kind C.int32_t, shape C.vesica_go_numbers) C.int32_t {
 	if wide {
-		return C.go_check_f64(kind, numbers)
+		return C.go_check_f64(kind, shape)
 	}
-	return C.go_check_f32(kind, numbers)
+	return C.go_check_f32(kind, shape)
 }
 
-func cOverlap(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t,
-	numbersB C.vesica_go_numbers) C.int32_t {
+func cOverlap(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers) C.int32_t {
 	if wide {
-		return C.go_overlap_f64(kindA, numbersA, kindB, numbersB)
+		return C.go_overlap_f64(kindA, a, kindB, b)
 	}
-	return C.go_overlap_f32(kindA, numbersA, kindB, numbersB)
+	return C.go_overlap_f32(kindA, a, kindB, b)
 }
 
-func cRelation(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t,
-	numbersB C.vesica_go_numbers) C.int32_t {
+func cRelation(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers) C.int32_t {
 	if wide {
-		return C.go_relation_f64(kindA, numbersA, kindB, numbersB)
+		return C.go_relation_f64(kindA, a, kindB, b)
 	}
-	return C.go_relation_f32(kindA, numbersA, kindB, numbersB)
+	return C.go_relation_f32(kindA, a, kindB, b)
 }
 
-func cContains(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t,
-	numbersB C.vesica_go_numbers) C.int32_t {
+func cContains(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers) C.int32_t {
 	if wide {
-		return C.go_contains_f64(kindA, numbersA, kindB, numbersB)
+		return C.go_contains_f64(kindA, a, kindB, b)
 	}
-	return C.go_contains_f32(kindA, numbersA, kindB, numbersB)
+	return C.go_contains_f32(kindA, a, kindB, b)
 }
 
-func cCrossings(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers,
+func cCrossings(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers,
 	out *C.char) C.int32_t {
 	if wide {
-		return C.go_crossings_f64(kindA, numbersA, kindB, numbersB, out)
+		return C.go_crossings_f64(kindA, a, kindB, b, out)
 	}
-	return C.go_crossings_f32(kindA, numbersA, kindB, numbersB, out)
+	return C.go_crossings_f32(kindA, a, kindB, b, out)
 }
 
-func cNearest(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers,
+func cNearest(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers,
 	out *C.char) C.int32_t {
 	if wide {
-		return C.go_nearest_f64(kindA, numbersA, kindB, numbersB, out)
+		return C.go_nearest_f64(kindA, a, kindB, b, out)
 	}
-	return C.go_nearest_f32(kindA, numbersA, kindB, numbersB, out)
+	return C.go_nearest_f32(kindA, a, kindB, b, out)
 }
 
-func cBoundaryDistance(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t,
-	numbersB C.vesica_go_numbers, out *C.char) C.int32_t {
-	if wide {
-		return C.go_boundary_distance_f64(kindA, numbersA, kindB, numbersB, out)
-	}
-	return C.go_boundary_distance_f32(kindA, numbersA, kindB, numbersB, out)
-}
-
-func cDepth(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers,
+func cBoundaryDistance(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers,
 	out *C.char) C.int32_t {
 	if wide {
-		return C.go_depth_f64(kindA, numbersA, kindB, numbersB, out)
+		return C.go_boundary_distance_f64(kindA, a, kindB, b, out)
 	}
-	return C.go_depth_f32(kindA, numbersA, kindB, numbersB, out)
+	return C.go_boundary_distance_f32(kindA, a, kindB, b, out)
 }
 
-func cShapeArea(wide bool, kind C.int32_t, numbers C.vesica_go_numbers, out *C.char) C.int32_t {
-	if wide {
-		return C.go_shape_area_f64(kind, numbers, out)
-	}
-	return C.go_shape_area_f32(kind, numbers, out)
-}
-
-func cArea(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers,
+func cDepth(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers,
 	out *C.char) C.int32_t {
 	if wide {
-		return C.go_area_f64(kindA, numbersA, kindB, numbersB, out)
+		return C.go_depth_f64(kindA, a, kindB, b, out)
 	}
-	return C.go_area_f32(kindA, numbersA, kindB, numbersB, out)
+	return C.go_depth_f32(kindA, a, kindB, b, out)
 }
 
-func cIOU(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers,
+func cShapeArea(wide bool, kind C.int32_t, shape C.vesica_go_numbers, out *C.char) C.int32_t {
+	if wide {
+		return C.go_shape_area_f64(kind, shape, out)
+	}
+	return C.go_shape_area_f32(kind, shape, out)
+}
+
+func cArea(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers,
 	out *C.char) C.int32_t {
 	if wide {
-		return C.go_iou_f64(kindA, numbersA, kindB, numbersB, out)
+		return C.go_area_f64(kindA, a, kindB, b, out)
 	}
-	return C.go_iou_f32(kindA, numbersA, kindB, numbersB, out)
+	return C.go_area_f32(kindA, a, kindB, b, out)
 }
 
-func cBounds(wide bool, kind C.int32_t, numbers C.vesica_go_numbers, out *C.char) C.int32_t {
+func cIOU(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers,
+	out *C.char) C.int32_t {
 	if wide {
-		return C.go_bounds_f64(kind, numbers, out)
+		return C.go_iou_f64(kindA, a, kindB, b, out)
 	}
-	return C.go_bounds_f32(kind, numbers, out)
+	return C.go_iou_f32(kindA, a, kindB, b, out)
+}
+
+func cBounds(wide bool, kind C.int32_t, shape C.vesica_go_numbers, out *C.char) C.int32_t {
+	if wide {
+		return C.go_bounds_f64(kind, shape, out)
+	}
+	return C.go_bounds_f32(kind, shape, out)
 }
 
 func cAABBFromCorners(wide bool, x0 float64, y0 float64, x1 float64, y1 float64, out *C.char) C.int32_t {
@@ -656,12 +653,12 @@ func cJoinNearest(wide bool, setsA C.vesica_go_sets, setCountA C.int32_t, indexB
 		distance)
 }
 
-func cRatio(wide bool, ratio C.int32_t, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t,
-	numbersB C.vesica_go_numbers, out *C.char) C.int32_t {
+func cRatio(wide bool, ratio C.int32_t, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers,
+	out *C.char) C.int32_t {
 	if wide {
-		return C.go_ratio_f64(ratio, kindA, numbersA, kindB, numbersB, out)
+		return C.go_ratio_f64(ratio, kindA, a, kindB, b, out)
 	}
-	return C.go_ratio_f32(ratio, kindA, numbersA, kindB, numbersB, out)
+	return C.go_ratio_f32(ratio, kindA, a, kindB, b, out)
 }
 
 func cRatioMany(wide bool, ratio C.int32_t, a C.vesica_go_view, b C.vesica_go_view, out *C.char) C.int64_t {
@@ -701,12 +698,12 @@ func cDepthMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out *C.char
 	return C.go_depth_matrix_f32(a, b, out, rowStride)
 }
 
-func cSignedDistance(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t,
-	numbersB C.vesica_go_numbers, out *C.char) C.int32_t {
+func cSignedDistance(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers,
+	out *C.char) C.int32_t {
 	if wide {
-		return C.go_signed_distance_f64(kindA, numbersA, kindB, numbersB, out)
+		return C.go_signed_distance_f64(kindA, a, kindB, b, out)
 	}
-	return C.go_signed_distance_f32(kindA, numbersA, kindB, numbersB, out)
+	return C.go_signed_distance_f32(kindA, a, kindB, b, out)
 }
 
 func cSignedDistanceMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, out *C.char) C.int64_t {
@@ -724,12 +721,12 @@ func cSignedDistanceMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, ou
 	return C.go_signed_distance_matrix_f32(a, b, out, rowStride)
 }
 
-func cWithin(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers,
+func cWithin(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers,
 	distance float64) C.int32_t {
 	if wide {
-		return C.go_within_f64(kindA, numbersA, kindB, numbersB, C.double(distance))
+		return C.go_within_f64(kindA, a, kindB, b, C.double(distance))
 	}
-	return C.go_within_f32(kindA, numbersA, kindB, numbersB, C.float(distance))
+	return C.go_within_f32(kindA, a, kindB, b, C.float(distance))
 }
 
 func cWithinMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, distance float64, out *C.char) C.int64_t {
@@ -768,12 +765,12 @@ func cSuppressSoft(wide bool, shapes C.vesica_go_view, scores *C.char, labels *C
 		scratch, scratchSize, keep, decayed, kept)
 }
 
-func cCast(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers,
-	vx float64, vy float64, tEnd float64, out *C.char) C.int32_t {
+func cCast(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers, vx float64,
+	vy float64, tEnd float64, out *C.char) C.int32_t {
 	if wide {
-		return C.go_cast_f64(kindA, numbersA, kindB, numbersB, C.double(vx), C.double(vy), C.double(tEnd), out)
+		return C.go_cast_f64(kindA, a, kindB, b, C.double(vx), C.double(vy), C.double(tEnd), out)
 	}
-	return C.go_cast_f32(kindA, numbersA, kindB, numbersB, C.float(vx), C.float(vy), C.float(tEnd), out)
+	return C.go_cast_f32(kindA, a, kindB, b, C.float(vx), C.float(vy), C.float(tEnd), out)
 }
 
 func cCastMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, vx *C.char, vy *C.char, stride C.ptrdiff_t,
@@ -792,12 +789,12 @@ func cCastFirst(wide bool, one C.vesica_go_view, many C.vesica_go_view, vx float
 	return C.go_cast_first_f32(one, many, C.float(vx), C.float(vy), C.float(tEnd), out)
 }
 
-func cSweepBounds(wide bool, kind C.int32_t, numbers C.vesica_go_numbers, vx float64, vy float64, tEnd float64,
+func cSweepBounds(wide bool, kind C.int32_t, shape C.vesica_go_numbers, vx float64, vy float64, tEnd float64,
 	out *C.char) C.int32_t {
 	if wide {
-		return C.go_sweep_bounds_f64(kind, numbers, C.double(vx), C.double(vy), C.double(tEnd), out)
+		return C.go_sweep_bounds_f64(kind, shape, C.double(vx), C.double(vy), C.double(tEnd), out)
 	}
-	return C.go_sweep_bounds_f32(kind, numbers, C.float(vx), C.float(vy), C.float(tEnd), out)
+	return C.go_sweep_bounds_f32(kind, shape, C.float(vx), C.float(vy), C.float(tEnd), out)
 }
 
 func cIndexCast(wide bool, index *C.char, sets C.vesica_go_sets, setCount C.int32_t, one C.vesica_go_view, vx float64,
@@ -817,12 +814,12 @@ func cIndexCastFirst(wide bool, index *C.char, sets C.vesica_go_sets, setCount C
 	return C.go_index_cast_first_f32(index, sets, setCount, one, C.float(vx), C.float(vy), C.float(tEnd), out)
 }
 
-func cImpactTime(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, turnA *C.char, kindB C.int32_t,
-	numbersB C.vesica_go_numbers, turnB *C.char, tolerance float64, out *C.char, gap *C.char) C.int32_t {
+func cImpactTime(wide bool, kindA C.int32_t, a C.vesica_go_numbers, turnA *C.char, kindB C.int32_t,
+	b C.vesica_go_numbers, turnB *C.char, tolerance float64, out *C.char, gap *C.char) C.int32_t {
 	if wide {
-		return C.go_impact_time_f64(kindA, numbersA, turnA, kindB, numbersB, turnB, C.double(tolerance), out, gap)
+		return C.go_impact_time_f64(kindA, a, turnA, kindB, b, turnB, C.double(tolerance), out, gap)
 	}
-	return C.go_impact_time_f32(kindA, numbersA, turnA, kindB, numbersB, turnB, C.float(tolerance), out, gap)
+	return C.go_impact_time_f32(kindA, a, turnA, kindB, b, turnB, C.float(tolerance), out, gap)
 }
 
 func cCastPointPoint(wide bool, a *C.char, b *C.char, vx float64, vy float64, tEnd float64, out *C.char) C.int32_t {
@@ -881,18 +878,18 @@ func cCastRectRect(wide bool, a *C.char, b *C.char, vx float64, vy float64, tEnd
 	return C.go_cast_rect_rect_f32(a, b, C.float(vx), C.float(vy), C.float(tEnd), out)
 }
 
-func cDe9im(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers,
+func cDe9im(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers,
 	matrix *C.char) C.int32_t {
 	if wide {
-		return C.go_de9im_f64(kindA, numbersA, kindB, numbersB, matrix)
+		return C.go_de9im_f64(kindA, a, kindB, b, matrix)
 	}
-	return C.go_de9im_f32(kindA, numbersA, kindB, numbersB, matrix)
+	return C.go_de9im_f32(kindA, a, kindB, b, matrix)
 }
 
-func cIntersection(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t,
-	numbersB C.vesica_go_numbers, vertices *C.char) C.int32_t {
+func cIntersection(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers,
+	vertices *C.char) C.int32_t {
 	if wide {
-		return C.go_intersection_f64(kindA, numbersA, kindB, numbersB, vertices)
+		return C.go_intersection_f64(kindA, a, kindB, b, vertices)
 	}
-	return C.go_intersection_f32(kindA, numbersA, kindB, numbersB, vertices)
+	return C.go_intersection_f32(kindA, a, kindB, b, vertices)
 }

@@ -11,7 +11,9 @@ typedef struct {
     int32_t kind, reserved;
     int64_t count;
     ptrdiff_t stride;
-    const char *field[6];
+    const char *field[8];
+    const int32_t *rings, *polygons;
+    int64_t each;
 } vesica_go_view;
 
 /* As many as an index may have. */
@@ -24,202 +26,192 @@ typedef struct {
     double number[6];
 } vesica_go_numbers;
 
-static inline int32_t go_check_f64(int32_t kind, vesica_go_numbers numbers) {
-    double of_numbers[6];
-    memcpy(of_numbers, &numbers, sizeof of_numbers);
-    return vesica_check_f64(kind, of_numbers);
+static inline int32_t go_check_f64(int32_t kind, vesica_go_numbers shape) {
+    double of_shape[6];
+    memcpy(of_shape, &shape, sizeof of_shape);
+    return vesica_check_f64(kind, of_shape);
 }
 
-static inline int32_t go_check_f32(int32_t kind, vesica_go_numbers numbers) {
-    float of_numbers[6];
-    memcpy(of_numbers, &numbers, sizeof of_numbers);
-    return vesica_check_f32(kind, of_numbers);
+static inline int32_t go_check_f32(int32_t kind, vesica_go_numbers shape) {
+    float of_shape[6];
+    memcpy(of_shape, &shape, sizeof of_shape);
+    return vesica_check_f32(kind, of_shape);
 }
 
-static inline int32_t go_overlap_f64(int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b,
-    vesica_go_numbers numbers_b) {
-    double of_numbers_a[6];
-    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
-    double of_numbers_b[6];
-    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
-    return vesica_overlap_f64(kind_a, of_numbers_a, kind_b, of_numbers_b);
+static inline int32_t go_overlap_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b) {
+    double of_a[6];
+    memcpy(of_a, &a, sizeof of_a);
+    double of_b[6];
+    memcpy(of_b, &b, sizeof of_b);
+    return vesica_overlap_f64(kind_a, of_a, kind_b, of_b);
 }
 
-static inline int32_t go_overlap_f32(int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b,
-    vesica_go_numbers numbers_b) {
-    float of_numbers_a[6];
-    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
-    float of_numbers_b[6];
-    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
-    return vesica_overlap_f32(kind_a, of_numbers_a, kind_b, of_numbers_b);
+static inline int32_t go_overlap_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b) {
+    float of_a[6];
+    memcpy(of_a, &a, sizeof of_a);
+    float of_b[6];
+    memcpy(of_b, &b, sizeof of_b);
+    return vesica_overlap_f32(kind_a, of_a, kind_b, of_b);
 }
 
-static inline int32_t go_relation_f64(int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b,
-    vesica_go_numbers numbers_b) {
-    double of_numbers_a[6];
-    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
-    double of_numbers_b[6];
-    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
-    return vesica_relation_f64(kind_a, of_numbers_a, kind_b, of_numbers_b);
+static inline int32_t go_relation_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b) {
+    double of_a[6];
+    memcpy(of_a, &a, sizeof of_a);
+    double of_b[6];
+    memcpy(of_b, &b, sizeof of_b);
+    return vesica_relation_f64(kind_a, of_a, kind_b, of_b);
 }
 
-static inline int32_t go_relation_f32(int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b,
-    vesica_go_numbers numbers_b) {
-    float of_numbers_a[6];
-    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
-    float of_numbers_b[6];
-    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
-    return vesica_relation_f32(kind_a, of_numbers_a, kind_b, of_numbers_b);
+static inline int32_t go_relation_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b) {
+    float of_a[6];
+    memcpy(of_a, &a, sizeof of_a);
+    float of_b[6];
+    memcpy(of_b, &b, sizeof of_b);
+    return vesica_relation_f32(kind_a, of_a, kind_b, of_b);
 }
 
-static inline int32_t go_contains_f64(int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b,
-    vesica_go_numbers numbers_b) {
-    double of_numbers_a[6];
-    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
-    double of_numbers_b[6];
-    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
-    return vesica_contains_f64(kind_a, of_numbers_a, kind_b, of_numbers_b);
+static inline int32_t go_contains_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b) {
+    double of_a[6];
+    memcpy(of_a, &a, sizeof of_a);
+    double of_b[6];
+    memcpy(of_b, &b, sizeof of_b);
+    return vesica_contains_f64(kind_a, of_a, kind_b, of_b);
 }
 
-static inline int32_t go_contains_f32(int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b,
-    vesica_go_numbers numbers_b) {
-    float of_numbers_a[6];
-    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
-    float of_numbers_b[6];
-    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
-    return vesica_contains_f32(kind_a, of_numbers_a, kind_b, of_numbers_b);
+static inline int32_t go_contains_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b) {
+    float of_a[6];
+    memcpy(of_a, &a, sizeof of_a);
+    float of_b[6];
+    memcpy(of_b, &b, sizeof of_b);
+    return vesica_contains_f32(kind_a, of_a, kind_b, of_b);
 }
 
-static inline int32_t go_crossings_f64(int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b,
-    vesica_go_numbers numbers_b, char *out) {
-    double of_numbers_a[6];
-    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
-    double of_numbers_b[6];
-    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
-    return vesica_crossings_f64(kind_a, of_numbers_a, kind_b, of_numbers_b, (void *)out);
+static inline int32_t go_crossings_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
+    char *out) {
+    double of_a[6];
+    memcpy(of_a, &a, sizeof of_a);
+    double of_b[6];
+    memcpy(of_b, &b, sizeof of_b);
+    return vesica_crossings_f64(kind_a, of_a, kind_b, of_b, (void *)out);
 }
 
-static inline int32_t go_crossings_f32(int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b,
-    vesica_go_numbers numbers_b, char *out) {
-    float of_numbers_a[6];
-    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
-    float of_numbers_b[6];
-    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
-    return vesica_crossings_f32(kind_a, of_numbers_a, kind_b, of_numbers_b, (void *)out);
+static inline int32_t go_crossings_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
+    char *out) {
+    float of_a[6];
+    memcpy(of_a, &a, sizeof of_a);
+    float of_b[6];
+    memcpy(of_b, &b, sizeof of_b);
+    return vesica_crossings_f32(kind_a, of_a, kind_b, of_b, (void *)out);
 }
 
-static inline int32_t go_nearest_f64(int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b,
-    vesica_go_numbers numbers_b, char *out) {
-    double of_numbers_a[6];
-    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
-    double of_numbers_b[6];
-    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
-    return vesica_nearest_f64(kind_a, of_numbers_a, kind_b, of_numbers_b, (void *)out);
+static inline int32_t go_nearest_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
+    char *out) {
+    double of_a[6];
+    memcpy(of_a, &a, sizeof of_a);
+    double of_b[6];
+    memcpy(of_b, &b, sizeof of_b);
+    return vesica_nearest_f64(kind_a, of_a, kind_b, of_b, (void *)out);
 }
 
-static inline int32_t go_nearest_f32(int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b,
-    vesica_go_numbers numbers_b, char *out) {
-    float of_numbers_a[6];
-    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
-    float of_numbers_b[6];
-    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
-    return vesica_nearest_f32(kind_a, of_numbers_a, kind_b, of_numbers_b, (void *)out);
+static inline int32_t go_nearest_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
+    char *out) {
+    float of_a[6];
+    memcpy(of_a, &a, sizeof of_a);
+    float of_b[6];
+    memcpy(of_b, &b, sizeof of_b);
+    return vesica_nearest_f32(kind_a, of_a, kind_b, of_b, (void *)out);
 }
 
-static inline int32_t go_boundary_distance_f64(int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b,
-    vesica_go_numbers numbers_b, char *out) {
-    double of_numbers_a[6];
-    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
-    double of_numbers_b[6];
-    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
-    return vesica_boundary_distance_f64(kind_a, of_numbers_a, kind_b, of_numbers_b, (void *)out);
+static inline int32_t go_boundary_distance_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
+    char *out) {
+    double of_a[6];
+    memcpy(of_a, &a, sizeof of_a);
+    double of_b[6];
+    memcpy(of_b, &b, sizeof of_b);
+    return vesica_boundary_distance_f64(kind_a, of_a, kind_b, of_b, (void *)out);
 }
 
-static inline int32_t go_boundary_distance_f32(int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b,
-    vesica_go_numbers numbers_b, char *out) {
-    float of_numbers_a[6];
-    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
-    float of_numbers_b[6];
-    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
-    return vesica_boundary_distance_f32(kind_a, of_numbers_a, kind_b, of_numbers_b, (void *)out);
+static inline int32_t go_boundary_distance_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
+    char *out) {
+    float of_a[6];
+    memcpy(of_a, &a, sizeof of_a);
+    float of_b[6];
+    memcpy(of_b, &b, sizeof of_b);
+    return vesica_boundary_distance_f32(kind_a, of_a, kind_b, of_b, (void *)out);
 }
 
-static inline int32_t go_depth_f64(int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b,
-    vesica_go_numbers numbers_b, char *out) {
-    double of_numbers_a[6];
-    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
-    double of_numbers_b[6];
-    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
-    return vesica_depth_f64(kind_a, of_numbers_a, kind_b, of_numbers_b, (void *)out);
+static inline int32_t go_depth_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
+    char *out) {
+    double of_a[6];
+    memcpy(of_a, &a, sizeof of_a);
+    double of_b[6];
+    memcpy(of_b, &b, sizeof of_b);
+    return vesica_depth_f64(kind_a, of_a, kind_b, of_b, (void *)out);
 }
 
-static inline int32_t go_depth_f32(int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b,
-    vesica_go_numbers numbers_b, char *out) {
-    float of_numbers_a[6];
-    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
-    float of_numbers_b[6];
-    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
-    return vesica_depth_f32(kind_a, of_numbers_a, kind_b, of_numbers_b, (void *)out);
+static inline int32_t go_depth_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
+    char *out) {
+    float of_a[6];
+    memcpy(of_a, &a, sizeof of_a);
+    float of_b[6];
+    memcpy(of_b, &b, sizeof of_b);
+    return vesica_depth_f32(kind_a, of_a, kind_b, of_b, (void *)out);
 }
 
-static inline int32_t go_shape_area_f64(int32_t kind, vesica_go_numbers numbers, char *out) {
-    double of_numbers[6];
-    memcpy(of_numbers, &numbers, sizeof of_numbers);
-    return vesica_shape_area_f64(kind, of_numbers, (void *)out);
+static inline int32_t go_shape_area_f64(int32_t kind, vesica_go_numbers shape, char *out) {
+    double of_shape[6];
+    memcpy(of_shape, &shape, sizeof of_shape);
+    return vesica_shape_area_f64(kind, of_shape, (void *)out);
 }
 
-static inline int32_t go_shape_area_f32(int32_t kind, vesica_go_numbers numbers, char *out) {
-    float of_numbers[6];
-    memcpy(of_numbers, &numbers, sizeof of_numbers);
-    return vesica_shape_area_f32(kind, of_numbers, (void *)out);
+static inline int32_t go_shape_area_f32(int32_t kind, vesica_go_numbers shape, char *out) {
+    float of_shape[6];
+    memcpy(of_shape, &shape, sizeof of_shape);
+    return vesica_shape_area_f32(kind, of_shape, (void *)out);
 }
 
-static inline int32_t go_area_f64(int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b,
-    vesica_go_numbers numbers_b, char *out) {
-    double of_numbers_a[6];
-    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
-    double of_numbers_b[6];
-    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
-    return vesica_area_f64(kind_a, of_numbers_a, kind_b, of_numbers_b, (void *)out);
+static inline int32_t go_area_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b, char *out) {
+    double of_a[6];
+    memcpy(of_a, &a, sizeof of_a);
+    double of_b[6];
+    memcpy(of_b, &b, sizeof of_b);
+    return vesica_area_f64(kind_a, of_a, kind_b, of_b, (void *)out);
 }
 
-static inline int32_t go_area_f32(int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b,
-    vesica_go_numbers numbers_b, char *out) {
-    float of_numbers_a[6];
-    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
-    float of_numbers_b[6];
-    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
-    return vesica_area_f32(kind_a, of_numbers_a, kind_b, of_numbers_b, (void *)out);
+static inline int32_t go_area_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b, char *out) {
+    float of_a[6];
+    memcpy(of_a, &a, sizeof of_a);
+    float of_b[6];
+    memcpy(of_b, &b, sizeof of_b);
+    return vesica_area_f32(kind_a, of_a, kind_b, of_b, (void *)out);
 }
 
-static inline int32_t go_iou_f64(int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b,
-    vesica_go_numbers numbers_b, char *out) {
-    double of_numbers_a[6];
-    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
-    double of_numbers_b[6];
-    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
-    return vesica_iou_f64(kind_a, of_numbers_a, kind_b, of_numbers_b, (void *)out);
+static inline int32_t go_iou_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b, char *out) {
+    double of_a[6];
+    memcpy(of_a, &a, sizeof of_a);
+    double of_b[6];
+    memcpy(of_b, &b, sizeof of_b);
+    return vesica_iou_f64(kind_a, of_a, kind_b, of_b, (void *)out);
 }
 
-static inline int32_t go_iou_f32(int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b,
-    vesica_go_numbers numbers_b, char *out) {
-    float of_numbers_a[6];
-    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
-    float of_numbers_b[6];
-    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
-    return vesica_iou_f32(kind_a, of_numbers_a, kind_b, of_numbers_b, (void *)out);
+static inline int32_t go_iou_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b, char *out) {
+    float of_a[6];
+    memcpy(of_a, &a, sizeof of_a);
+    float of_b[6];
+    memcpy(of_b, &b, sizeof of_b);
+    return vesica_iou_f32(kind_a, of_a, kind_b, of_b, (void *)out);
 }
 
-static inline int32_t go_bounds_f64(int32_t kind, vesica_go_numbers numbers, char *out) {
-    double of_numbers[6];
-    memcpy(of_numbers, &numbers, sizeof of_numbers);
-    return vesica_bounds_f64(kind, of_numbers, (void *)out);
+static inline int32_t go_bounds_f64(int32_t kind, vesica_go_numbers shape, char *out) {
+    double of_shape[6];
+    memcpy(of_shape, &shape, sizeof of_shape);
+    return vesica_bounds_f64(kind, of_shape, (void *)out);
 }
 
-static inline int32_t go_bounds_f32(int32_t kind, vesica_go_numbers numbers, char *out) {
-    float of_numbers[6];
-    memcpy(of_numbers, &numbers, sizeof of_numbers);
-    return vesica_bounds_f32(kind, of_numbers, (void *)out);
+static inline int32_t go_bounds_f32(int32_t kind, vesica_go_numbers shape, char *out) {
+    float of_shape[6];
+    memcpy(of_shape, &shape, sizeof of_shape);
+    return vesica_bounds_f32(kind, of_shape, (void *)out);
 }
 
 static inline int32_t go_aabb_from_corners_f64(double x0, double y0, double x1, double y1, char *out) {
@@ -705,22 +697,22 @@ static inline int64_t go_join_nearest_f32(vesica_go_sets sets_a, int32_t set_cou
         part, parts, (void *)out, (void *)distance);
 }
 
-static inline int32_t go_ratio_f64(int32_t ratio, int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b,
-    vesica_go_numbers numbers_b, char *out) {
-    double of_numbers_a[6];
-    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
-    double of_numbers_b[6];
-    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
-    return vesica_ratio_f64(ratio, kind_a, of_numbers_a, kind_b, of_numbers_b, (void *)out);
+static inline int32_t go_ratio_f64(int32_t ratio, int32_t kind_a, vesica_go_numbers a, int32_t kind_b,
+    vesica_go_numbers b, char *out) {
+    double of_a[6];
+    memcpy(of_a, &a, sizeof of_a);
+    double of_b[6];
+    memcpy(of_b, &b, sizeof of_b);
+    return vesica_ratio_f64(ratio, kind_a, of_a, kind_b, of_b, (void *)out);
 }
 
-static inline int32_t go_ratio_f32(int32_t ratio, int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b,
-    vesica_go_numbers numbers_b, char *out) {
-    float of_numbers_a[6];
-    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
-    float of_numbers_b[6];
-    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
-    return vesica_ratio_f32(ratio, kind_a, of_numbers_a, kind_b, of_numbers_b, (void *)out);
+static inline int32_t go_ratio_f32(int32_t ratio, int32_t kind_a, vesica_go_numbers a, int32_t kind_b,
+    vesica_go_numbers b, char *out) {
+    float of_a[6];
+    memcpy(of_a, &a, sizeof of_a);
+    float of_b[6];
+    memcpy(of_b, &b, sizeof of_b);
+    return vesica_ratio_f32(ratio, kind_a, of_a, kind_b, of_b, (void *)out);
 }
 
 static inline int64_t go_ratio_many_f64(int32_t ratio, vesica_go_view a, vesica_go_view b, char *out) {
@@ -807,22 +799,22 @@ static inline int64_t go_depth_matrix_f32(vesica_go_view a, vesica_go_view b, ch
     return vesica_depth_matrix_f32(&of_a, &of_b, (void *)out, row_stride);
 }
 
-static inline int32_t go_signed_distance_f64(int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b,
-    vesica_go_numbers numbers_b, char *out) {
-    double of_numbers_a[6];
-    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
-    double of_numbers_b[6];
-    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
-    return vesica_signed_distance_f64(kind_a, of_numbers_a, kind_b, of_numbers_b, (void *)out);
+static inline int32_t go_signed_distance_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
+    char *out) {
+    double of_a[6];
+    memcpy(of_a, &a, sizeof of_a);
+    double of_b[6];
+    memcpy(of_b, &b, sizeof of_b);
+    return vesica_signed_distance_f64(kind_a, of_a, kind_b, of_b, (void *)out);
 }
 
-static inline int32_t go_signed_distance_f32(int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b,
-    vesica_go_numbers numbers_b, char *out) {
-    float of_numbers_a[6];
-    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
-    float of_numbers_b[6];
-    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
-    return vesica_signed_distance_f32(kind_a, of_numbers_a, kind_b, of_numbers_b, (void *)out);
+static inline int32_t go_signed_distance_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
+    char *out) {
+    float of_a[6];
+    memcpy(of_a, &a, sizeof of_a);
+    float of_b[6];
+    memcpy(of_b, &b, sizeof of_b);
+    return vesica_signed_distance_f32(kind_a, of_a, kind_b, of_b, (void *)out);
 }
 
 static inline int64_t go_signed_distance_many_f64(vesica_go_view a, vesica_go_view b, char *out) {
@@ -859,22 +851,22 @@ static inline int64_t go_signed_distance_matrix_f32(vesica_go_view a, vesica_go_
     return vesica_signed_distance_matrix_f32(&of_a, &of_b, (void *)out, row_stride);
 }
 
-static inline int32_t go_within_f64(int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b,
-    vesica_go_numbers numbers_b, double distance) {
-    double of_numbers_a[6];
-    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
-    double of_numbers_b[6];
-    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
-    return vesica_within_f64(kind_a, of_numbers_a, kind_b, of_numbers_b, distance);
+static inline int32_t go_within_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
+    double distance) {
+    double of_a[6];
+    memcpy(of_a, &a, sizeof of_a);
+    double of_b[6];
+    memcpy(of_b, &b, sizeof of_b);
+    return vesica_within_f64(kind_a, of_a, kind_b, of_b, distance);
 }
 
-static inline int32_t go_within_f32(int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b,
-    vesica_go_numbers numbers_b, float distance) {
-    float of_numbers_a[6];
-    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
-    float of_numbers_b[6];
-    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
-    return vesica_within_f32(kind_a, of_numbers_a, kind_b, of_numbers_b, distance);
+static inline int32_t go_within_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
+    float distance) {
+    float of_a[6];
+    memcpy(of_a, &a, sizeof of_a);
+    float of_b[6];
+    memcpy(of_b, &b, sizeof of_b);
+    return vesica_within_f32(kind_a, of_a, kind_b, of_b, distance);
 }
 
 static inline int64_t go_within_many_f64(vesica_go_view a, vesica_go_view b, double distance, char *out) {
@@ -945,22 +937,22 @@ static inline int32_t go_suppress_soft_f32(vesica_go_view shapes, const char *sc
         least_score, most, (void *)scratch, scratch_size, (void *)keep, (void *)decayed, (void *)kept);
 }
 
-static inline int32_t go_cast_f64(int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b,
-    vesica_go_numbers numbers_b, double vx, double vy, double t_end, char *out) {
-    double of_numbers_a[6];
-    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
-    double of_numbers_b[6];
-    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
-    return vesica_cast_f64(kind_a, of_numbers_a, kind_b, of_numbers_b, vx, vy, t_end, (void *)out);
+static inline int32_t go_cast_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b, double vx,
+    double vy, double t_end, char *out) {
+    double of_a[6];
+    memcpy(of_a, &a, sizeof of_a);
+    double of_b[6];
+    memcpy(of_b, &b, sizeof of_b);
+    return vesica_cast_f64(kind_a, of_a, kind_b, of_b, vx, vy, t_end, (void *)out);
 }
 
-static inline int32_t go_cast_f32(int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b,
-    vesica_go_numbers numbers_b, float vx, float vy, float t_end, char *out) {
-    float of_numbers_a[6];
-    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
-    float of_numbers_b[6];
-    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
-    return vesica_cast_f32(kind_a, of_numbers_a, kind_b, of_numbers_b, vx, vy, t_end, (void *)out);
+static inline int32_t go_cast_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b, float vx,
+    float vy, float t_end, char *out) {
+    float of_a[6];
+    memcpy(of_a, &a, sizeof of_a);
+    float of_b[6];
+    memcpy(of_b, &b, sizeof of_b);
+    return vesica_cast_f32(kind_a, of_a, kind_b, of_b, vx, vy, t_end, (void *)out);
 }
 
 static inline int64_t go_cast_many_f64(vesica_go_view a, vesica_go_view b, const char *vx, const char *vy,
@@ -1001,18 +993,18 @@ static inline int64_t go_cast_first_f32(vesica_go_view one, vesica_go_view many,
     return vesica_cast_first_f32(&of_one, &of_many, vx, vy, t_end, (void *)out);
 }
 
-static inline int32_t go_sweep_bounds_f64(int32_t kind, vesica_go_numbers numbers, double vx, double vy, double t_end,
+static inline int32_t go_sweep_bounds_f64(int32_t kind, vesica_go_numbers shape, double vx, double vy, double t_end,
     char *out) {
-    double of_numbers[6];
-    memcpy(of_numbers, &numbers, sizeof of_numbers);
-    return vesica_sweep_bounds_f64(kind, of_numbers, vx, vy, t_end, (void *)out);
+    double of_shape[6];
+    memcpy(of_shape, &shape, sizeof of_shape);
+    return vesica_sweep_bounds_f64(kind, of_shape, vx, vy, t_end, (void *)out);
 }
 
-static inline int32_t go_sweep_bounds_f32(int32_t kind, vesica_go_numbers numbers, float vx, float vy, float t_end,
+static inline int32_t go_sweep_bounds_f32(int32_t kind, vesica_go_numbers shape, float vx, float vy, float t_end,
     char *out) {
-    float of_numbers[6];
-    memcpy(of_numbers, &numbers, sizeof of_numbers);
-    return vesica_sweep_bounds_f32(kind, of_numbers, vx, vy, t_end, (void *)out);
+    float of_shape[6];
+    memcpy(of_shape, &shape, sizeof of_shape);
+    return vesica_sweep_bounds_f32(kind, of_shape, vx, vy, t_end, (void *)out);
 }
 
 static inline int64_t go_index_cast_f64(const char *index, vesica_go_sets sets, int32_t set_count, vesica_go_view one,
@@ -1053,24 +1045,24 @@ static inline int64_t go_index_cast_first_f32(const char *index, vesica_go_sets 
     return vesica_index_cast_first_f32((const void *)index, of_sets, set_count, &of_one, vx, vy, t_end, (void *)out);
 }
 
-static inline int32_t go_impact_time_f64(int32_t kind_a, vesica_go_numbers numbers_a, const char *turn_a,
-    int32_t kind_b, vesica_go_numbers numbers_b, const char *turn_b, double tolerance, char *out, char *gap) {
-    double of_numbers_a[6];
-    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
-    double of_numbers_b[6];
-    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
-    return vesica_impact_time_f64(kind_a, of_numbers_a, (const void *)turn_a, kind_b, of_numbers_b,
-        (const void *)turn_b, tolerance, (void *)out, (void *)gap);
+static inline int32_t go_impact_time_f64(int32_t kind_a, vesica_go_numbers a, const char *turn_a, int32_t kind_b,
+    vesica_go_numbers b, const char *turn_b, double tolerance, char *out, char *gap) {
+    double of_a[6];
+    memcpy(of_a, &a, sizeof of_a);
+    double of_b[6];
+    memcpy(of_b, &b, sizeof of_b);
+    return vesica_impact_time_f64(kind_a, of_a, (const void *)turn_a, kind_b, of_b, (const void *)turn_b, tolerance,
+        (void *)out, (void *)gap);
 }
 
-static inline int32_t go_impact_time_f32(int32_t kind_a, vesica_go_numbers numbers_a, const char *turn_a,
-    int32_t kind_b, vesica_go_numbers numbers_b, const char *turn_b, float tolerance, char *out, char *gap) {
-    float of_numbers_a[6];
-    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
-    float of_numbers_b[6];
-    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
-    return vesica_impact_time_f32(kind_a, of_numbers_a, (const void *)turn_a, kind_b, of_numbers_b,
-        (const void *)turn_b, tolerance, (void *)out, (void *)gap);
+static inline int32_t go_impact_time_f32(int32_t kind_a, vesica_go_numbers a, const char *turn_a, int32_t kind_b,
+    vesica_go_numbers b, const char *turn_b, float tolerance, char *out, char *gap) {
+    float of_a[6];
+    memcpy(of_a, &a, sizeof of_a);
+    float of_b[6];
+    memcpy(of_b, &b, sizeof of_b);
+    return vesica_impact_time_f32(kind_a, of_a, (const void *)turn_a, kind_b, of_b, (const void *)turn_b, tolerance,
+        (void *)out, (void *)gap);
 }
 
 static inline int32_t go_cast_point_point_f64(const char *a, const char *b, double vx, double vy, double t_end,
@@ -1150,40 +1142,40 @@ static inline int32_t go_cast_rect_rect_f32(const char *a, const char *b, float 
     return vesica_cast_rect_rect_f32((const void *)a, (const void *)b, vx, vy, t_end, (void *)out);
 }
 
-static inline int32_t go_de9im_f64(int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b,
-    vesica_go_numbers numbers_b, char *matrix) {
-    double of_numbers_a[6];
-    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
-    double of_numbers_b[6];
-    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
-    return vesica_de9im_f64(kind_a, of_numbers_a, kind_b, of_numbers_b, (void *)matrix);
+static inline int32_t go_de9im_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
+    char *matrix) {
+    double of_a[6];
+    memcpy(of_a, &a, sizeof of_a);
+    double of_b[6];
+    memcpy(of_b, &b, sizeof of_b);
+    return vesica_de9im_f64(kind_a, of_a, kind_b, of_b, (void *)matrix);
 }
 
-static inline int32_t go_de9im_f32(int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b,
-    vesica_go_numbers numbers_b, char *matrix) {
-    float of_numbers_a[6];
-    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
-    float of_numbers_b[6];
-    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
-    return vesica_de9im_f32(kind_a, of_numbers_a, kind_b, of_numbers_b, (void *)matrix);
+static inline int32_t go_de9im_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
+    char *matrix) {
+    float of_a[6];
+    memcpy(of_a, &a, sizeof of_a);
+    float of_b[6];
+    memcpy(of_b, &b, sizeof of_b);
+    return vesica_de9im_f32(kind_a, of_a, kind_b, of_b, (void *)matrix);
 }
 
-static inline int32_t go_intersection_f64(int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b,
-    vesica_go_numbers numbers_b, char *vertices) {
-    double of_numbers_a[6];
-    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
-    double of_numbers_b[6];
-    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
-    return vesica_intersection_f64(kind_a, of_numbers_a, kind_b, of_numbers_b, (void *)vertices);
+static inline int32_t go_intersection_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
+    char *vertices) {
+    double of_a[6];
+    memcpy(of_a, &a, sizeof of_a);
+    double of_b[6];
+    memcpy(of_b, &b, sizeof of_b);
+    return vesica_intersection_f64(kind_a, of_a, kind_b, of_b, (void *)vertices);
 }
 
-static inline int32_t go_intersection_f32(int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b,
-    vesica_go_numbers numbers_b, char *vertices) {
-    float of_numbers_a[6];
-    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
-    float of_numbers_b[6];
-    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
-    return vesica_intersection_f32(kind_a, of_numbers_a, kind_b, of_numbers_b, (void *)vertices);
+static inline int32_t go_intersection_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
+    char *vertices) {
+    float of_a[6];
+    memcpy(of_a, &a, sizeof of_a);
+    float of_b[6];
+    memcpy(of_b, &b, sizeof of_b);
+    return vesica_intersection_f32(kind_a, of_a, kind_b, of_b, (void *)vertices);
 }
 
 #endif

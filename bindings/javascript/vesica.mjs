@@ -73,7 +73,7 @@ export async function load({ only = undefined, module = undefined, simd = WebAss
 const isArray = (shapes) => shapes instanceof ShapeArray;
 
 /** The struct of an array is before its numbers, which begin where a block does. */
-const structSize = 64;
+const structSize = 80;
 
 /** Whether numbers of arrays are there. As counts agree, an argument is wrong only where there is no ratio, but NaN. */
 const isWritten = (name, code) =>

@@ -96,7 +96,7 @@ static void from_numbers(sqlite3_context* context, int count, sqlite3_value** va
 
 // ---- Questions ----
 
-typedef int32_t decide(int32_t kind_a, const double* a, int32_t kind_b, const double* b);
+typedef int32_t decide(int32_t kind_a, const void* a, int32_t kind_b, const void* b);
 
 static int32_t ask(sqlite3_context* context, sqlite3_value** values, decide* question, int32_t* answer) {
   struct shape s[2];

@@ -27,7 +27,9 @@ struct Shapes {
   std::int32_t kind, reserved;
   std::int64_t count;
   std::ptrdiff_t stride;  ///< bytes from one element to the next; 0 repeats one shape
-  const T* field[6];      ///< where each number of the first element is
+  const T* field[8];      ///< where each number of the first element is
+  const std::int32_t *rings = nullptr, *polygons = nullptr;  ///< not used by these kinds
+  std::int64_t each = 0;                                     ///< nor is this
 };
 
 /// An array of structs in device memory.

@@ -11,7 +11,7 @@
 
 namespace {
 
-using Query = std::int32_t (*)(std::int32_t, const double*, std::int32_t, const double*, double*);
+using Query = std::int32_t (*)(std::int32_t, const void*, std::int32_t, const void*, double*);
 
 /// In both orders, with the same bits.
 void expect_rows(const std::vector<corpus::Row>& rows, Query ask) {

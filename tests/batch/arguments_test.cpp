@@ -28,7 +28,7 @@ class BatchArguments : public testing::Test {
   using Shapes = typename Face::Shapes;
 
   static Shapes columns(std::int32_t kind, std::int64_t count, std::initializer_list<const T*> fields) {
-    Shapes shapes{kind, 0, count, sizeof(T), {}};
+    Shapes shapes{kind, 0, count, sizeof(T), {}, nullptr, nullptr, 0};
     std::size_t k = 0;
     for (const T* field : fields) shapes.field[k++] = field;
     return shapes;
@@ -79,7 +79,7 @@ class BatchArguments : public testing::Test {
   Shapes disc_ = columns(VESICA_CIRCLE, 1, {zero_.data(), zero_.data(), two_.data()});
   Shapes points_ = columns(VESICA_POINT, 4, {x_.data(), y_.data()});
   Shapes spoilt_points_ = columns(VESICA_POINT, 4, {spoilt_.data(), y_.data()});
-  Shapes nothing_{VESICA_RECT, 0, 0, 0, {}};
+  Shapes nothing_{VESICA_RECT, 0, 0, 0, {}, nullptr, nullptr, 0};
   std::array<std::uint8_t, 32> out_ = filled<std::uint8_t, 32>(untouched);
   std::array<std::int64_t, 8> indices_ = filled<std::int64_t, 8>(unwritten);
 
@@ -113,6 +113,26 @@ TYPED_TEST(BatchArguments, AreRightInTheScene) {
   this->expect_bytes({1, untouched, 1, untouched, 0, untouched, 1});
   EXPECT_EQ(this->select(this->disc_, this->points_, 5), 3);
   this->expect_indices({0, 1, 3, -1});
+}
+
+// reserved, rings, polygons and each are for kinds that this version does not have.
+TYPED_TEST(BatchArguments, UnusedMembersMustBeZero) {
+  const std::int32_t offset = 0;
+  auto wrong = this->points_;
+  wrong.reserved = 1;
+  this->expect_refused(wrong, VESICA_E_ARGUMENT);
+  wrong = this->points_;
+  wrong.rings = &offset;
+  this->expect_refused(wrong, VESICA_E_ARGUMENT);
+  wrong = this->points_;
+  wrong.polygons = &offset;
+  this->expect_refused(wrong, VESICA_E_ARGUMENT);
+  wrong = this->points_;
+  wrong.each = 4;
+  this->expect_refused(wrong, VESICA_E_ARGUMENT);
+  wrong = this->points_;
+  wrong.field[6] = wrong.field[7] = this->x_.data();  // columns beyond those of the kind are ignored
+  EXPECT_EQ(this->many(&this->disc_, &wrong), 3);
 }
 
 TYPED_TEST(BatchArguments, NullIsReportedFirst) {

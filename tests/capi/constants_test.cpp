@@ -59,6 +59,10 @@ void expect_layout_of_shapes() {
   EXPECT_EQ(offsetof(Shapes, count), 8u);
   EXPECT_EQ(offsetof(Shapes, stride), 16u);
   EXPECT_EQ(offsetof(Shapes, field), 24u);
+  EXPECT_EQ(sizeof(Shapes::field) / sizeof(void*), 8u);
+  EXPECT_EQ(offsetof(Shapes, rings), 88u);
+  EXPECT_EQ(offsetof(Shapes, polygons), 96u);
+  EXPECT_EQ(offsetof(Shapes, each), 104u);
 }
 
 TEST(CapiConstants, SizesOfResults) {
@@ -75,8 +79,8 @@ TEST(CapiConstants, SizesOfResults) {
 }
 
 TEST(CapiConstants, LayoutOfShapes) {
-  EXPECT_EQ(sizeof(vesica_shapes_f64), 72u);
-  EXPECT_EQ(sizeof(vesica_shapes_f32), 72u);
+  EXPECT_EQ(sizeof(vesica_shapes_f64), 112u);
+  EXPECT_EQ(sizeof(vesica_shapes_f32), 112u);
   expect_layout_of_shapes<vesica_shapes_f64>();
   expect_layout_of_shapes<vesica_shapes_f32>();
 }

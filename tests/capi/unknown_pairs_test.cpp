@@ -30,7 +30,7 @@ constexpr Query of_discs{
 constexpr double numbers[] = {3, 4, 5, 6, 7, 8};
 
 std::int32_t ask_discs(Kind a, Kind b) {
-  return ask(of_discs, static_cast<std::int32_t>(a), numbers, static_cast<std::int32_t>(b), numbers, nullptr);
+  return ask<double>(of_discs, static_cast<std::int32_t>(a), numbers, static_cast<std::int32_t>(b), numbers, nullptr);
 }
 
 TEST(UnknownPairs, AreAnErrorInEitherOrder) {

@@ -69,7 +69,7 @@ void expect_as_in_library(const Rect<double>* rect, const Ellipse<double>* ellip
     vesica_impact_f64 there{};
     const std::int32_t kind_b = std::is_same_v<B, Rect<double>> ? VESICA_RECT : VESICA_ELLIPSE;
     const std::int32_t code = vesica::cast_or_error(a, b, vx, vy, forever, here);
-    ASSERT_EQ(code, vesica_cast_f64(kind, &a.cx, kind_b, &b.cx, vx, vy, forever, &there));
+    ASSERT_EQ(code, vesica_cast_f64(kind, &a, kind_b, &b, vx, vy, forever, &there));
     if (code == vesica::cast_hit) {
       EXPECT_EQ(here.t, there.t);
     }

@@ -117,7 +117,7 @@ Shapes nested_ellipses() {
       {0x1.5555555555555p1021, 0x1.2345678p-1051, 0x1.5555555555555p1022, 0x1.2345678p-1050, 0.5, 0x1.2345678p-1050}};
 }
 
-using Query = std::int32_t (*)(std::int32_t, const double*, std::int32_t, const double*);
+using Query = std::int32_t (*)(std::int32_t, const void*, std::int32_t, const void*);
 
 std::size_t used_by(PaintedStack& stack, Query query, const Shapes& s) {
   std::int32_t answer = VESICA_E_NULL;

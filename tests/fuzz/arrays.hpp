@@ -19,6 +19,7 @@ typename Face<T>::Shapes array(Bytes& bytes, GuardedMemory& memory, std::int64_t
   shapes.kind = bytes.kind();
   shapes.count = count;
   shapes.reserved = bytes.below(128) == 127;
+  shapes.each = bytes.below(128) == 127;
   const std::int32_t known = vesica_field_count(shapes.kind);
   const std::size_t fields = known < 0 ? 0 : static_cast<std::size_t>(known);
   const bool repeated = bytes.below(8) == 7, backward = bytes.below(4) == 3;

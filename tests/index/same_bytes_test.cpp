@@ -189,7 +189,7 @@ TEST(SameBytes, LayoutsAndOrder) {
   const Indexed<double> records{Records<double>(r)};
   std::vector<double> columns[6];
   for (std::size_t i = 0; i < r.numbers.size(); ++i) columns[i % 6].push_back(r.numbers[i]);
-  vesica_shapes_f64 shapes{VESICA_RECT, 0, r.count(), sizeof(double), {}};
+  vesica_shapes_f64 shapes{VESICA_RECT, 0, r.count(), sizeof(double), {}, nullptr, nullptr, 0};
   for (int k = 0; k < 6; ++k) shapes.field[k] = columns[k].data();
   const Memory index(vesica_index_size(r.count())), scratch(vesica_index_scratch(r.count()));
   ASSERT_EQ(vesica_index_build_f64(&shapes, 1, index.get(), index.size, scratch.get(), scratch.size), records.result);

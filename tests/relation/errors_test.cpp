@@ -11,20 +11,19 @@
 
 namespace {
 
-template <class T>
-using Query = std::int32_t (*)(std::int32_t, const T*, std::int32_t, const T*);
+using Query = std::int32_t (*)(std::int32_t, const void*, std::int32_t, const void*);
 
 template <class T>
 using Numbers = std::array<T, 6>;
 
 template <class T>
-std::vector<Query<T>> queries();
+std::vector<Query> queries();
 template <>
-std::vector<Query<double>> queries() {
+std::vector<Query> queries<double>() {
   return {vesica_relation_f64, vesica_contains_f64};
 }
 template <>
-std::vector<Query<float>> queries() {
+std::vector<Query> queries<float>() {
   return {vesica_relation_f32, vesica_contains_f32};
 }
 
@@ -75,7 +74,7 @@ TYPED_TEST_SUITE(RelationErrors, Scalars);
 
 TYPED_TEST(RelationErrors, InvalidShapes) {
   using T = TypeParam;
-  for (const Query<T> query : queries<T>()) {
+  for (const Query query : queries<T>()) {
     for (std::int32_t a = 0; a < 6; ++a) {
       for (std::int32_t b = 0; b < 6; ++b) {
         for (const Numbers<T>& valid_a : valid_shapes<T>(a)) {
@@ -98,7 +97,7 @@ TYPED_TEST(RelationErrors, InvalidShapes) {
 TYPED_TEST(RelationErrors, NullThenKindThenShape) {
   using T = TypeParam;
   const Numbers<T> bad{std::numeric_limits<T>::quiet_NaN()};
-  for (const Query<T> query : queries<T>()) {
+  for (const Query query : queries<T>()) {
     for (std::int32_t kind = 0; kind < 6; ++kind) {
       const Numbers<T> good = valid_shapes<T>(kind)[0];
       EXPECT_EQ(query(kind, nullptr, kind, good.data()), VESICA_E_NULL);

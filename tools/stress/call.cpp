@@ -70,20 +70,20 @@ struct Caller {
     return to_t;
   }
 
-  Answer code(std::int32_t (*function)(std::int32_t, const T*, std::int32_t, const T*)) const {
+  Answer code(std::int32_t (*function)(std::int32_t, const void*, std::int32_t, const void*)) const {
     Answer answer;
     answer.code = run_in(environment, answer.environment_changed, [&] { return function(kind_a, a, kind_b, b); });
     return answer;
   }
 
   template <class Out>
-  Answer numbers(std::int32_t (*function)(std::int32_t, const T*, std::int32_t, const T*, Out*)) const {
+  Answer numbers(std::int32_t (*function)(std::int32_t, const void*, std::int32_t, const void*, Out*)) const {
     Marked<Out> marked;
     return finish(marked, [&] { return function(kind_a, a, kind_b, b, &marked.out); });
   }
 
   template <class Out>
-  Answer of_first(std::int32_t (*function)(std::int32_t, const T*, Out*)) const {
+  Answer of_first(std::int32_t (*function)(std::int32_t, const void*, Out*)) const {
     Marked<Out> marked;
     return finish(marked, [&] { return function(kind_a, a, &marked.out); });
   }

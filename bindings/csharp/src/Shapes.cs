@@ -56,7 +56,9 @@ namespace Vesica
         internal int Kind, Reserved;
         internal long Count;
         internal IntPtr Stride;
-        internal byte* Field0, Field1, Field2, Field3, Field4, Field5;
+        internal byte* Field0, Field1, Field2, Field3, Field4, Field5, Field6, Field7;
+        internal int* Rings, Polygons;
+        internal long Each;
     }
 
     /// <summary>An array of shapes of one kind, however it lies in memory. Nothing is copied.</summary>

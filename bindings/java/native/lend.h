@@ -64,7 +64,8 @@ static inline void give_back(JNIEnv* env, lent* held, jint count) {
 #define VIEW(view, kind_, count_, stride_, step_, base_, scalar)                                                 \
   do {                                                                                                           \
     (view).kind = (kind_), (view).reserved = 0, (view).count = (count_), (view).stride = (ptrdiff_t)(stride_);   \
-    for (int k = 0; k < 6; ++k)                                                                                  \
+    (view).rings = (view).polygons = NULL, (view).each = 0;                                                      \
+    for (int k = 0; k < 8; ++k)                                                                                  \
       (view).field[k] = (base_) == NULL ? NULL : (const scalar*)((const char*)(base_) + k * (ptrdiff_t)(step_)); \
   } while (0)
 

@@ -49,7 +49,8 @@ package body Vesica is
    function View_Of (Elements : Shapes) return View is
       Result : View;
    begin
-      Result.Of_C := (Of_Kind, 0, Elements'Length, 0, (others => System.Null_Address));
+      Result.Of_C :=
+        (Of_Kind, 0, Elements'Length, 0, (others => System.Null_Address), System.Null_Address, System.Null_Address, 0);
       if Result.Of_C.Count > 0 then
          Result.Of_C.Stride := Shapes'Component_Size / 8;
          for I in Result.Of_C.Field'Range loop

@@ -66,7 +66,7 @@ package Vesica_C is
 
    type Doubles_8 is array (1 .. 8) of IEEE_Float_64 with Convention => C;
    type Floats_8 is array (1 .. 8) of IEEE_Float_32 with Convention => C;
-   type Addresses_6 is array (1 .. 6) of System.Address with Convention => C;
+   type Addresses_8 is array (1 .. 8) of System.Address with Convention => C;
 
    --  A location.
    type Vesica_Point_F64 is record
@@ -147,7 +147,10 @@ package Vesica_C is
       Reserved : Integer_32;
       Count : Integer_64;
       Stride : ptrdiff_t;
-      Field : Addresses_6;
+      Field : Addresses_8;
+      Rings : System.Address;
+      Polygons : System.Address;
+      Each : Integer_64;
    end record with Convention => C;
 
    --  A location.
@@ -229,7 +232,10 @@ package Vesica_C is
       Reserved : Integer_32;
       Count : Integer_64;
       Stride : ptrdiff_t;
-      Field : Addresses_6;
+      Field : Addresses_8;
+      Rings : System.Address;
+      Polygons : System.Address;
+      Each : Integer_64;
    end record with Convention => C;
 
    --  A first contact: its time t, its point (x, y), and the unit normal (nx, ny) there, from a to b.
@@ -299,61 +305,61 @@ package Vesica_C is
      with Import, Convention => C, External_Name => "vesica_isa_name";
 
    --  Is a shape valid, and if not, which rule does it break?
-   function Vesica_Check_F64 (Kind : Integer_32; Numbers : System.Address) return Integer_32
+   function Vesica_Check_F64 (Kind : Integer_32; Shape : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_check_f64";
 
    --  Do two shapes share a point?
-   function Vesica_Overlap_F64 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :
-      System.Address) return Integer_32
+   function Vesica_Overlap_F64 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B : System.Address)
+      return Integer_32
      with Import, Convention => C, External_Name => "vesica_overlap_f64";
 
    --  How does a relate to b?
-   function Vesica_Relation_F64 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B
-      : System.Address) return Integer_32
+   function Vesica_Relation_F64 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B :
+      System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_relation_f64";
 
    --  Does a contain all of b?
-   function Vesica_Contains_F64 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B
-      : System.Address) return Integer_32
+   function Vesica_Contains_F64 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B :
+      System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_contains_f64";
 
    --  Where do the outlines of two shapes meet?
-   function Vesica_Crossings_F64 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B
-      : System.Address; Output : System.Address) return Integer_32
+   function Vesica_Crossings_F64 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B :
+      System.Address; Output : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_crossings_f64";
 
    --  How far apart are two solid shapes, and which of their points are closest?
-   function Vesica_Nearest_F64 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :
-      System.Address; Output : System.Address) return Integer_32
+   function Vesica_Nearest_F64 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B : System.Address;
+      Output : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_nearest_f64";
 
    --  How far apart are the outlines of two shapes, and where do they come closest?
-   function Vesica_Boundary_Distance_F64 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32;
-      Numbers_B : System.Address; Output : System.Address) return Integer_32
+   function Vesica_Boundary_Distance_F64 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B :
+      System.Address; Output : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_boundary_distance_f64";
 
    --  Penetration depth: how far and which way must b be moved until the two shapes only touch?
-   function Vesica_Depth_F64 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :
-      System.Address; Output : System.Address) return Integer_32
+   function Vesica_Depth_F64 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B : System.Address;
+      Output : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_depth_f64";
 
    --  Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
-   function Vesica_Shape_Area_F64 (Kind : Integer_32; Numbers : System.Address; Output : System.Address) return
+   function Vesica_Shape_Area_F64 (Kind : Integer_32; Shape : System.Address; Output : System.Address) return
       Integer_32
      with Import, Convention => C, External_Name => "vesica_shape_area_f64";
 
    --  Area of the intersection of two shapes.
-   function Vesica_Area_F64 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :
-      System.Address; Output : System.Address) return Integer_32
+   function Vesica_Area_F64 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B : System.Address;
+      Output : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_area_f64";
 
    --  Intersection over union (Jaccard index) of two shapes: the area they share over the area they cover together.
-   function Vesica_Iou_F64 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :
-      System.Address; Output : System.Address) return Integer_32
+   function Vesica_Iou_F64 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B : System.Address;
+      Output : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_iou_f64";
 
    --  Smallest box of representable numbers that contains a shape.
-   function Vesica_Bounds_F64 (Kind : Integer_32; Numbers : System.Address; Output : System.Address) return
+   function Vesica_Bounds_F64 (Kind : Integer_32; Shape : System.Address; Output : System.Address) return
       Integer_32
      with Import, Convention => C, External_Name => "vesica_bounds_f64";
 
@@ -565,61 +571,61 @@ package Vesica_C is
      with Import, Convention => C, External_Name => "vesica_nms_f64";
 
    --  Is a shape valid, and if not, which rule does it break?
-   function Vesica_Check_F32 (Kind : Integer_32; Numbers : System.Address) return Integer_32
+   function Vesica_Check_F32 (Kind : Integer_32; Shape : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_check_f32";
 
    --  Do two shapes share a point?
-   function Vesica_Overlap_F32 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :
-      System.Address) return Integer_32
+   function Vesica_Overlap_F32 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B : System.Address)
+      return Integer_32
      with Import, Convention => C, External_Name => "vesica_overlap_f32";
 
    --  How does a relate to b?
-   function Vesica_Relation_F32 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B
-      : System.Address) return Integer_32
+   function Vesica_Relation_F32 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B :
+      System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_relation_f32";
 
    --  Does a contain all of b?
-   function Vesica_Contains_F32 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B
-      : System.Address) return Integer_32
+   function Vesica_Contains_F32 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B :
+      System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_contains_f32";
 
    --  Where do the outlines of two shapes meet?
-   function Vesica_Crossings_F32 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B
-      : System.Address; Output : System.Address) return Integer_32
+   function Vesica_Crossings_F32 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B :
+      System.Address; Output : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_crossings_f32";
 
    --  How far apart are two solid shapes, and which of their points are closest?
-   function Vesica_Nearest_F32 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :
-      System.Address; Output : System.Address) return Integer_32
+   function Vesica_Nearest_F32 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B : System.Address;
+      Output : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_nearest_f32";
 
    --  How far apart are the outlines of two shapes, and where do they come closest?
-   function Vesica_Boundary_Distance_F32 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32;
-      Numbers_B : System.Address; Output : System.Address) return Integer_32
+   function Vesica_Boundary_Distance_F32 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B :
+      System.Address; Output : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_boundary_distance_f32";
 
    --  Penetration depth: how far and which way must b be moved until the two shapes only touch?
-   function Vesica_Depth_F32 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :
-      System.Address; Output : System.Address) return Integer_32
+   function Vesica_Depth_F32 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B : System.Address;
+      Output : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_depth_f32";
 
    --  Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
-   function Vesica_Shape_Area_F32 (Kind : Integer_32; Numbers : System.Address; Output : System.Address) return
+   function Vesica_Shape_Area_F32 (Kind : Integer_32; Shape : System.Address; Output : System.Address) return
       Integer_32
      with Import, Convention => C, External_Name => "vesica_shape_area_f32";
 
    --  Area of the intersection of two shapes.
-   function Vesica_Area_F32 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :
-      System.Address; Output : System.Address) return Integer_32
+   function Vesica_Area_F32 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B : System.Address;
+      Output : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_area_f32";
 
    --  Intersection over union (Jaccard index) of two shapes: the area they share over the area they cover together.
-   function Vesica_Iou_F32 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :
-      System.Address; Output : System.Address) return Integer_32
+   function Vesica_Iou_F32 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B : System.Address;
+      Output : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_iou_f32";
 
    --  Smallest box of representable numbers that contains a shape.
-   function Vesica_Bounds_F32 (Kind : Integer_32; Numbers : System.Address; Output : System.Address) return
+   function Vesica_Bounds_F32 (Kind : Integer_32; Shape : System.Address; Output : System.Address) return
       Integer_32
      with Import, Convention => C, External_Name => "vesica_bounds_f32";
 
@@ -991,8 +997,8 @@ package Vesica_C is
      with Import, Convention => C, External_Name => "vesica_join_nearest_f32";
 
    --  A ratio by which detections are compared: IoU and its relatives, as `ratio` says.
-   function Vesica_Ratio_F64 (Ratio : Integer_32; Kind_A : Integer_32; Numbers_A : System.Address; Kind_B :
-      Integer_32; Numbers_B : System.Address; Output : System.Address) return Integer_32
+   function Vesica_Ratio_F64 (Ratio : Integer_32; Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B
+      : System.Address; Output : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_ratio_f64";
 
    --  A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f64.
@@ -1021,8 +1027,8 @@ package Vesica_C is
      with Import, Convention => C, External_Name => "vesica_depth_matrix_f64";
 
    --  Signed distance: how far apart are two shapes or, as a negative number, how deep do they overlap?
-   function Vesica_Signed_Distance_F64 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32;
-      Numbers_B : System.Address; Output : System.Address) return Integer_32
+   function Vesica_Signed_Distance_F64 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B :
+      System.Address; Output : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_signed_distance_f64";
 
    --  Signed distances of a[i] and b[i].
@@ -1036,8 +1042,8 @@ package Vesica_C is
      with Import, Convention => C, External_Name => "vesica_signed_distance_matrix_f64";
 
    --  Are two shapes at most `distance` apart?
-   function Vesica_Within_F64 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :
-      System.Address; Distance : IEEE_Float_64) return Integer_32
+   function Vesica_Within_F64 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B : System.Address;
+      Distance : IEEE_Float_64) return Integer_32
      with Import, Convention => C, External_Name => "vesica_within_f64";
 
    --  Are a[i] and b[i] at most `distance` apart? out[i] is the answer of vesica_within_f64.
@@ -1068,8 +1074,8 @@ package Vesica_C is
      with Import, Convention => C, External_Name => "vesica_suppress_soft_f64";
 
    --  A ratio by which detections are compared: IoU and its relatives, as `ratio` says.
-   function Vesica_Ratio_F32 (Ratio : Integer_32; Kind_A : Integer_32; Numbers_A : System.Address; Kind_B :
-      Integer_32; Numbers_B : System.Address; Output : System.Address) return Integer_32
+   function Vesica_Ratio_F32 (Ratio : Integer_32; Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B
+      : System.Address; Output : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_ratio_f32";
 
    --  A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f32.
@@ -1104,8 +1110,8 @@ package Vesica_C is
      with Import, Convention => C, External_Name => "vesica_suppress_f32";
 
    --  Signed distance: how far apart are two shapes or, as a negative number, how deep do they overlap?
-   function Vesica_Signed_Distance_F32 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32;
-      Numbers_B : System.Address; Output : System.Address) return Integer_32
+   function Vesica_Signed_Distance_F32 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B :
+      System.Address; Output : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_signed_distance_f32";
 
    --  Signed distances of a[i] and b[i].
@@ -1119,8 +1125,8 @@ package Vesica_C is
      with Import, Convention => C, External_Name => "vesica_signed_distance_matrix_f32";
 
    --  Are two shapes at most `distance` apart?
-   function Vesica_Within_F32 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :
-      System.Address; Distance : IEEE_Float_32) return Integer_32
+   function Vesica_Within_F32 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B : System.Address;
+      Distance : IEEE_Float_32) return Integer_32
      with Import, Convention => C, External_Name => "vesica_within_f32";
 
    --  Are a[i] and b[i] at most `distance` apart? out[i] is the answer of vesica_within_f32.
@@ -1141,9 +1147,8 @@ package Vesica_C is
      with Import, Convention => C, External_Name => "vesica_suppress_soft_f32";
 
    --  Does b touch a while it moves, when first, and where?
-   function Vesica_Cast_F64 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :
-      System.Address; Vx : IEEE_Float_64; Vy : IEEE_Float_64; T_End : IEEE_Float_64; Output : System.Address)
-      return Integer_32
+   function Vesica_Cast_F64 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B : System.Address; Vx
+      : IEEE_Float_64; Vy : IEEE_Float_64; T_End : IEEE_Float_64; Output : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_cast_f64";
 
    --  When and where does b[i], moved by t (vx[i], vy[i]), touch a[i]?
@@ -1158,7 +1163,7 @@ package Vesica_C is
      with Import, Convention => C, External_Name => "vesica_cast_first_f64";
 
    --  A box that holds a shape throughout its motion, t from 0 to t_end.
-   function Vesica_Sweep_Bounds_F64 (Kind : Integer_32; Numbers : System.Address; Vx : IEEE_Float_64; Vy :
+   function Vesica_Sweep_Bounds_F64 (Kind : Integer_32; Shape : System.Address; Vx : IEEE_Float_64; Vy :
       IEEE_Float_64; T_End : IEEE_Float_64; Output : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_sweep_bounds_f64";
 
@@ -1175,9 +1180,9 @@ package Vesica_C is
      with Import, Convention => C, External_Name => "vesica_index_cast_first_f64";
 
    --  When do two shapes that move and turn touch first?
-   function Vesica_Impact_Time_F64 (Kind_A : Integer_32; Numbers_A : System.Address; Turn_A : System.Address;
-      Kind_B : Integer_32; Numbers_B : System.Address; Turn_B : System.Address; Tolerance : IEEE_Float_64; Output
-      : System.Address; Gap : System.Address) return Integer_32
+   function Vesica_Impact_Time_F64 (Kind_A : Integer_32; A : System.Address; Turn_A : System.Address; Kind_B :
+      Integer_32; B : System.Address; Turn_B : System.Address; Tolerance : IEEE_Float_64; Output :
+      System.Address; Gap : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_impact_time_f64";
 
    --  A ray at a point.
@@ -1221,9 +1226,8 @@ package Vesica_C is
      with Import, Convention => C, External_Name => "vesica_cast_rect_rect_f64";
 
    --  Does b touch a while it moves, when first, and where?
-   function Vesica_Cast_F32 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :
-      System.Address; Vx : IEEE_Float_32; Vy : IEEE_Float_32; T_End : IEEE_Float_32; Output : System.Address)
-      return Integer_32
+   function Vesica_Cast_F32 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B : System.Address; Vx
+      : IEEE_Float_32; Vy : IEEE_Float_32; T_End : IEEE_Float_32; Output : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_cast_f32";
 
    --  When and where does b[i], moved by t (vx[i], vy[i]), touch a[i]?
@@ -1238,7 +1242,7 @@ package Vesica_C is
      with Import, Convention => C, External_Name => "vesica_cast_first_f32";
 
    --  A box that holds a shape throughout its motion, t from 0 to t_end.
-   function Vesica_Sweep_Bounds_F32 (Kind : Integer_32; Numbers : System.Address; Vx : IEEE_Float_32; Vy :
+   function Vesica_Sweep_Bounds_F32 (Kind : Integer_32; Shape : System.Address; Vx : IEEE_Float_32; Vy :
       IEEE_Float_32; T_End : IEEE_Float_32; Output : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_sweep_bounds_f32";
 
@@ -1255,9 +1259,9 @@ package Vesica_C is
      with Import, Convention => C, External_Name => "vesica_index_cast_first_f32";
 
    --  As vesica_impact_time_f64.
-   function Vesica_Impact_Time_F32 (Kind_A : Integer_32; Numbers_A : System.Address; Turn_A : System.Address;
-      Kind_B : Integer_32; Numbers_B : System.Address; Turn_B : System.Address; Tolerance : IEEE_Float_32; Output
-      : System.Address; Gap : System.Address) return Integer_32
+   function Vesica_Impact_Time_F32 (Kind_A : Integer_32; A : System.Address; Turn_A : System.Address; Kind_B :
+      Integer_32; B : System.Address; Turn_B : System.Address; Tolerance : IEEE_Float_32; Output :
+      System.Address; Gap : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_impact_time_f32";
 
    --  A ray at a point.
@@ -1301,8 +1305,8 @@ package Vesica_C is
      with Import, Convention => C, External_Name => "vesica_cast_rect_rect_f32";
 
    --  The nine-intersection matrix of two shapes (DE-9IM), as geographic systems write it.
-   function Vesica_De9im_F64 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :
-      System.Address; Matrix : System.Address) return Integer_32
+   function Vesica_De9im_F64 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B : System.Address;
+      Matrix : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_de9im_f64";
 
    --  Does a nine-intersection matrix match a pattern, such as "T*F**F***" for "a is within b"?
@@ -1310,18 +1314,18 @@ package Vesica_C is
      with Import, Convention => C, External_Name => "vesica_de9im_match";
 
    --  The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
-   function Vesica_Intersection_F64 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32;
-      Numbers_B : System.Address; Vertices : System.Address) return Integer_32
+   function Vesica_Intersection_F64 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B :
+      System.Address; Vertices : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_intersection_f64";
 
    --  The nine-intersection matrix of two shapes (DE-9IM), as geographic systems write it.
-   function Vesica_De9im_F32 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :
-      System.Address; Matrix : System.Address) return Integer_32
+   function Vesica_De9im_F32 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B : System.Address;
+      Matrix : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_de9im_f32";
 
    --  The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
-   function Vesica_Intersection_F32 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32;
-      Numbers_B : System.Address; Vertices : System.Address) return Integer_32
+   function Vesica_Intersection_F32 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B :
+      System.Address; Vertices : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_intersection_f32";
 
 end Vesica_C;

@@ -90,7 +90,7 @@ static void show_nearest(void) {
   const vesica_aabb_f64 box = {0.0, 0.0, 2.0, 2.0};
   const vesica_circle_f64 disc = {6.0, 1.0, 1.0};
   vesica_closest_points_f64 p;
-  const int32_t answer = vesica_nearest_f64(VESICA_AABB, &box.min_x, VESICA_CIRCLE, &disc.cx, &p);
+  const int32_t answer = vesica_nearest_f64(VESICA_AABB, &box, VESICA_CIRCLE, &disc, &p);
   const int right = p.distance == 3 && p.ax == 2 && p.ay == 1 && p.bx == 5 && p.by == 1;
   if (answer == 0 && right) printf("nearest: as in C\n");
 }

@@ -93,7 +93,7 @@ contains
     integer(c_int32_t), intent(in) :: kind
     real(c_double), intent(in), target :: shapes(:, :)
     integer :: i
-    view = vesica_shapes_f64(kind, 0, size(shapes, 2), 0, c_null_ptr)
+    view = vesica_shapes_f64(kind, 0, size(shapes, 2), 0, c_null_ptr, c_null_ptr, c_null_ptr, 0)
     if (view%count == 0) return
     do i = 1, vesica_numbers(kind)
       view%field(i) = c_loc(shapes(i, 1))

@@ -142,7 +142,10 @@ module vesica_c
     integer(c_int32_t) :: reserved
     integer(c_int64_t) :: count
     integer(c_ptrdiff_t) :: stride
-    type(c_ptr) :: field(6)
+    type(c_ptr) :: field(8)
+    type(c_ptr) :: rings
+    type(c_ptr) :: polygons
+    integer(c_int64_t) :: each
   end type
 
   !> A location.
@@ -224,7 +227,10 @@ module vesica_c
     integer(c_int32_t) :: reserved
     integer(c_int64_t) :: count
     integer(c_ptrdiff_t) :: stride
-    type(c_ptr) :: field(6)
+    type(c_ptr) :: field(8)
+    type(c_ptr) :: rings
+    type(c_ptr) :: polygons
+    integer(c_int64_t) :: each
   end type
 
   !> A first contact: its time t, its point (x, y), and the unit normal (nx, ny) there, from a to b.
@@ -306,112 +312,112 @@ module vesica_c
     end function
 
     !> Is a shape valid, and if not, which rule does it break?
-    integer(c_int32_t) function vesica_check_f64(kind, numbers) bind(c)
+    integer(c_int32_t) function vesica_check_f64(kind, shape) bind(c)
       import
       integer(c_int32_t), value :: kind
-      real(c_double), intent(in) :: numbers(*)
+      real(c_double), intent(in) :: shape(*)
     end function
 
     !> Do two shapes share a point?
-    integer(c_int32_t) function vesica_overlap_f64(kind_a, numbers_a, kind_b, numbers_b) bind(c)
+    integer(c_int32_t) function vesica_overlap_f64(kind_a, a, kind_b, b) bind(c)
       import
       integer(c_int32_t), value :: kind_a
-      real(c_double), intent(in) :: numbers_a(*)
+      real(c_double), intent(in) :: a(*)
       integer(c_int32_t), value :: kind_b
-      real(c_double), intent(in) :: numbers_b(*)
+      real(c_double), intent(in) :: b(*)
     end function
 
     !> How does a relate to b?
-    integer(c_int32_t) function vesica_relation_f64(kind_a, numbers_a, kind_b, numbers_b) bind(c)
+    integer(c_int32_t) function vesica_relation_f64(kind_a, a, kind_b, b) bind(c)
       import
       integer(c_int32_t), value :: kind_a
-      real(c_double), intent(in) :: numbers_a(*)
+      real(c_double), intent(in) :: a(*)
       integer(c_int32_t), value :: kind_b
-      real(c_double), intent(in) :: numbers_b(*)
+      real(c_double), intent(in) :: b(*)
     end function
 
     !> Does a contain all of b?
-    integer(c_int32_t) function vesica_contains_f64(kind_a, numbers_a, kind_b, numbers_b) bind(c)
+    integer(c_int32_t) function vesica_contains_f64(kind_a, a, kind_b, b) bind(c)
       import
       integer(c_int32_t), value :: kind_a
-      real(c_double), intent(in) :: numbers_a(*)
+      real(c_double), intent(in) :: a(*)
       integer(c_int32_t), value :: kind_b
-      real(c_double), intent(in) :: numbers_b(*)
+      real(c_double), intent(in) :: b(*)
     end function
 
     !> Where do the outlines of two shapes meet?
-    integer(c_int32_t) function vesica_crossings_f64(kind_a, numbers_a, kind_b, numbers_b, out) bind(c)
+    integer(c_int32_t) function vesica_crossings_f64(kind_a, a, kind_b, b, out) bind(c)
       import
       integer(c_int32_t), value :: kind_a
-      real(c_double), intent(in) :: numbers_a(*)
+      real(c_double), intent(in) :: a(*)
       integer(c_int32_t), value :: kind_b
-      real(c_double), intent(in) :: numbers_b(*)
+      real(c_double), intent(in) :: b(*)
       type(vesica_crossing_points_f64), intent(out) :: out
     end function
 
     !> How far apart are two solid shapes, and which of their points are closest?
-    integer(c_int32_t) function vesica_nearest_f64(kind_a, numbers_a, kind_b, numbers_b, out) bind(c)
+    integer(c_int32_t) function vesica_nearest_f64(kind_a, a, kind_b, b, out) bind(c)
       import
       integer(c_int32_t), value :: kind_a
-      real(c_double), intent(in) :: numbers_a(*)
+      real(c_double), intent(in) :: a(*)
       integer(c_int32_t), value :: kind_b
-      real(c_double), intent(in) :: numbers_b(*)
+      real(c_double), intent(in) :: b(*)
       type(vesica_closest_points_f64), intent(out) :: out
     end function
 
     !> How far apart are the outlines of two shapes, and where do they come closest?
-    integer(c_int32_t) function vesica_boundary_distance_f64(kind_a, numbers_a, kind_b, numbers_b, out) bind(c)
+    integer(c_int32_t) function vesica_boundary_distance_f64(kind_a, a, kind_b, b, out) bind(c)
       import
       integer(c_int32_t), value :: kind_a
-      real(c_double), intent(in) :: numbers_a(*)
+      real(c_double), intent(in) :: a(*)
       integer(c_int32_t), value :: kind_b
-      real(c_double), intent(in) :: numbers_b(*)
+      real(c_double), intent(in) :: b(*)
       type(vesica_closest_points_f64), intent(out) :: out
     end function
 
     !> Penetration depth: how far and which way must b be moved until the two shapes only touch?
-    integer(c_int32_t) function vesica_depth_f64(kind_a, numbers_a, kind_b, numbers_b, out) bind(c)
+    integer(c_int32_t) function vesica_depth_f64(kind_a, a, kind_b, b, out) bind(c)
       import
       integer(c_int32_t), value :: kind_a
-      real(c_double), intent(in) :: numbers_a(*)
+      real(c_double), intent(in) :: a(*)
       integer(c_int32_t), value :: kind_b
-      real(c_double), intent(in) :: numbers_b(*)
+      real(c_double), intent(in) :: b(*)
       type(vesica_penetration_f64), intent(out) :: out
     end function
 
     !> Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
-    integer(c_int32_t) function vesica_shape_area_f64(kind, numbers, out) bind(c)
+    integer(c_int32_t) function vesica_shape_area_f64(kind, shape, out) bind(c)
       import
       integer(c_int32_t), value :: kind
-      real(c_double), intent(in) :: numbers(*)
+      real(c_double), intent(in) :: shape(*)
       type(c_ptr), value :: out
     end function
 
     !> Area of the intersection of two shapes.
-    integer(c_int32_t) function vesica_area_f64(kind_a, numbers_a, kind_b, numbers_b, out) bind(c)
+    integer(c_int32_t) function vesica_area_f64(kind_a, a, kind_b, b, out) bind(c)
       import
       integer(c_int32_t), value :: kind_a
-      real(c_double), intent(in) :: numbers_a(*)
+      real(c_double), intent(in) :: a(*)
       integer(c_int32_t), value :: kind_b
-      real(c_double), intent(in) :: numbers_b(*)
+      real(c_double), intent(in) :: b(*)
       type(c_ptr), value :: out
     end function
 
     !> Intersection over union (Jaccard index) of two shapes: the area they share over the area they cover together.
-    integer(c_int32_t) function vesica_iou_f64(kind_a, numbers_a, kind_b, numbers_b, out) bind(c)
+    integer(c_int32_t) function vesica_iou_f64(kind_a, a, kind_b, b, out) bind(c)
       import
       integer(c_int32_t), value :: kind_a
-      real(c_double), intent(in) :: numbers_a(*)
+      real(c_double), intent(in) :: a(*)
       integer(c_int32_t), value :: kind_b
-      real(c_double), intent(in) :: numbers_b(*)
+      real(c_double), intent(in) :: b(*)
       type(c_ptr), value :: out
     end function
 
     !> Smallest box of representable numbers that contains a shape.
-    integer(c_int32_t) function vesica_bounds_f64(kind, numbers, out) bind(c)
+    integer(c_int32_t) function vesica_bounds_f64(kind, shape, out) bind(c)
       import
       integer(c_int32_t), value :: kind
-      real(c_double), intent(in) :: numbers(*)
+      real(c_double), intent(in) :: shape(*)
       type(vesica_aabb_f64), intent(out) :: out
     end function
 
@@ -795,112 +801,112 @@ module vesica_c
     end function
 
     !> Is a shape valid, and if not, which rule does it break?
-    integer(c_int32_t) function vesica_check_f32(kind, numbers) bind(c)
+    integer(c_int32_t) function vesica_check_f32(kind, shape) bind(c)
       import
       integer(c_int32_t), value :: kind
-      real(c_float), intent(in) :: numbers(*)
+      real(c_float), intent(in) :: shape(*)
     end function
 
     !> Do two shapes share a point?
-    integer(c_int32_t) function vesica_overlap_f32(kind_a, numbers_a, kind_b, numbers_b) bind(c)
+    integer(c_int32_t) function vesica_overlap_f32(kind_a, a, kind_b, b) bind(c)
       import
       integer(c_int32_t), value :: kind_a
-      real(c_float), intent(in) :: numbers_a(*)
+      real(c_float), intent(in) :: a(*)
       integer(c_int32_t), value :: kind_b
-      real(c_float), intent(in) :: numbers_b(*)
+      real(c_float), intent(in) :: b(*)
     end function
 
     !> How does a relate to b?
-    integer(c_int32_t) function vesica_relation_f32(kind_a, numbers_a, kind_b, numbers_b) bind(c)
+    integer(c_int32_t) function vesica_relation_f32(kind_a, a, kind_b, b) bind(c)
       import
       integer(c_int32_t), value :: kind_a
-      real(c_float), intent(in) :: numbers_a(*)
+      real(c_float), intent(in) :: a(*)
       integer(c_int32_t), value :: kind_b
-      real(c_float), intent(in) :: numbers_b(*)
+      real(c_float), intent(in) :: b(*)
     end function
 
     !> Does a contain all of b?
-    integer(c_int32_t) function vesica_contains_f32(kind_a, numbers_a, kind_b, numbers_b) bind(c)
+    integer(c_int32_t) function vesica_contains_f32(kind_a, a, kind_b, b) bind(c)
       import
       integer(c_int32_t), value :: kind_a
-      real(c_float), intent(in) :: numbers_a(*)
+      real(c_float), intent(in) :: a(*)
       integer(c_int32_t), value :: kind_b
-      real(c_float), intent(in) :: numbers_b(*)
+      real(c_float), intent(in) :: b(*)
     end function
 
     !> Where do the outlines of two shapes meet?
-    integer(c_int32_t) function vesica_crossings_f32(kind_a, numbers_a, kind_b, numbers_b, out) bind(c)
+    integer(c_int32_t) function vesica_crossings_f32(kind_a, a, kind_b, b, out) bind(c)
       import
       integer(c_int32_t), value :: kind_a
-      real(c_float), intent(in) :: numbers_a(*)
+      real(c_float), intent(in) :: a(*)
       integer(c_int32_t), value :: kind_b
-      real(c_float), intent(in) :: numbers_b(*)
+      real(c_float), intent(in) :: b(*)
       type(vesica_crossing_points_f32), intent(out) :: out
     end function
 
     !> How far apart are two solid shapes, and which of their points are closest?
-    integer(c_int32_t) function vesica_nearest_f32(kind_a, numbers_a, kind_b, numbers_b, out) bind(c)
+    integer(c_int32_t) function vesica_nearest_f32(kind_a, a, kind_b, b, out) bind(c)
       import
       integer(c_int32_t), value :: kind_a
-      real(c_float), intent(in) :: numbers_a(*)
+      real(c_float), intent(in) :: a(*)
       integer(c_int32_t), value :: kind_b
-      real(c_float), intent(in) :: numbers_b(*)
+      real(c_float), intent(in) :: b(*)
       type(vesica_closest_points_f32), intent(out) :: out
     end function
 
     !> How far apart are the outlines of two shapes, and where do they come closest?
-    integer(c_int32_t) function vesica_boundary_distance_f32(kind_a, numbers_a, kind_b, numbers_b, out) bind(c)
+    integer(c_int32_t) function vesica_boundary_distance_f32(kind_a, a, kind_b, b, out) bind(c)
       import
       integer(c_int32_t), value :: kind_a
-      real(c_float), intent(in) :: numbers_a(*)
+      real(c_float), intent(in) :: a(*)
       integer(c_int32_t), value :: kind_b
-      real(c_float), intent(in) :: numbers_b(*)
+      real(c_float), intent(in) :: b(*)
       type(vesica_closest_points_f32), intent(out) :: out
     end function
 
     !> Penetration depth: how far and which way must b be moved until the two shapes only touch?
-    integer(c_int32_t) function vesica_depth_f32(kind_a, numbers_a, kind_b, numbers_b, out) bind(c)
+    integer(c_int32_t) function vesica_depth_f32(kind_a, a, kind_b, b, out) bind(c)
       import
       integer(c_int32_t), value :: kind_a
-      real(c_float), intent(in) :: numbers_a(*)
+      real(c_float), intent(in) :: a(*)
       integer(c_int32_t), value :: kind_b
-      real(c_float), intent(in) :: numbers_b(*)
+      real(c_float), intent(in) :: b(*)
       type(vesica_penetration_f32), intent(out) :: out
     end function
 
     !> Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
-    integer(c_int32_t) function vesica_shape_area_f32(kind, numbers, out) bind(c)
+    integer(c_int32_t) function vesica_shape_area_f32(kind, shape, out) bind(c)
       import
       integer(c_int32_t), value :: kind
-      real(c_float), intent(in) :: numbers(*)
+      real(c_float), intent(in) :: shape(*)
       type(c_ptr), value :: out
     end function
 
     !> Area of the intersection of two shapes.
-    integer(c_int32_t) function vesica_area_f32(kind_a, numbers_a, kind_b, numbers_b, out) bind(c)
+    integer(c_int32_t) function vesica_area_f32(kind_a, a, kind_b, b, out) bind(c)
       import
       integer(c_int32_t), value :: kind_a
-      real(c_float), intent(in) :: numbers_a(*)
+      real(c_float), intent(in) :: a(*)
       integer(c_int32_t), value :: kind_b
-      real(c_float), intent(in) :: numbers_b(*)
+      real(c_float), intent(in) :: b(*)
       type(c_ptr), value :: out
     end function
 
     !> Intersection over union (Jaccard index) of two shapes: the area they share over the area they cover together.
-    integer(c_int32_t) function vesica_iou_f32(kind_a, numbers_a, kind_b, numbers_b, out) bind(c)
+    integer(c_int32_t) function vesica_iou_f32(kind_a, a, kind_b, b, out) bind(c)
       import
       integer(c_int32_t), value :: kind_a
-      real(c_float), intent(in) :: numbers_a(*)
+      real(c_float), intent(in) :: a(*)
       integer(c_int32_t), value :: kind_b
-      real(c_float), intent(in) :: numbers_b(*)
+      real(c_float), intent(in) :: b(*)
       type(c_ptr), value :: out
     end function
 
     !> Smallest box of representable numbers that contains a shape.
-    integer(c_int32_t) function vesica_bounds_f32(kind, numbers, out) bind(c)
+    integer(c_int32_t) function vesica_bounds_f32(kind, shape, out) bind(c)
       import
       integer(c_int32_t), value :: kind
-      real(c_float), intent(in) :: numbers(*)
+      real(c_float), intent(in) :: shape(*)
       type(vesica_aabb_f32), intent(out) :: out
     end function
 
@@ -1634,13 +1640,13 @@ module vesica_c
     end function
 
     !> A ratio by which detections are compared: IoU and its relatives, as `ratio` says.
-    integer(c_int32_t) function vesica_ratio_f64(ratio, kind_a, numbers_a, kind_b, numbers_b, out) bind(c)
+    integer(c_int32_t) function vesica_ratio_f64(ratio, kind_a, a, kind_b, b, out) bind(c)
       import
       integer(c_int32_t), value :: ratio
       integer(c_int32_t), value :: kind_a
-      real(c_double), intent(in) :: numbers_a(*)
+      real(c_double), intent(in) :: a(*)
       integer(c_int32_t), value :: kind_b
-      real(c_double), intent(in) :: numbers_b(*)
+      real(c_double), intent(in) :: b(*)
       type(c_ptr), value :: out
     end function
 
@@ -1691,12 +1697,12 @@ module vesica_c
     end function
 
     !> Signed distance: how far apart are two shapes or, as a negative number, how deep do they overlap?
-    integer(c_int32_t) function vesica_signed_distance_f64(kind_a, numbers_a, kind_b, numbers_b, out) bind(c)
+    integer(c_int32_t) function vesica_signed_distance_f64(kind_a, a, kind_b, b, out) bind(c)
       import
       integer(c_int32_t), value :: kind_a
-      real(c_double), intent(in) :: numbers_a(*)
+      real(c_double), intent(in) :: a(*)
       integer(c_int32_t), value :: kind_b
-      real(c_double), intent(in) :: numbers_b(*)
+      real(c_double), intent(in) :: b(*)
       type(c_ptr), value :: out
     end function
 
@@ -1718,12 +1724,12 @@ module vesica_c
     end function
 
     !> Are two shapes at most `distance` apart?
-    integer(c_int32_t) function vesica_within_f64(kind_a, numbers_a, kind_b, numbers_b, distance) bind(c)
+    integer(c_int32_t) function vesica_within_f64(kind_a, a, kind_b, b, distance) bind(c)
       import
       integer(c_int32_t), value :: kind_a
-      real(c_double), intent(in) :: numbers_a(*)
+      real(c_double), intent(in) :: a(*)
       integer(c_int32_t), value :: kind_b
-      real(c_double), intent(in) :: numbers_b(*)
+      real(c_double), intent(in) :: b(*)
       real(c_double), value :: distance
     end function
 
@@ -1789,13 +1795,13 @@ module vesica_c
     end function
 
     !> A ratio by which detections are compared: IoU and its relatives, as `ratio` says.
-    integer(c_int32_t) function vesica_ratio_f32(ratio, kind_a, numbers_a, kind_b, numbers_b, out) bind(c)
+    integer(c_int32_t) function vesica_ratio_f32(ratio, kind_a, a, kind_b, b, out) bind(c)
       import
       integer(c_int32_t), value :: ratio
       integer(c_int32_t), value :: kind_a
-      real(c_float), intent(in) :: numbers_a(*)
+      real(c_float), intent(in) :: a(*)
       integer(c_int32_t), value :: kind_b
-      real(c_float), intent(in) :: numbers_b(*)
+      real(c_float), intent(in) :: b(*)
       type(c_ptr), value :: out
     end function
 
@@ -1863,12 +1869,12 @@ module vesica_c
     end function
 
     !> Signed distance: how far apart are two shapes or, as a negative number, how deep do they overlap?
-    integer(c_int32_t) function vesica_signed_distance_f32(kind_a, numbers_a, kind_b, numbers_b, out) bind(c)
+    integer(c_int32_t) function vesica_signed_distance_f32(kind_a, a, kind_b, b, out) bind(c)
       import
       integer(c_int32_t), value :: kind_a
-      real(c_float), intent(in) :: numbers_a(*)
+      real(c_float), intent(in) :: a(*)
       integer(c_int32_t), value :: kind_b
-      real(c_float), intent(in) :: numbers_b(*)
+      real(c_float), intent(in) :: b(*)
       type(c_ptr), value :: out
     end function
 
@@ -1890,12 +1896,12 @@ module vesica_c
     end function
 
     !> Are two shapes at most `distance` apart?
-    integer(c_int32_t) function vesica_within_f32(kind_a, numbers_a, kind_b, numbers_b, distance) bind(c)
+    integer(c_int32_t) function vesica_within_f32(kind_a, a, kind_b, b, distance) bind(c)
       import
       integer(c_int32_t), value :: kind_a
-      real(c_float), intent(in) :: numbers_a(*)
+      real(c_float), intent(in) :: a(*)
       integer(c_int32_t), value :: kind_b
-      real(c_float), intent(in) :: numbers_b(*)
+      real(c_float), intent(in) :: b(*)
       real(c_float), value :: distance
     end function
 
@@ -1938,12 +1944,12 @@ module vesica_c
     end function
 
     !> Does b touch a while it moves, when first, and where?
-    integer(c_int32_t) function vesica_cast_f64(kind_a, numbers_a, kind_b, numbers_b, vx, vy, t_end, out) bind(c)
+    integer(c_int32_t) function vesica_cast_f64(kind_a, a, kind_b, b, vx, vy, t_end, out) bind(c)
       import
       integer(c_int32_t), value :: kind_a
-      real(c_double), intent(in) :: numbers_a(*)
+      real(c_double), intent(in) :: a(*)
       integer(c_int32_t), value :: kind_b
-      real(c_double), intent(in) :: numbers_b(*)
+      real(c_double), intent(in) :: b(*)
       real(c_double), value :: vx
       real(c_double), value :: vy
       real(c_double), value :: t_end
@@ -1978,10 +1984,10 @@ module vesica_c
     end function
 
     !> A box that holds a shape throughout its motion, t from 0 to t_end.
-    integer(c_int32_t) function vesica_sweep_bounds_f64(kind, numbers, vx, vy, t_end, out) bind(c)
+    integer(c_int32_t) function vesica_sweep_bounds_f64(kind, shape, vx, vy, t_end, out) bind(c)
       import
       integer(c_int32_t), value :: kind
-      real(c_double), intent(in) :: numbers(*)
+      real(c_double), intent(in) :: shape(*)
       real(c_double), value :: vx
       real(c_double), value :: vy
       real(c_double), value :: t_end
@@ -2018,14 +2024,14 @@ module vesica_c
     end function
 
     !> When do two shapes that move and turn touch first?
-    integer(c_int32_t) function vesica_impact_time_f64(kind_a, numbers_a, turn_a, kind_b, numbers_b, turn_b, &
-      tolerance, out, gap) bind(c)
+    integer(c_int32_t) function vesica_impact_time_f64(kind_a, a, turn_a, kind_b, b, turn_b, tolerance, out, gap) &
+      bind(c)
       import
       integer(c_int32_t), value :: kind_a
-      real(c_double), intent(in) :: numbers_a(*)
+      real(c_double), intent(in) :: a(*)
       type(vesica_turn_f64), intent(in) :: turn_a
       integer(c_int32_t), value :: kind_b
-      real(c_double), intent(in) :: numbers_b(*)
+      real(c_double), intent(in) :: b(*)
       type(vesica_turn_f64), intent(in) :: turn_b
       real(c_double), value :: tolerance
       type(vesica_impact_f64), intent(out) :: out
@@ -2121,12 +2127,12 @@ module vesica_c
     end function
 
     !> Does b touch a while it moves, when first, and where?
-    integer(c_int32_t) function vesica_cast_f32(kind_a, numbers_a, kind_b, numbers_b, vx, vy, t_end, out) bind(c)
+    integer(c_int32_t) function vesica_cast_f32(kind_a, a, kind_b, b, vx, vy, t_end, out) bind(c)
       import
       integer(c_int32_t), value :: kind_a
-      real(c_float), intent(in) :: numbers_a(*)
+      real(c_float), intent(in) :: a(*)
       integer(c_int32_t), value :: kind_b
-      real(c_float), intent(in) :: numbers_b(*)
+      real(c_float), intent(in) :: b(*)
       real(c_float), value :: vx
       real(c_float), value :: vy
       real(c_float), value :: t_end
@@ -2161,10 +2167,10 @@ module vesica_c
     end function
 
     !> A box that holds a shape throughout its motion, t from 0 to t_end.
-    integer(c_int32_t) function vesica_sweep_bounds_f32(kind, numbers, vx, vy, t_end, out) bind(c)
+    integer(c_int32_t) function vesica_sweep_bounds_f32(kind, shape, vx, vy, t_end, out) bind(c)
       import
       integer(c_int32_t), value :: kind
-      real(c_float), intent(in) :: numbers(*)
+      real(c_float), intent(in) :: shape(*)
       real(c_float), value :: vx
       real(c_float), value :: vy
       real(c_float), value :: t_end
@@ -2201,14 +2207,14 @@ module vesica_c
     end function
 
     !> As vesica_impact_time_f64.
-    integer(c_int32_t) function vesica_impact_time_f32(kind_a, numbers_a, turn_a, kind_b, numbers_b, turn_b, &
-      tolerance, out, gap) bind(c)
+    integer(c_int32_t) function vesica_impact_time_f32(kind_a, a, turn_a, kind_b, b, turn_b, tolerance, out, gap) &
+      bind(c)
       import
       integer(c_int32_t), value :: kind_a
-      real(c_float), intent(in) :: numbers_a(*)
+      real(c_float), intent(in) :: a(*)
       type(vesica_turn_f32), intent(in) :: turn_a
       integer(c_int32_t), value :: kind_b
-      real(c_float), intent(in) :: numbers_b(*)
+      real(c_float), intent(in) :: b(*)
       type(vesica_turn_f32), intent(in) :: turn_b
       real(c_float), value :: tolerance
       type(vesica_impact_f32), intent(out) :: out
@@ -2304,12 +2310,12 @@ module vesica_c
     end function
 
     !> The nine-intersection matrix of two shapes (DE-9IM), as geographic systems write it.
-    integer(c_int32_t) function vesica_de9im_f64(kind_a, numbers_a, kind_b, numbers_b, matrix) bind(c)
+    integer(c_int32_t) function vesica_de9im_f64(kind_a, a, kind_b, b, matrix) bind(c)
       import
       integer(c_int32_t), value :: kind_a
-      real(c_double), intent(in) :: numbers_a(*)
+      real(c_double), intent(in) :: a(*)
       integer(c_int32_t), value :: kind_b
-      real(c_double), intent(in) :: numbers_b(*)
+      real(c_double), intent(in) :: b(*)
       type(c_ptr), value :: matrix
     end function
 
@@ -2321,32 +2327,32 @@ module vesica_c
     end function
 
     !> The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
-    integer(c_int32_t) function vesica_intersection_f64(kind_a, numbers_a, kind_b, numbers_b, vertices) bind(c)
+    integer(c_int32_t) function vesica_intersection_f64(kind_a, a, kind_b, b, vertices) bind(c)
       import
       integer(c_int32_t), value :: kind_a
-      real(c_double), intent(in) :: numbers_a(*)
+      real(c_double), intent(in) :: a(*)
       integer(c_int32_t), value :: kind_b
-      real(c_double), intent(in) :: numbers_b(*)
+      real(c_double), intent(in) :: b(*)
       type(c_ptr), value :: vertices
     end function
 
     !> The nine-intersection matrix of two shapes (DE-9IM), as geographic systems write it.
-    integer(c_int32_t) function vesica_de9im_f32(kind_a, numbers_a, kind_b, numbers_b, matrix) bind(c)
+    integer(c_int32_t) function vesica_de9im_f32(kind_a, a, kind_b, b, matrix) bind(c)
       import
       integer(c_int32_t), value :: kind_a
-      real(c_float), intent(in) :: numbers_a(*)
+      real(c_float), intent(in) :: a(*)
       integer(c_int32_t), value :: kind_b
-      real(c_float), intent(in) :: numbers_b(*)
+      real(c_float), intent(in) :: b(*)
       type(c_ptr), value :: matrix
     end function
 
     !> The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
-    integer(c_int32_t) function vesica_intersection_f32(kind_a, numbers_a, kind_b, numbers_b, vertices) bind(c)
+    integer(c_int32_t) function vesica_intersection_f32(kind_a, a, kind_b, b, vertices) bind(c)
       import
       integer(c_int32_t), value :: kind_a
-      real(c_float), intent(in) :: numbers_a(*)
+      real(c_float), intent(in) :: a(*)
       integer(c_int32_t), value :: kind_b
-      real(c_float), intent(in) :: numbers_b(*)
+      real(c_float), intent(in) :: b(*)
       type(c_ptr), value :: vertices
     end function
   end interface

@@ -51,7 +51,7 @@
 (define (view kind numbers)
   (let* ((size (* 8 (checked 'overlap-many (vesica_field_count kind))))
          (count (quotient (bytevector-length numbers) size))
-         (bytes (make-bytevector 72)))
+         (bytes (make-bytevector 112)))
     (hashq-set! numbers-of bytes numbers)
     (checked 'overlap-many
              (vesica_shapes_from_records_f64 kind count (bytevector->pointer numbers) size

@@ -26,7 +26,7 @@ const { vesica_strerror: strerror, vesica_field_count: fieldCount } = c;
 const functions = (suffix) => ({
   overlap: c[`vesica_overlap_${suffix}`],
   nearest: c[`vesica_nearest_${suffix}`],
-  // A vesica_shapes is filled in and read by the library alone: here, 72 bytes.
+  // A vesica_shapes is filled in and read by the library alone: here, 112 bytes.
   shapes: c[`vesica_shapes_from_records_${suffix}`],
   overlapMany: c[`vesica_overlap_many_${suffix}`],
 });
@@ -87,7 +87,7 @@ function view(shapes, kind, numbers) {
   const fields = checked(fieldCount(kind));
   const count = numbers.length / fields;
   if (!Number.isInteger(count)) throw new RangeError(`shapes of kind ${kind} have ${fields} numbers each`);
-  const bytes = Buffer.alloc(72);
+  const bytes = Buffer.alloc(112);
   checked(shapes(kind, count, numbers, fields * numbers.BYTES_PER_ELEMENT, bytes));
   bytes.numbers = numbers; // which the view only points to: so they live as long
   return [count, bytes];

@@ -144,7 +144,10 @@ type
     reserved: Int32;
     count: Int64;
     stride: PtrInt;
-    field: array[0..5] of PDouble;
+    field: array[0..7] of PDouble;
+    rings: PInt32;
+    polygons: PInt32;
+    each: Int64;
   end;
   PVesicaShapesF64 = ^TVesicaShapesF64;
   // A location.
@@ -226,7 +229,10 @@ type
     reserved: Int32;
     count: Int64;
     stride: PtrInt;
-    field: array[0..5] of PSingle;
+    field: array[0..7] of PSingle;
+    rings: PInt32;
+    polygons: PInt32;
+    each: Int64;
   end;
   PVesicaShapesF32 = ^TVesicaShapesF32;
   // A first contact: its time t, its point (x, y), and the unit normal (nx, ny) there, from a to b.
@@ -281,39 +287,38 @@ function vesica_kind_name(kind: Int32): PChar; cdecl; external vesica_library;
 // Name of the instruction set that batches use: the best one of this processor.
 function vesica_isa_name: PChar; cdecl; external vesica_library;
 // Is a shape valid, and if not, which rule does it break?
-function vesica_check_f64(kind: Int32; numbers: PDouble): Int32; cdecl; external vesica_library;
+function vesica_check_f64(kind: Int32; shape: Pointer): Int32; cdecl; external vesica_library;
 // Do two shapes share a point?
-function vesica_overlap_f64(kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble): Int32; cdecl;
-  external vesica_library;
+function vesica_overlap_f64(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer): Int32; cdecl; external
+  vesica_library;
 // How does a relate to b?
-function vesica_relation_f64(kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble): Int32; cdecl;
-  external vesica_library;
+function vesica_relation_f64(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer): Int32; cdecl; external
+  vesica_library;
 // Does a contain all of b?
-function vesica_contains_f64(kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble): Int32; cdecl;
-  external vesica_library;
+function vesica_contains_f64(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer): Int32; cdecl; external
+  vesica_library;
 // Where do the outlines of two shapes meet?
-function vesica_crossings_f64(kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble; output:
+function vesica_crossings_f64(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output:
   PVesicaCrossingPointsF64): Int32; cdecl; external vesica_library;
 // How far apart are two solid shapes, and which of their points are closest?
-function vesica_nearest_f64(kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble; output:
-  PVesicaClosestPointsF64): Int32; cdecl; external vesica_library;
+function vesica_nearest_f64(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output: PVesicaClosestPointsF64):
+  Int32; cdecl; external vesica_library;
 // How far apart are the outlines of two shapes, and where do they come closest?
-function vesica_boundary_distance_f64(kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble; output:
+function vesica_boundary_distance_f64(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output:
   PVesicaClosestPointsF64): Int32; cdecl; external vesica_library;
 // Penetration depth: how far and which way must b be moved until the two shapes only touch?
-function vesica_depth_f64(kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble; output:
-  PVesicaPenetrationF64): Int32; cdecl; external vesica_library;
+function vesica_depth_f64(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output: PVesicaPenetrationF64):
+  Int32; cdecl; external vesica_library;
 // Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
-function vesica_shape_area_f64(kind: Int32; numbers: PDouble; output: PDouble): Int32; cdecl; external
-  vesica_library;
+function vesica_shape_area_f64(kind: Int32; shape: Pointer; output: PDouble): Int32; cdecl; external vesica_library;
 // Area of the intersection of two shapes.
-function vesica_area_f64(kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble; output: PDouble):
-  Int32; cdecl; external vesica_library;
+function vesica_area_f64(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output: PDouble): Int32; cdecl;
+  external vesica_library;
 // Intersection over union (Jaccard index) of two shapes: the area they share over the area they cover together.
-function vesica_iou_f64(kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble; output: PDouble):
-  Int32; cdecl; external vesica_library;
+function vesica_iou_f64(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output: PDouble): Int32; cdecl;
+  external vesica_library;
 // Smallest box of representable numbers that contains a shape.
-function vesica_bounds_f64(kind: Int32; numbers: PDouble; output: PVesicaAabbF64): Int32; cdecl; external
+function vesica_bounds_f64(kind: Int32; shape: Pointer; output: PVesicaAabbF64): Int32; cdecl; external
   vesica_library;
 // Are the two points the same?
 function vesica_overlap_point_point_f64(a: PVesicaPointF64; b: PVesicaPointF64): Int32; cdecl; external
@@ -448,39 +453,38 @@ function vesica_nms_scratch(count: Int64): Int64; cdecl; external vesica_library
 function vesica_nms_f64(shapes: PVesicaShapesF64; scores: PDouble; threshold: Double; scratch: Pointer;
   scratch_size: Int64; keep: PInt64; kept: PInt64): Int32; cdecl; external vesica_library;
 // Is a shape valid, and if not, which rule does it break?
-function vesica_check_f32(kind: Int32; numbers: PSingle): Int32; cdecl; external vesica_library;
+function vesica_check_f32(kind: Int32; shape: Pointer): Int32; cdecl; external vesica_library;
 // Do two shapes share a point?
-function vesica_overlap_f32(kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle): Int32; cdecl;
-  external vesica_library;
+function vesica_overlap_f32(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer): Int32; cdecl; external
+  vesica_library;
 // How does a relate to b?
-function vesica_relation_f32(kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle): Int32; cdecl;
-  external vesica_library;
+function vesica_relation_f32(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer): Int32; cdecl; external
+  vesica_library;
 // Does a contain all of b?
-function vesica_contains_f32(kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle): Int32; cdecl;
-  external vesica_library;
+function vesica_contains_f32(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer): Int32; cdecl; external
+  vesica_library;
 // Where do the outlines of two shapes meet?
-function vesica_crossings_f32(kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle; output:
+function vesica_crossings_f32(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output:
   PVesicaCrossingPointsF32): Int32; cdecl; external vesica_library;
 // How far apart are two solid shapes, and which of their points are closest?
-function vesica_nearest_f32(kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle; output:
-  PVesicaClosestPointsF32): Int32; cdecl; external vesica_library;
+function vesica_nearest_f32(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output: PVesicaClosestPointsF32):
+  Int32; cdecl; external vesica_library;
 // How far apart are the outlines of two shapes, and where do they come closest?
-function vesica_boundary_distance_f32(kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle; output:
+function vesica_boundary_distance_f32(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output:
   PVesicaClosestPointsF32): Int32; cdecl; external vesica_library;
 // Penetration depth: how far and which way must b be moved until the two shapes only touch?
-function vesica_depth_f32(kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle; output:
-  PVesicaPenetrationF32): Int32; cdecl; external vesica_library;
+function vesica_depth_f32(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output: PVesicaPenetrationF32):
+  Int32; cdecl; external vesica_library;
 // Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
-function vesica_shape_area_f32(kind: Int32; numbers: PSingle; output: PSingle): Int32; cdecl; external
-  vesica_library;
+function vesica_shape_area_f32(kind: Int32; shape: Pointer; output: PSingle): Int32; cdecl; external vesica_library;
 // Area of the intersection of two shapes.
-function vesica_area_f32(kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle; output: PSingle):
-  Int32; cdecl; external vesica_library;
+function vesica_area_f32(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output: PSingle): Int32; cdecl;
+  external vesica_library;
 // Intersection over union (Jaccard index) of two shapes: the area they share over the area they cover together.
-function vesica_iou_f32(kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle; output: PSingle):
-  Int32; cdecl; external vesica_library;
+function vesica_iou_f32(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output: PSingle): Int32; cdecl;
+  external vesica_library;
 // Smallest box of representable numbers that contains a shape.
-function vesica_bounds_f32(kind: Int32; numbers: PSingle; output: PVesicaAabbF32): Int32; cdecl; external
+function vesica_bounds_f32(kind: Int32; shape: Pointer; output: PVesicaAabbF32): Int32; cdecl; external
   vesica_library;
 // Are the two points the same?
 function vesica_overlap_point_point_f32(a: PVesicaPointF32; b: PVesicaPointF32): Int32; cdecl; external
@@ -709,8 +713,8 @@ function vesica_join_nearest_f32(sets_a: PVesicaShapesF32; set_count_a: Int32; i
   PVesicaShapesF32; set_count_b: Int32; k: Int64; within: Single; part: Int64; parts: Int64; output: PInt64;
   distance: PSingle): Int64; cdecl; external vesica_library;
 // A ratio by which detections are compared: IoU and its relatives, as `ratio` says.
-function vesica_ratio_f64(ratio: Int32; kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble;
-  output: PDouble): Int32; cdecl; external vesica_library;
+function vesica_ratio_f64(ratio: Int32; kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output: PDouble):
+  Int32; cdecl; external vesica_library;
 // A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f64.
 function vesica_ratio_many_f64(ratio: Int32; a: PVesicaShapesF64; b: PVesicaShapesF64; output: PDouble): Int64;
   cdecl; external vesica_library;
@@ -727,8 +731,8 @@ function vesica_boundary_distance_matrix_f64(a: PVesicaShapesF64; b: PVesicaShap
 function vesica_depth_matrix_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; output: PDouble; row_stride: PtrInt):
   Int64; cdecl; external vesica_library;
 // Signed distance: how far apart are two shapes or, as a negative number, how deep do they overlap?
-function vesica_signed_distance_f64(kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble; output:
-  PDouble): Int32; cdecl; external vesica_library;
+function vesica_signed_distance_f64(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output: PDouble): Int32;
+  cdecl; external vesica_library;
 // Signed distances of a[i] and b[i].
 function vesica_signed_distance_many_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; output: PDouble): Int64; cdecl;
   external vesica_library;
@@ -736,8 +740,8 @@ function vesica_signed_distance_many_f64(a: PVesicaShapesF64; b: PVesicaShapesF6
 function vesica_signed_distance_matrix_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; output: PDouble; row_stride:
   PtrInt): Int64; cdecl; external vesica_library;
 // Are two shapes at most `distance` apart?
-function vesica_within_f64(kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble; distance: Double):
-  Int32; cdecl; external vesica_library;
+function vesica_within_f64(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; distance: Double): Int32; cdecl;
+  external vesica_library;
 // Are a[i] and b[i] at most `distance` apart? out[i] is the answer of vesica_within_f64.
 function vesica_within_many_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; distance: Double; output: PByte): Int64;
   cdecl; external vesica_library;
@@ -755,8 +759,8 @@ function vesica_suppress_soft_f64(shapes: PVesicaShapesF64; scores: PDouble; lab
   Int32; parameter: Double; least_score: Double; most: Int64; scratch: Pointer; scratch_size: Int64; keep: PInt64;
   decayed: PDouble; kept: PInt64): Int32; cdecl; external vesica_library;
 // A ratio by which detections are compared: IoU and its relatives, as `ratio` says.
-function vesica_ratio_f32(ratio: Int32; kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle;
-  output: PSingle): Int32; cdecl; external vesica_library;
+function vesica_ratio_f32(ratio: Int32; kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output: PSingle):
+  Int32; cdecl; external vesica_library;
 // A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f32.
 function vesica_ratio_many_f32(ratio: Int32; a: PVesicaShapesF32; b: PVesicaShapesF32; output: PSingle): Int64;
   cdecl; external vesica_library;
@@ -777,8 +781,8 @@ function vesica_suppress_f32(shapes: PVesicaShapesF32; scores: PSingle; labels: 
   Single; least_score: Single; most: Int64; scratch: Pointer; scratch_size: Int64; keep: PInt64; kept: PInt64):
   Int32; cdecl; external vesica_library;
 // Signed distance: how far apart are two shapes or, as a negative number, how deep do they overlap?
-function vesica_signed_distance_f32(kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle; output:
-  PSingle): Int32; cdecl; external vesica_library;
+function vesica_signed_distance_f32(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output: PSingle): Int32;
+  cdecl; external vesica_library;
 // Signed distances of a[i] and b[i].
 function vesica_signed_distance_many_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; output: PSingle): Int64; cdecl;
   external vesica_library;
@@ -786,8 +790,8 @@ function vesica_signed_distance_many_f32(a: PVesicaShapesF32; b: PVesicaShapesF3
 function vesica_signed_distance_matrix_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; output: PSingle; row_stride:
   PtrInt): Int64; cdecl; external vesica_library;
 // Are two shapes at most `distance` apart?
-function vesica_within_f32(kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle; distance: Single):
-  Int32; cdecl; external vesica_library;
+function vesica_within_f32(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; distance: Single): Int32; cdecl;
+  external vesica_library;
 // Are a[i] and b[i] at most `distance` apart? out[i] is the answer of vesica_within_f32.
 function vesica_within_many_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; distance: Single; output: PByte): Int64;
   cdecl; external vesica_library;
@@ -799,8 +803,8 @@ function vesica_suppress_soft_f32(shapes: PVesicaShapesF32; scores: PSingle; lab
   Int32; parameter: Single; least_score: Single; most: Int64; scratch: Pointer; scratch_size: Int64; keep: PInt64;
   decayed: PSingle; kept: PInt64): Int32; cdecl; external vesica_library;
 // Does b touch a while it moves, when first, and where?
-function vesica_cast_f64(kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble; vx: Double; vy:
-  Double; t_end: Double; output: PVesicaImpactF64): Int32; cdecl; external vesica_library;
+function vesica_cast_f64(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; vx: Double; vy: Double; t_end:
+  Double; output: PVesicaImpactF64): Int32; cdecl; external vesica_library;
 // When and where does b[i], moved by t (vx[i], vy[i]), touch a[i]?
 function vesica_cast_many_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; vx: PDouble; vy: PDouble; stride: PtrInt;
   t_end: Double; t: PDouble; x: PDouble; y: PDouble; nx: PDouble; ny: PDouble): Int64; cdecl; external
@@ -809,7 +813,7 @@ function vesica_cast_many_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; vx: PDou
 function vesica_cast_first_f64(one: PVesicaShapesF64; many: PVesicaShapesF64; vx: Double; vy: Double; t_end: Double;
   output: PVesicaImpactF64): Int64; cdecl; external vesica_library;
 // A box that holds a shape throughout its motion, t from 0 to t_end.
-function vesica_sweep_bounds_f64(kind: Int32; numbers: PDouble; vx: Double; vy: Double; t_end: Double; output:
+function vesica_sweep_bounds_f64(kind: Int32; shape: Pointer; vx: Double; vy: Double; t_end: Double; output:
   PVesicaAabbF64): Int32; cdecl; external vesica_library;
 // Which items of an index does one moving shape touch?
 function vesica_index_cast_f64(index: Pointer; sets: PVesicaShapesF64; set_count: Int32; one: PVesicaShapesF64; vx:
@@ -820,9 +824,9 @@ function vesica_index_cast_first_f64(index: Pointer; sets: PVesicaShapesF64; set
   PVesicaShapesF64; vx: Double; vy: Double; t_end: Double; output: PVesicaImpactF64): Int64; cdecl; external
   vesica_library;
 // When do two shapes that move and turn touch first?
-function vesica_impact_time_f64(kind_a: Int32; numbers_a: PDouble; turn_a: PVesicaTurnF64; kind_b: Int32; numbers_b:
-  PDouble; turn_b: PVesicaTurnF64; tolerance: Double; output: PVesicaImpactF64; gap: PDouble): Int32; cdecl;
-  external vesica_library;
+function vesica_impact_time_f64(kind_a: Int32; a: Pointer; turn_a: PVesicaTurnF64; kind_b: Int32; b: Pointer;
+  turn_b: PVesicaTurnF64; tolerance: Double; output: PVesicaImpactF64; gap: PDouble): Int32; cdecl; external
+  vesica_library;
 // A ray at a point.
 function vesica_cast_point_point_f64(a: PVesicaPointF64; b: PVesicaPointF64; vx: Double; vy: Double; t_end: Double;
   output: PVesicaImpactF64): Int32; cdecl; external vesica_library;
@@ -848,8 +852,8 @@ function vesica_cast_circle_circle_f64(a: PVesicaCircleF64; b: PVesicaCircleF64;
 function vesica_cast_rect_rect_f64(a: PVesicaRectF64; b: PVesicaRectF64; vx: Double; vy: Double; t_end: Double;
   output: PVesicaImpactF64): Int32; cdecl; external vesica_library;
 // Does b touch a while it moves, when first, and where?
-function vesica_cast_f32(kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle; vx: Single; vy:
-  Single; t_end: Single; output: PVesicaImpactF32): Int32; cdecl; external vesica_library;
+function vesica_cast_f32(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; vx: Single; vy: Single; t_end:
+  Single; output: PVesicaImpactF32): Int32; cdecl; external vesica_library;
 // When and where does b[i], moved by t (vx[i], vy[i]), touch a[i]?
 function vesica_cast_many_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; vx: PSingle; vy: PSingle; stride: PtrInt;
   t_end: Single; t: PSingle; x: PSingle; y: PSingle; nx: PSingle; ny: PSingle): Int64; cdecl; external
@@ -858,7 +862,7 @@ function vesica_cast_many_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; vx: PSin
 function vesica_cast_first_f32(one: PVesicaShapesF32; many: PVesicaShapesF32; vx: Single; vy: Single; t_end: Single;
   output: PVesicaImpactF32): Int64; cdecl; external vesica_library;
 // A box that holds a shape throughout its motion, t from 0 to t_end.
-function vesica_sweep_bounds_f32(kind: Int32; numbers: PSingle; vx: Single; vy: Single; t_end: Single; output:
+function vesica_sweep_bounds_f32(kind: Int32; shape: Pointer; vx: Single; vy: Single; t_end: Single; output:
   PVesicaAabbF32): Int32; cdecl; external vesica_library;
 // Which items of an index does one moving shape touch?
 function vesica_index_cast_f32(index: Pointer; sets: PVesicaShapesF32; set_count: Int32; one: PVesicaShapesF32; vx:
@@ -869,9 +873,9 @@ function vesica_index_cast_first_f32(index: Pointer; sets: PVesicaShapesF32; set
   PVesicaShapesF32; vx: Single; vy: Single; t_end: Single; output: PVesicaImpactF32): Int64; cdecl; external
   vesica_library;
 // As vesica_impact_time_f64.
-function vesica_impact_time_f32(kind_a: Int32; numbers_a: PSingle; turn_a: PVesicaTurnF32; kind_b: Int32; numbers_b:
-  PSingle; turn_b: PVesicaTurnF32; tolerance: Single; output: PVesicaImpactF32; gap: PSingle): Int32; cdecl;
-  external vesica_library;
+function vesica_impact_time_f32(kind_a: Int32; a: Pointer; turn_a: PVesicaTurnF32; kind_b: Int32; b: Pointer;
+  turn_b: PVesicaTurnF32; tolerance: Single; output: PVesicaImpactF32; gap: PSingle): Int32; cdecl; external
+  vesica_library;
 // A ray at a point.
 function vesica_cast_point_point_f32(a: PVesicaPointF32; b: PVesicaPointF32; vx: Single; vy: Single; t_end: Single;
   output: PVesicaImpactF32): Int32; cdecl; external vesica_library;
@@ -897,19 +901,19 @@ function vesica_cast_circle_circle_f32(a: PVesicaCircleF32; b: PVesicaCircleF32;
 function vesica_cast_rect_rect_f32(a: PVesicaRectF32; b: PVesicaRectF32; vx: Single; vy: Single; t_end: Single;
   output: PVesicaImpactF32): Int32; cdecl; external vesica_library;
 // The nine-intersection matrix of two shapes (DE-9IM), as geographic systems write it.
-function vesica_de9im_f64(kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble; matrix: PChar):
-  Int32; cdecl; external vesica_library;
+function vesica_de9im_f64(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; matrix: PChar): Int32; cdecl;
+  external vesica_library;
 // Does a nine-intersection matrix match a pattern, such as "T*F**F***" for "a is within b"?
 function vesica_de9im_match(matrix: PChar; pattern: PChar): Int32; cdecl; external vesica_library;
 // The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
-function vesica_intersection_f64(kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble; vertices:
-  PDouble): Int32; cdecl; external vesica_library;
+function vesica_intersection_f64(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; vertices: PDouble): Int32;
+  cdecl; external vesica_library;
 // The nine-intersection matrix of two shapes (DE-9IM), as geographic systems write it.
-function vesica_de9im_f32(kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle; matrix: PChar):
-  Int32; cdecl; external vesica_library;
+function vesica_de9im_f32(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; matrix: PChar): Int32; cdecl;
+  external vesica_library;
 // The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
-function vesica_intersection_f32(kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle; vertices:
-  PSingle): Int32; cdecl; external vesica_library;
+function vesica_intersection_f32(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; vertices: PSingle): Int32;
+  cdecl; external vesica_library;
 
 implementation
 

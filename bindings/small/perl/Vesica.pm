@@ -65,7 +65,7 @@ sub overlap_many {
 sub _view {
     my $size = 8 * _checked(vesica_field_count($_[0]));
     my $count = int(length($_[1]) / $size);
-    my $view = _buffer(72);
+    my $view = _buffer(112);
     _checked(vesica_shapes_from_records_f64($_[0], $count, scalar_to_pointer($_[1]), $size, scalar_to_pointer $view));
     return ($count, $view);
 }

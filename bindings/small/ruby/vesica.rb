@@ -18,7 +18,7 @@ module Vesica
   ClosestPoints = Struct.new(:distance, :ax, :ay, :bx, :by)
 
   # A vesica_shapes_f64 is filled in and read by the library alone.
-  SHAPES_SIZE = 72
+  SHAPES_SIZE = 112
 
   # An error of the library.
   class Error < ArgumentError

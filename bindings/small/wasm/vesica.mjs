@@ -13,7 +13,7 @@ export const kinds = { point: 0, segment: 1, circle: 2, aabb: 3, rect: 4, ellips
 const version = 100;
 const pageSize = 65536;
 /** sizeof(vesica_shapes_f64) here: pointers and ptrdiff_t have 4 bytes, not 8 as in capi/vesica.json. */
-const shapesSize = 48;
+const shapesSize = 72;
 const arrayTypes = { f64: Float64Array, f32: Float32Array };
 
 /** An error code of the library; what it means is the message. */

@@ -32,20 +32,23 @@ for (const scalar of ['f64', 'f32']) {
     offsets[name] = Math.ceil(end / size) * size;
     end = offsets[name] + size * count;
   }
-  assert.deepEqual(offsets, { kind: 0, reserved: 4, count: 8, stride: 16, field: 20 });
-  assert.equal(Math.ceil(end / 8) * 8, 48);
+  assert.deepEqual(offsets, { kind: 0, reserved: 4, count: 8, stride: 16, field: 20, rings: 52, polygons: 56, each: 64 });
+  assert.equal(Math.ceil(end / 8) * 8, 72);
 
-  const address = vesica.reserve(64), view = new DataView(vesica.c.memory.buffer, address, 64);
-  new Uint8Array(vesica.c.memory.buffer, address, 64).fill(0xaa);
+  const address = vesica.reserve(80), view = new DataView(vesica.c.memory.buffer, address, 80);
+  new Uint8Array(vesica.c.memory.buffer, address, 80).fill(0xaa);
   assert.equal(vesica.c[`vesica_shapes_from_records_${scalar}`](kinds.circle, 5n, 4096, -40, address), 0);
   assert.equal(view.getInt32(offsets.kind, true), kinds.circle);
   assert.equal(view.getInt32(offsets.reserved, true), 0);
   assert.equal(view.getBigInt64(offsets.count, true), 5n);
   assert.equal(view.getInt32(offsets.stride, true), -40);
   const step = scalar === 'f64' ? 8 : 4;
-  const fields = [0, 1, 2, 3, 4, 5].map((k) => view.getUint32(offsets.field + 4 * k, true));
-  assert.deepEqual(fields, [4096, 4096 + step, 4096 + 2 * step, 0, 0, 0]);
-  assert.equal(view.getUint32(48, true), 0xaaaaaaaa);
+  const fields = [0, 1, 2, 3, 4, 5, 6, 7].map((k) => view.getUint32(offsets.field + 4 * k, true));
+  assert.deepEqual(fields, [4096, 4096 + step, 4096 + 2 * step, 0, 0, 0, 0, 0]);
+  for (const unused of [offsets.rings, offsets.polygons, offsets.each, offsets.each + 4]) {
+    assert.equal(view.getUint32(unused, true), 0);
+  }
+  assert.equal(view.getUint32(72, true), 0xaaaaaaaa);
 
   // Four gigabytes of shapes are beyond the address space, which has 32 bits here.
   const many = vesica.c[`vesica_overlap_many_${scalar}`];

@@ -46,7 +46,7 @@ TEST(QueryArguments, NullIsAnErrorWhereItIsNeeded) {
 template <class T>
 void expect_nothing_is_read() {
   using F = capi_tests::Face<T>;
-  const typename F::Shapes none{VESICA_CIRCLE, 0, 0, 0, {}}, some{VESICA_RECT, 0, 5, 6 * sizeof(T), {}};
+  const typename F::Shapes none{VESICA_CIRCLE, 0, 0, 0, {}, nullptr, nullptr, 0}, some{VESICA_RECT, 0, 5, 6 * sizeof(T), {}, nullptr, nullptr, 0};
   for (const auto& [a, b] : {std::pair{&none, &some}, {&some, &none}}) {
     EXPECT_EQ(F::overlap_matrix(a, b, nullptr, 5), 0);
     EXPECT_EQ(F::relation_matrix(a, b, nullptr, 5), 0);
@@ -71,7 +71,7 @@ void expect_nothing_is_read() {
   EXPECT_EQ(F::cast_first(&one, &none, 1, 0, 1, &impact), VESICA_E_NULL);
   EXPECT_EQ(F::cast_first(&one, &none, 1, 0, -1, &impact), VESICA_E_NULL);
   const T circle[3] = {0, 0, 1};
-  one = {VESICA_CIRCLE, 0, 1, 0, {circle, circle + 1, circle + 2}};
+  one = {VESICA_CIRCLE, 0, 1, 0, {circle, circle + 1, circle + 2}, nullptr, nullptr, 0};
   EXPECT_EQ(F::cast_first(&one, &none, 1, 0, 1, &impact), 0);
 }
 

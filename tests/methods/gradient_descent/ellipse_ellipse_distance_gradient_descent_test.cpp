@@ -38,7 +38,7 @@ TEST(GradientDescent, NineteenEllipsesByBoundaryDistance) {
   for (std::size_t i = 0; i < nineteen_ellipses::others.size(); ++i) {
     const auto other = sample<double>(nineteen_ellipses::others[i]);
     vesica_closest_points_f64 closest;
-    EXPECT_EQ(vesica_boundary_distance_f64(VESICA_ELLIPSE, &first.cx, VESICA_ELLIPSE, &other.cx, &closest), 0) << i;
+    EXPECT_EQ(vesica_boundary_distance_f64(VESICA_ELLIPSE, &first, VESICA_ELLIPSE, &other, &closest), 0) << i;
     EXPECT_NEAR(closest.distance, nineteen_ellipses::distances[i], 1e-13) << i;
   }
 }

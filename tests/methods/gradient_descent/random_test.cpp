@@ -100,7 +100,7 @@ TEST(GradientDescentRandom, AgreesWithBoundaryDistance) {
   for (int i = 0; i < cases; ++i) {
     const vesica_ellipse_f64 a = random_ellipse(random, 20, 1), b = random_ellipse(random, 20, 1);
     vesica_closest_points_f64 closest;
-    ASSERT_EQ(vesica_boundary_distance_f64(VESICA_ELLIPSE, &a.cx, VESICA_ELLIPSE, &b.cx, &closest), 0);
+    ASSERT_EQ(vesica_boundary_distance_f64(VESICA_ELLIPSE, &a, VESICA_ELLIPSE, &b, &closest), 0);
     const double distance = run(a, b).result.distance;
     EXPECT_GE(distance, closest.distance - 1e-14) << "VESICA_SEED=" << properties::seed();
     agree += std::fabs(distance - closest.distance) < 1e-5;

@@ -246,7 +246,9 @@ pub type vesica_penetration_f32 = Penetration<f32>;
 ///
 /// Number k of element i is at field\[k\] + i \* stride bytes, with k in the order of the shape's struct. stride is the
 /// size of a record for records, sizeof(double) for columns, 0 to repeat one shape, and negative to run backwards.
-/// Fields beyond those of the kind are ignored. Numbers need no alignment. reserved must be 0.
+/// Fields beyond those of the kind are ignored. Numbers need no alignment.
+/// reserved and each must be 0, rings and polygons NULL. They are for kinds with any number of vertices, which this
+/// version does not have. vesica_shapes_from_records_f64 sets them; if you fill the struct yourself, start from {0}.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(missing_docs)]
@@ -255,7 +257,10 @@ pub struct Shapes<T> {
     pub reserved: i32,
     pub count: i64,
     pub stride: isize,
-    pub field: [*const T; 6],
+    pub field: [*const T; 8],
+    pub rings: *const i32,
+    pub polygons: *const i32,
+    pub each: i64,
 }
 /// [`Shapes`] of f64.
 pub type vesica_shapes_f64 = Shapes<f64>;
@@ -351,7 +356,7 @@ extern "C" {
     /// Cost: a few ns.
     ///
     /// Since: 0.1.
-    pub fn vesica_check_f64(kind: i32, numbers: *const f64) -> i32;
+    pub fn vesica_check_f64(kind: i32, shape: *const c_void) -> i32;
     /// Do two shapes share a point? Touching counts.
     ///
     /// Returns: 1 if they do, 0 if not.
@@ -363,7 +368,7 @@ extern "C" {
     /// Cost: about 2 ns more than the function named after the two kinds.
     ///
     /// Since: 0.1.
-    pub fn vesica_overlap_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64) -> i32;
+    pub fn vesica_overlap_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32;
     /// How does a relate to b? The answer is one of the eight relations of the region connection calculus (RCC-8).
     ///
     /// The outline of a shape with area is the curve around it. The outline of a segment, or of a shape with one size
@@ -383,7 +388,7 @@ extern "C" {
     /// Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 30 us.
     ///
     /// Since: 0.1.
-    pub fn vesica_relation_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64) -> i32;
+    pub fn vesica_relation_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32;
     /// Does a contain all of b? A shape contains itself, and whatever touches its outline from inside.
     ///
     /// Returns: 1 if vesica_relation_f64 is VESICA_CONTAINS, VESICA_CONTAINS_TOUCH or VESICA_EQUAL, else 0.
@@ -395,7 +400,7 @@ extern "C" {
     /// Cost: that of vesica_relation_f64.
     ///
     /// Since: 0.1.
-    pub fn vesica_contains_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64) -> i32;
+    pub fn vesica_contains_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32;
     /// Where do the outlines of two shapes meet? Touching counts.
     ///
     /// The outline of a shape with area is the curve around it. A segment, a point and a shape without area are their
@@ -418,7 +423,7 @@ extern "C" {
     /// Cost: 1 to 10 us; at worst 30 us.
     ///
     /// Since: 0.1.
-    pub fn vesica_crossings_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
+    pub fn vesica_crossings_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
         out: *mut CrossingPoints<f64>) -> i32;
     /// How far apart are two solid shapes, and which of their points are closest?
     ///
@@ -442,7 +447,7 @@ extern "C" {
     /// or below 2^-40; at worst 25 us.
     ///
     /// Since: 0.1.
-    pub fn vesica_nearest_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
+    pub fn vesica_nearest_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
         out: *mut ClosestPoints<f64>) -> i32;
     /// How far apart are the outlines of two shapes, and where do they come closest?
     ///
@@ -467,7 +472,7 @@ extern "C" {
     /// 0.8 us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for near-ties; at worst 30 us.
     ///
     /// Since: 0.1.
-    pub fn vesica_boundary_distance_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
+    pub fn vesica_boundary_distance_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
         out: *mut ClosestPoints<f64>) -> i32;
     /// Penetration depth: how far and which way must b be moved until the two shapes only touch?
     ///
@@ -493,7 +498,7 @@ extern "C" {
     /// only exact arithmetic can tell the depth from 0; at worst 25 us.
     ///
     /// Since: 0.1.
-    pub fn vesica_depth_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
+    pub fn vesica_depth_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
         out: *mut Penetration<f64>) -> i32;
     /// Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
     ///
@@ -507,7 +512,7 @@ extern "C" {
     /// Cost: about 20 ns.
     ///
     /// Since: 0.1.
-    pub fn vesica_shape_area_f64(kind: i32, numbers: *const f64, out: *mut f64) -> i32;
+    pub fn vesica_shape_area_f64(kind: i32, shape: *const c_void, out: *mut f64) -> i32;
     /// Area of the intersection of two shapes.
     ///
     /// It is exactly 0 if shapes are disjoint, if they only touch, or if one has no area. If one contains the other, it
@@ -529,8 +534,7 @@ extern "C" {
     /// outlines nearly touch or coincide, or if one shape is far larger; at worst 30 us.
     ///
     /// Since: 0.1.
-    pub fn vesica_area_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
-        out: *mut f64) -> i32;
+    pub fn vesica_area_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut f64) -> i32;
     /// Intersection over union (Jaccard index) of two shapes: the area they share over the area they cover together.
     ///
     /// It is exactly 1 for equal shapes and exactly 0 for shapes that share no area. Intermediate results never
@@ -545,7 +549,7 @@ extern "C" {
     /// Cost: that of vesica_area_f64 and of vesica_shape_area_f64 twice.
     ///
     /// Since: 0.1.
-    pub fn vesica_iou_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64, out: *mut f64) -> i32;
+    pub fn vesica_iou_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut f64) -> i32;
     /// Smallest box of representable numbers that contains a shape.
     ///
     /// Returns: 0.
@@ -558,7 +562,7 @@ extern "C" {
     /// and representable sides; at worst 6 us.
     ///
     /// Since: 0.1.
-    pub fn vesica_bounds_f64(kind: i32, numbers: *const f64, out: *mut Aabb<f64>) -> i32;
+    pub fn vesica_bounds_f64(kind: i32, shape: *const c_void, out: *mut Aabb<f64>) -> i32;
     /// Are the two points the same?
     ///
     /// Returns: 1 if the shapes share a point (touching counts), 0 if not.
@@ -947,9 +951,9 @@ extern "C" {
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
-    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
-    /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
-    /// exceeds the address space).
+    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
+    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, or an array that exceeds the
+    /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -968,9 +972,9 @@ extern "C" {
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
-    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
-    /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
-    /// exceeds the address space).
+    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
+    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, or an array that exceeds the
+    /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -989,9 +993,9 @@ extern "C" {
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
-    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
-    /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
-    /// exceeds the address space).
+    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
+    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, or an array that exceeds the
+    /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -1010,9 +1014,9 @@ extern "C" {
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
-    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
-    /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
-    /// exceeds the address space).
+    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
+    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, or an array that exceeds the
+    /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -1033,9 +1037,9 @@ extern "C" {
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
-    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
-    /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
-    /// exceeds the address space).
+    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
+    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, or an array that exceeds the
+    /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -1055,9 +1059,9 @@ extern "C" {
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
-    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
-    /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
-    /// exceeds the address space).
+    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
+    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, or an array that exceeds the
+    /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -1077,9 +1081,9 @@ extern "C" {
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
-    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
-    /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
-    /// exceeds the address space).
+    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
+    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, or an array that exceeds the
+    /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -1101,9 +1105,9 @@ extern "C" {
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
-    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
-    /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
-    /// exceeds the address space).
+    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
+    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, or an array that exceeds the
+    /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -1125,7 +1129,8 @@ extern "C" {
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
     /// written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
-    /// negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
+    /// negative count, an unused member that is not 0 or NULL, rows that overlap, or an array or rows that exceed the
+    /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -1146,7 +1151,8 @@ extern "C" {
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
     /// written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
-    /// negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
+    /// negative count, an unused member that is not 0 or NULL, rows that overlap, or an array or rows that exceed the
+    /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -1167,7 +1173,8 @@ extern "C" {
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
     /// written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
-    /// negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
+    /// negative count, an unused member that is not 0 or NULL, rows that overlap, or an array or rows that exceed the
+    /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -1188,7 +1195,8 @@ extern "C" {
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
     /// written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
-    /// negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
+    /// negative count, an unused member that is not 0 or NULL, rows that overlap, or an array or rows that exceed the
+    /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -1211,7 +1219,8 @@ extern "C" {
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
     /// written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
-    /// negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
+    /// negative count, an unused member that is not 0 or NULL, rows that overlap, or an array or rows that exceed the
+    /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -1279,7 +1288,7 @@ extern "C" {
     /// Cost: a few ns.
     ///
     /// Since: 0.1.
-    pub fn vesica_check_f32(kind: i32, numbers: *const f32) -> i32;
+    pub fn vesica_check_f32(kind: i32, shape: *const c_void) -> i32;
     /// Do two shapes share a point? Touching counts.
     ///
     /// Returns: 1 if they do, 0 if not.
@@ -1291,7 +1300,7 @@ extern "C" {
     /// Cost: about 2 ns more than the function named after the two kinds.
     ///
     /// Since: 0.1.
-    pub fn vesica_overlap_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32) -> i32;
+    pub fn vesica_overlap_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32;
     /// How does a relate to b? The answer is one of the eight relations of the region connection calculus (RCC-8).
     ///
     /// The outline of a shape with area is the curve around it. The outline of a segment, or of a shape with one size
@@ -1311,7 +1320,7 @@ extern "C" {
     /// Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 30 us.
     ///
     /// Since: 0.1.
-    pub fn vesica_relation_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32) -> i32;
+    pub fn vesica_relation_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32;
     /// Does a contain all of b? A shape contains itself, and whatever touches its outline from inside.
     ///
     /// Returns: 1 if vesica_relation_f32 is VESICA_CONTAINS, VESICA_CONTAINS_TOUCH or VESICA_EQUAL, else 0.
@@ -1323,7 +1332,7 @@ extern "C" {
     /// Cost: that of vesica_relation_f32.
     ///
     /// Since: 0.1.
-    pub fn vesica_contains_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32) -> i32;
+    pub fn vesica_contains_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32;
     /// Where do the outlines of two shapes meet? Touching counts.
     ///
     /// The outline of a shape with area is the curve around it. A segment, a point and a shape without area are their
@@ -1347,7 +1356,7 @@ extern "C" {
     /// Cost: 1 to 10 us; at worst 30 us.
     ///
     /// Since: 0.1.
-    pub fn vesica_crossings_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
+    pub fn vesica_crossings_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
         out: *mut CrossingPoints<f32>) -> i32;
     /// How far apart are two solid shapes, and which of their points are closest?
     ///
@@ -1372,7 +1381,7 @@ extern "C" {
     /// or below 2^-40; at worst 25 us.
     ///
     /// Since: 0.1.
-    pub fn vesica_nearest_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
+    pub fn vesica_nearest_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
         out: *mut ClosestPoints<f32>) -> i32;
     /// How far apart are the outlines of two shapes, and where do they come closest?
     ///
@@ -1398,7 +1407,7 @@ extern "C" {
     /// 0.8 us if outlines meet, for thin shapes as vesica_crossings_f32; up to 5 us more for near-ties; at worst 30 us.
     ///
     /// Since: 0.1.
-    pub fn vesica_boundary_distance_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
+    pub fn vesica_boundary_distance_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
         out: *mut ClosestPoints<f32>) -> i32;
     /// Penetration depth: how far and which way must b be moved until the two shapes only touch?
     ///
@@ -1424,7 +1433,7 @@ extern "C" {
     /// only exact arithmetic can tell the depth from 0; at worst 25 us.
     ///
     /// Since: 0.1.
-    pub fn vesica_depth_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
+    pub fn vesica_depth_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
         out: *mut Penetration<f32>) -> i32;
     /// Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
     ///
@@ -1439,7 +1448,7 @@ extern "C" {
     /// Cost: about 20 ns.
     ///
     /// Since: 0.1.
-    pub fn vesica_shape_area_f32(kind: i32, numbers: *const f32, out: *mut f32) -> i32;
+    pub fn vesica_shape_area_f32(kind: i32, shape: *const c_void, out: *mut f32) -> i32;
     /// Area of the intersection of two shapes.
     ///
     /// It is exactly 0 if shapes are disjoint, if they only touch, or if one has no area. If one contains the other, it
@@ -1462,8 +1471,7 @@ extern "C" {
     /// outlines nearly touch or coincide, or if one shape is far larger; at worst 30 us.
     ///
     /// Since: 0.1.
-    pub fn vesica_area_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
-        out: *mut f32) -> i32;
+    pub fn vesica_area_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut f32) -> i32;
     /// Intersection over union (Jaccard index) of two shapes: the area they share over the area they cover together.
     ///
     /// It is exactly 1 for equal shapes and exactly 0 for shapes that share no area. Intermediate results never
@@ -1479,7 +1487,7 @@ extern "C" {
     /// Cost: that of vesica_area_f32 and of vesica_shape_area_f32 twice.
     ///
     /// Since: 0.1.
-    pub fn vesica_iou_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32, out: *mut f32) -> i32;
+    pub fn vesica_iou_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut f32) -> i32;
     /// Smallest box of representable numbers that contains a shape.
     ///
     /// Returns: 0.
@@ -1492,7 +1500,7 @@ extern "C" {
     /// and representable sides; at worst 6 us.
     ///
     /// Since: 0.1.
-    pub fn vesica_bounds_f32(kind: i32, numbers: *const f32, out: *mut Aabb<f32>) -> i32;
+    pub fn vesica_bounds_f32(kind: i32, shape: *const c_void, out: *mut Aabb<f32>) -> i32;
     /// Are the two points the same?
     ///
     /// Returns: 1 if the shapes share a point (touching counts), 0 if not.
@@ -1881,9 +1889,9 @@ extern "C" {
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
-    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
-    /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
-    /// exceeds the address space).
+    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
+    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, or an array that exceeds the
+    /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -1902,9 +1910,9 @@ extern "C" {
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
-    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
-    /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
-    /// exceeds the address space).
+    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
+    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, or an array that exceeds the
+    /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -1923,9 +1931,9 @@ extern "C" {
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
-    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
-    /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
-    /// exceeds the address space).
+    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
+    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, or an array that exceeds the
+    /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -1944,9 +1952,9 @@ extern "C" {
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
-    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
-    /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
-    /// exceeds the address space).
+    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
+    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, or an array that exceeds the
+    /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -1967,9 +1975,9 @@ extern "C" {
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
-    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
-    /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
-    /// exceeds the address space).
+    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
+    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, or an array that exceeds the
+    /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -1989,9 +1997,9 @@ extern "C" {
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
-    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
-    /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
-    /// exceeds the address space).
+    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
+    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, or an array that exceeds the
+    /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -2011,9 +2019,9 @@ extern "C" {
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
-    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
-    /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
-    /// exceeds the address space).
+    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
+    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, or an array that exceeds the
+    /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -2035,9 +2043,9 @@ extern "C" {
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
-    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
-    /// VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
-    /// exceeds the address space).
+    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
+    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, or an array that exceeds the
+    /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -2059,7 +2067,8 @@ extern "C" {
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
     /// written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
-    /// negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
+    /// negative count, an unused member that is not 0 or NULL, rows that overlap, or an array or rows that exceed the
+    /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -2080,7 +2089,8 @@ extern "C" {
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
     /// written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
-    /// negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
+    /// negative count, an unused member that is not 0 or NULL, rows that overlap, or an array or rows that exceed the
+    /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -2101,7 +2111,8 @@ extern "C" {
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
     /// written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
-    /// negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
+    /// negative count, an unused member that is not 0 or NULL, rows that overlap, or an array or rows that exceed the
+    /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -2122,7 +2133,8 @@ extern "C" {
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
     /// written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
-    /// negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
+    /// negative count, an unused member that is not 0 or NULL, rows that overlap, or an array or rows that exceed the
+    /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -2145,7 +2157,8 @@ extern "C" {
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
     /// written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
-    /// negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
+    /// negative count, an unused member that is not 0 or NULL, rows that overlap, or an array or rows that exceed the
+    /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
@@ -2806,7 +2819,7 @@ extern "C" {
     /// Cost: that of vesica_area_f64 or vesica_iou_f64, and 100 to 150 ns more; in arrays 40 to 100 ns more.
     ///
     /// Since: 0.1.
-    pub fn vesica_ratio_f64(ratio: i32, kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
+    pub fn vesica_ratio_f64(ratio: i32, kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
         out: *mut f64) -> i32;
     /// A ratio of a\[i\] and b\[i\]: out\[i\] is the result of vesica_ratio_f64.
     ///
@@ -2896,7 +2909,7 @@ extern "C" {
     /// Cost: that of vesica_nearest_f64 or vesica_depth_f64.
     ///
     /// Since: 0.1.
-    pub fn vesica_signed_distance_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
+    pub fn vesica_signed_distance_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
         out: *mut f64) -> i32;
     /// Signed distances of a\[i\] and b\[i\]. Arrays and errors are those of vesica_iou_many_f64.
     ///
@@ -2941,8 +2954,7 @@ extern "C" {
     /// as when the distance is met exactly. At worst 25 us.
     ///
     /// Since: 0.1.
-    pub fn vesica_within_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
-        distance: f64) -> i32;
+    pub fn vesica_within_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, distance: f64) -> i32;
     /// Are a\[i\] and b\[i\] at most `distance` apart? out\[i\] is the answer of vesica_within_f64.
     ///
     /// Arrays and errors are those of vesica_overlap_many_f64.
@@ -3058,7 +3070,7 @@ extern "C" {
     /// Cost: that of vesica_area_f32 or vesica_iou_f32, and 100 to 150 ns more; in arrays 40 to 100 ns more.
     ///
     /// Since: 0.1.
-    pub fn vesica_ratio_f32(ratio: i32, kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
+    pub fn vesica_ratio_f32(ratio: i32, kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
         out: *mut f32) -> i32;
     /// A ratio of a\[i\] and b\[i\]: out\[i\] is the result of vesica_ratio_f32.
     ///
@@ -3170,7 +3182,7 @@ extern "C" {
     /// Cost: that of vesica_nearest_f32 or vesica_depth_f32.
     ///
     /// Since: 0.1.
-    pub fn vesica_signed_distance_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
+    pub fn vesica_signed_distance_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
         out: *mut f32) -> i32;
     /// Signed distances of a\[i\] and b\[i\]. Arrays and errors are those of vesica_iou_many_f32.
     ///
@@ -3217,8 +3229,7 @@ extern "C" {
     /// as when the distance is met exactly. At worst 25 us.
     ///
     /// Since: 0.1.
-    pub fn vesica_within_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
-        distance: f32) -> i32;
+    pub fn vesica_within_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, distance: f32) -> i32;
     /// Are a\[i\] and b\[i\] at most `distance` apart? out\[i\] is the answer of vesica_within_f32.
     ///
     /// Arrays and errors are those of vesica_overlap_many_f32.
@@ -3316,8 +3327,8 @@ extern "C" {
     /// exponents most take 10 to 30 us; at worst 0.3 ms.
     ///
     /// Since: 0.1.
-    pub fn vesica_cast_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64, vx: f64, vy: f64,
-        t_end: f64, out: *mut Impact<f64>) -> i32;
+    pub fn vesica_cast_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, vx: f64, vy: f64, t_end: f64,
+        out: *mut Impact<f64>) -> i32;
     /// When and where does b\[i\], moved by t (vx\[i\], vy\[i\]), touch a\[i\]? The columns are the fields of
     /// vesica_cast_f64's result.
     ///
@@ -3371,7 +3382,7 @@ extern "C" {
     /// Cost: 15 ns more than vesica_bounds_f64.
     ///
     /// Since: 0.1.
-    pub fn vesica_sweep_bounds_f64(kind: i32, numbers: *const f64, vx: f64, vy: f64, t_end: f64,
+    pub fn vesica_sweep_bounds_f64(kind: i32, shape: *const c_void, vx: f64, vy: f64, t_end: f64,
         out: *mut Aabb<f64>) -> i32;
     /// Which items of an index does one moving shape touch? They come in the index's order.
     ///
@@ -3435,8 +3446,8 @@ extern "C" {
     /// worst 1.4 ms.
     ///
     /// Since: 0.1.
-    pub fn vesica_impact_time_f64(kind_a: i32, numbers_a: *const f64, turn_a: *const Turn<f64>, kind_b: i32,
-        numbers_b: *const f64, turn_b: *const Turn<f64>, tolerance: f64, out: *mut Impact<f64>, gap: *mut f64) -> i32;
+    pub fn vesica_impact_time_f64(kind_a: i32, a: *const c_void, turn_a: *const Turn<f64>, kind_b: i32,
+        b: *const c_void, turn_b: *const Turn<f64>, tolerance: f64, out: *mut Impact<f64>, gap: *mut f64) -> i32;
     /// A ray at a point.
     ///
     /// Requires: vx and vy finite; both may be 0. t_end \>= 0, or infinity.
@@ -3597,8 +3608,8 @@ extern "C" {
     /// exponents most take 10 to 30 us; at worst 0.3 ms.
     ///
     /// Since: 0.1.
-    pub fn vesica_cast_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32, vx: f32, vy: f32,
-        t_end: f32, out: *mut Impact<f32>) -> i32;
+    pub fn vesica_cast_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, vx: f32, vy: f32, t_end: f32,
+        out: *mut Impact<f32>) -> i32;
     /// When and where does b\[i\], moved by t (vx\[i\], vy\[i\]), touch a\[i\]? The columns are the fields of
     /// vesica_cast_f32's result.
     ///
@@ -3652,7 +3663,7 @@ extern "C" {
     /// Cost: 15 ns more than vesica_bounds_f32.
     ///
     /// Since: 0.1.
-    pub fn vesica_sweep_bounds_f32(kind: i32, numbers: *const f32, vx: f32, vy: f32, t_end: f32,
+    pub fn vesica_sweep_bounds_f32(kind: i32, shape: *const c_void, vx: f32, vy: f32, t_end: f32,
         out: *mut Aabb<f32>) -> i32;
     /// Which items of an index does one moving shape touch? They come in the index's order.
     ///
@@ -3695,8 +3706,8 @@ extern "C" {
     /// Errors: those of the double functions.
     ///
     /// Since: 0.1.
-    pub fn vesica_impact_time_f32(kind_a: i32, numbers_a: *const f32, turn_a: *const Turn<f32>, kind_b: i32,
-        numbers_b: *const f32, turn_b: *const Turn<f32>, tolerance: f32, out: *mut Impact<f32>, gap: *mut f32) -> i32;
+    pub fn vesica_impact_time_f32(kind_a: i32, a: *const c_void, turn_a: *const Turn<f32>, kind_b: i32,
+        b: *const c_void, turn_b: *const Turn<f32>, tolerance: f32, out: *mut Impact<f32>, gap: *mut f32) -> i32;
     /// A ray at a point.
     ///
     /// Requires: vx and vy finite; both may be 0. t_end \>= 0, or infinity.
@@ -3846,8 +3857,7 @@ extern "C" {
     /// At worst 30 us.
     ///
     /// Since: 0.1.
-    pub fn vesica_de9im_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
-        matrix: *mut u8) -> i32;
+    pub fn vesica_de9im_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, matrix: *mut u8) -> i32;
     /// Does a nine-intersection matrix match a pattern, such as "T\*F\*\*F\*\*\*" for "a is within b"?
     ///
     /// In a pattern F, 0, 1 and 2 match themselves, T matches 0, 1 and 2, and \* matches all four.
@@ -3885,7 +3895,7 @@ extern "C" {
     /// 30 us.
     ///
     /// Since: 0.1.
-    pub fn vesica_intersection_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
+    pub fn vesica_intersection_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
         vertices: *mut f64) -> i32;
     /// The nine-intersection matrix of two shapes (DE-9IM), as geographic systems write it.
     ///
@@ -3908,8 +3918,7 @@ extern "C" {
     /// At worst 30 us.
     ///
     /// Since: 0.1.
-    pub fn vesica_de9im_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
-        matrix: *mut u8) -> i32;
+    pub fn vesica_de9im_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, matrix: *mut u8) -> i32;
     /// The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
     ///
     /// The kinds are points, segments, boxes and rectangles; a point or a segment may also meet a circle or an ellipse.
@@ -3933,7 +3942,7 @@ extern "C" {
     /// 30 us.
     ///
     /// Since: 0.1.
-    pub fn vesica_intersection_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
+    pub fn vesica_intersection_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
         vertices: *mut f32) -> i32;
 }
 
@@ -3943,22 +3952,21 @@ extern "C" {
 /// Nothing else can be one.
 #[allow(missing_docs, clippy::missing_safety_doc, clippy::too_many_arguments)]
 pub unsafe trait Scalar: Copy + Default + PartialEq + PartialOrd + core::fmt::Debug + 'static {
-    unsafe fn check(kind: i32, numbers: *const Self) -> i32;
-    unsafe fn overlap(kind_a: i32, numbers_a: *const Self, kind_b: i32, numbers_b: *const Self) -> i32;
-    unsafe fn relation(kind_a: i32, numbers_a: *const Self, kind_b: i32, numbers_b: *const Self) -> i32;
-    unsafe fn contains(kind_a: i32, numbers_a: *const Self, kind_b: i32, numbers_b: *const Self) -> i32;
-    unsafe fn crossings(kind_a: i32, numbers_a: *const Self, kind_b: i32, numbers_b: *const Self,
+    unsafe fn check(kind: i32, shape: *const c_void) -> i32;
+    unsafe fn overlap(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32;
+    unsafe fn relation(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32;
+    unsafe fn contains(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32;
+    unsafe fn crossings(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
         out: *mut CrossingPoints<Self>) -> i32;
-    unsafe fn nearest(kind_a: i32, numbers_a: *const Self, kind_b: i32, numbers_b: *const Self,
+    unsafe fn nearest(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
         out: *mut ClosestPoints<Self>) -> i32;
-    unsafe fn boundary_distance(kind_a: i32, numbers_a: *const Self, kind_b: i32, numbers_b: *const Self,
+    unsafe fn boundary_distance(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
         out: *mut ClosestPoints<Self>) -> i32;
-    unsafe fn depth(kind_a: i32, numbers_a: *const Self, kind_b: i32, numbers_b: *const Self,
-        out: *mut Penetration<Self>) -> i32;
-    unsafe fn shape_area(kind: i32, numbers: *const Self, out: *mut Self) -> i32;
-    unsafe fn area(kind_a: i32, numbers_a: *const Self, kind_b: i32, numbers_b: *const Self, out: *mut Self) -> i32;
-    unsafe fn iou(kind_a: i32, numbers_a: *const Self, kind_b: i32, numbers_b: *const Self, out: *mut Self) -> i32;
-    unsafe fn bounds(kind: i32, numbers: *const Self, out: *mut Aabb<Self>) -> i32;
+    unsafe fn depth(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Penetration<Self>) -> i32;
+    unsafe fn shape_area(kind: i32, shape: *const c_void, out: *mut Self) -> i32;
+    unsafe fn area(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Self) -> i32;
+    unsafe fn iou(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Self) -> i32;
+    unsafe fn bounds(kind: i32, shape: *const c_void, out: *mut Aabb<Self>) -> i32;
     unsafe fn overlap_point_point(a: *const Point<Self>, b: *const Point<Self>) -> i32;
     unsafe fn overlap_point_segment(a: *const Point<Self>, b: *const Segment<Self>) -> i32;
     unsafe fn overlap_point_circle(a: *const Point<Self>, b: *const Circle<Self>) -> i32;
@@ -4034,8 +4042,7 @@ pub unsafe trait Scalar: Copy + Default + PartialEq + PartialOrd + core::fmt::De
     unsafe fn join_nearest(sets_a: *const Shapes<Self>, set_count_a: i32, index_b: *const c_void,
         sets_b: *const Shapes<Self>, set_count_b: i32, k: i64, within: Self, part: i64, parts: i64, out: *mut i64,
         distance: *mut Self) -> i64;
-    unsafe fn ratio(ratio: i32, kind_a: i32, numbers_a: *const Self, kind_b: i32, numbers_b: *const Self,
-        out: *mut Self) -> i32;
+    unsafe fn ratio(ratio: i32, kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Self) -> i32;
     unsafe fn ratio_many(ratio: i32, a: *const Shapes<Self>, b: *const Shapes<Self>, out: *mut Self) -> i64;
     unsafe fn ratio_matrix(ratio: i32, a: *const Shapes<Self>, b: *const Shapes<Self>, out: *mut Self,
         row_stride: isize) -> i64;
@@ -4043,12 +4050,11 @@ pub unsafe trait Scalar: Copy + Default + PartialEq + PartialOrd + core::fmt::De
     unsafe fn boundary_distance_matrix(a: *const Shapes<Self>, b: *const Shapes<Self>, out: *mut Self,
         row_stride: isize) -> i64;
     unsafe fn depth_matrix(a: *const Shapes<Self>, b: *const Shapes<Self>, out: *mut Self, row_stride: isize) -> i64;
-    unsafe fn signed_distance(kind_a: i32, numbers_a: *const Self, kind_b: i32, numbers_b: *const Self,
-        out: *mut Self) -> i32;
+    unsafe fn signed_distance(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Self) -> i32;
     unsafe fn signed_distance_many(a: *const Shapes<Self>, b: *const Shapes<Self>, out: *mut Self) -> i64;
     unsafe fn signed_distance_matrix(a: *const Shapes<Self>, b: *const Shapes<Self>, out: *mut Self,
         row_stride: isize) -> i64;
-    unsafe fn within(kind_a: i32, numbers_a: *const Self, kind_b: i32, numbers_b: *const Self, distance: Self) -> i32;
+    unsafe fn within(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, distance: Self) -> i32;
     unsafe fn within_many(a: *const Shapes<Self>, b: *const Shapes<Self>, distance: Self, out: *mut u8) -> i64;
     unsafe fn within_matrix(a: *const Shapes<Self>, b: *const Shapes<Self>, distance: Self, out: *mut u8,
         row_stride: isize) -> i64;
@@ -4058,21 +4064,20 @@ pub unsafe trait Scalar: Copy + Default + PartialEq + PartialOrd + core::fmt::De
     unsafe fn suppress_soft(shapes: *const Shapes<Self>, scores: *const Self, labels: *const i32, ratio: i32,
         decay: i32, parameter: Self, least_score: Self, most: i64, scratch: *mut c_void, scratch_size: i64,
         keep: *mut i64, decayed: *mut Self, kept: *mut i64) -> i32;
-    unsafe fn cast(kind_a: i32, numbers_a: *const Self, kind_b: i32, numbers_b: *const Self, vx: Self, vy: Self,
-        t_end: Self, out: *mut Impact<Self>) -> i32;
+    unsafe fn cast(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, vx: Self, vy: Self, t_end: Self,
+        out: *mut Impact<Self>) -> i32;
     unsafe fn cast_many(a: *const Shapes<Self>, b: *const Shapes<Self>, vx: *const Self, vy: *const Self, stride: isize,
         t_end: Self, t: *mut Self, x: *mut Self, y: *mut Self, nx: *mut Self, ny: *mut Self) -> i64;
     unsafe fn cast_first(one: *const Shapes<Self>, many: *const Shapes<Self>, vx: Self, vy: Self, t_end: Self,
         out: *mut Impact<Self>) -> i64;
-    unsafe fn sweep_bounds(kind: i32, numbers: *const Self, vx: Self, vy: Self, t_end: Self,
+    unsafe fn sweep_bounds(kind: i32, shape: *const c_void, vx: Self, vy: Self, t_end: Self,
         out: *mut Aabb<Self>) -> i32;
     unsafe fn index_cast(index: *const c_void, sets: *const Shapes<Self>, set_count: i32, one: *const Shapes<Self>,
         vx: Self, vy: Self, t_end: Self, out: *mut i64, capacity: i64, state: *mut i64) -> i64;
     unsafe fn index_cast_first(index: *const c_void, sets: *const Shapes<Self>, set_count: i32,
         one: *const Shapes<Self>, vx: Self, vy: Self, t_end: Self, out: *mut Impact<Self>) -> i64;
-    unsafe fn impact_time(kind_a: i32, numbers_a: *const Self, turn_a: *const Turn<Self>, kind_b: i32,
-        numbers_b: *const Self, turn_b: *const Turn<Self>, tolerance: Self, out: *mut Impact<Self>,
-        gap: *mut Self) -> i32;
+    unsafe fn impact_time(kind_a: i32, a: *const c_void, turn_a: *const Turn<Self>, kind_b: i32, b: *const c_void,
+        turn_b: *const Turn<Self>, tolerance: Self, out: *mut Impact<Self>, gap: *mut Self) -> i32;
     unsafe fn cast_point_point(a: *const Point<Self>, b: *const Point<Self>, vx: Self, vy: Self, t_end: Self,
         out: *mut Impact<Self>) -> i32;
     unsafe fn cast_segment_point(a: *const Segment<Self>, b: *const Point<Self>, vx: Self, vy: Self, t_end: Self,
@@ -4089,62 +4094,60 @@ pub unsafe trait Scalar: Copy + Default + PartialEq + PartialOrd + core::fmt::De
         out: *mut Impact<Self>) -> i32;
     unsafe fn cast_rect_rect(a: *const Rect<Self>, b: *const Rect<Self>, vx: Self, vy: Self, t_end: Self,
         out: *mut Impact<Self>) -> i32;
-    unsafe fn de9im(kind_a: i32, numbers_a: *const Self, kind_b: i32, numbers_b: *const Self, matrix: *mut u8) -> i32;
-    unsafe fn intersection(kind_a: i32, numbers_a: *const Self, kind_b: i32, numbers_b: *const Self,
-        vertices: *mut Self) -> i32;
+    unsafe fn de9im(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, matrix: *mut u8) -> i32;
+    unsafe fn intersection(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, vertices: *mut Self) -> i32;
 }
 unsafe impl Scalar for f64 {
     #[inline]
-    unsafe fn check(kind: i32, numbers: *const f64) -> i32 {
-        vesica_check_f64(kind, numbers)
+    unsafe fn check(kind: i32, shape: *const c_void) -> i32 {
+        vesica_check_f64(kind, shape)
     }
     #[inline]
-    unsafe fn overlap(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64) -> i32 {
-        vesica_overlap_f64(kind_a, numbers_a, kind_b, numbers_b)
+    unsafe fn overlap(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32 {
+        vesica_overlap_f64(kind_a, a, kind_b, b)
     }
     #[inline]
-    unsafe fn relation(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64) -> i32 {
-        vesica_relation_f64(kind_a, numbers_a, kind_b, numbers_b)
+    unsafe fn relation(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32 {
+        vesica_relation_f64(kind_a, a, kind_b, b)
     }
     #[inline]
-    unsafe fn contains(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64) -> i32 {
-        vesica_contains_f64(kind_a, numbers_a, kind_b, numbers_b)
+    unsafe fn contains(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32 {
+        vesica_contains_f64(kind_a, a, kind_b, b)
     }
     #[inline]
-    unsafe fn crossings(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
+    unsafe fn crossings(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
         out: *mut CrossingPoints<f64>) -> i32 {
-        vesica_crossings_f64(kind_a, numbers_a, kind_b, numbers_b, out)
+        vesica_crossings_f64(kind_a, a, kind_b, b, out)
     }
     #[inline]
-    unsafe fn nearest(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
+    unsafe fn nearest(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
         out: *mut ClosestPoints<f64>) -> i32 {
-        vesica_nearest_f64(kind_a, numbers_a, kind_b, numbers_b, out)
+        vesica_nearest_f64(kind_a, a, kind_b, b, out)
     }
     #[inline]
-    unsafe fn boundary_distance(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
+    unsafe fn boundary_distance(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
         out: *mut ClosestPoints<f64>) -> i32 {
-        vesica_boundary_distance_f64(kind_a, numbers_a, kind_b, numbers_b, out)
+        vesica_boundary_distance_f64(kind_a, a, kind_b, b, out)
     }
     #[inline]
-    unsafe fn depth(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
-        out: *mut Penetration<f64>) -> i32 {
-        vesica_depth_f64(kind_a, numbers_a, kind_b, numbers_b, out)
+    unsafe fn depth(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Penetration<f64>) -> i32 {
+        vesica_depth_f64(kind_a, a, kind_b, b, out)
     }
     #[inline]
-    unsafe fn shape_area(kind: i32, numbers: *const f64, out: *mut f64) -> i32 {
-        vesica_shape_area_f64(kind, numbers, out)
+    unsafe fn shape_area(kind: i32, shape: *const c_void, out: *mut f64) -> i32 {
+        vesica_shape_area_f64(kind, shape, out)
     }
     #[inline]
-    unsafe fn area(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64, out: *mut f64) -> i32 {
-        vesica_area_f64(kind_a, numbers_a, kind_b, numbers_b, out)
+    unsafe fn area(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut f64) -> i32 {
+        vesica_area_f64(kind_a, a, kind_b, b, out)
     }
     #[inline]
-    unsafe fn iou(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64, out: *mut f64) -> i32 {
-        vesica_iou_f64(kind_a, numbers_a, kind_b, numbers_b, out)
+    unsafe fn iou(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut f64) -> i32 {
+        vesica_iou_f64(kind_a, a, kind_b, b, out)
     }
     #[inline]
-    unsafe fn bounds(kind: i32, numbers: *const f64, out: *mut Aabb<f64>) -> i32 {
-        vesica_bounds_f64(kind, numbers, out)
+    unsafe fn bounds(kind: i32, shape: *const c_void, out: *mut Aabb<f64>) -> i32 {
+        vesica_bounds_f64(kind, shape, out)
     }
     #[inline]
     unsafe fn overlap_point_point(a: *const Point<f64>, b: *const Point<f64>) -> i32 {
@@ -4393,9 +4396,8 @@ unsafe impl Scalar for f64 {
             distance)
     }
     #[inline]
-    unsafe fn ratio(ratio: i32, kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
-        out: *mut f64) -> i32 {
-        vesica_ratio_f64(ratio, kind_a, numbers_a, kind_b, numbers_b, out)
+    unsafe fn ratio(ratio: i32, kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut f64) -> i32 {
+        vesica_ratio_f64(ratio, kind_a, a, kind_b, b, out)
     }
     #[inline]
     unsafe fn ratio_many(ratio: i32, a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut f64) -> i64 {
@@ -4420,9 +4422,8 @@ unsafe impl Scalar for f64 {
         vesica_depth_matrix_f64(a, b, out, row_stride)
     }
     #[inline]
-    unsafe fn signed_distance(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
-        out: *mut f64) -> i32 {
-        vesica_signed_distance_f64(kind_a, numbers_a, kind_b, numbers_b, out)
+    unsafe fn signed_distance(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut f64) -> i32 {
+        vesica_signed_distance_f64(kind_a, a, kind_b, b, out)
     }
     #[inline]
     unsafe fn signed_distance_many(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut f64) -> i64 {
@@ -4434,8 +4435,8 @@ unsafe impl Scalar for f64 {
         vesica_signed_distance_matrix_f64(a, b, out, row_stride)
     }
     #[inline]
-    unsafe fn within(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64, distance: f64) -> i32 {
-        vesica_within_f64(kind_a, numbers_a, kind_b, numbers_b, distance)
+    unsafe fn within(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, distance: f64) -> i32 {
+        vesica_within_f64(kind_a, a, kind_b, b, distance)
     }
     #[inline]
     unsafe fn within_many(a: *const Shapes<f64>, b: *const Shapes<f64>, distance: f64, out: *mut u8) -> i64 {
@@ -4460,9 +4461,9 @@ unsafe impl Scalar for f64 {
             scratch_size, keep, decayed, kept)
     }
     #[inline]
-    unsafe fn cast(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64, vx: f64, vy: f64, t_end: f64,
+    unsafe fn cast(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, vx: f64, vy: f64, t_end: f64,
         out: *mut Impact<f64>) -> i32 {
-        vesica_cast_f64(kind_a, numbers_a, kind_b, numbers_b, vx, vy, t_end, out)
+        vesica_cast_f64(kind_a, a, kind_b, b, vx, vy, t_end, out)
     }
     #[inline]
     unsafe fn cast_many(a: *const Shapes<f64>, b: *const Shapes<f64>, vx: *const f64, vy: *const f64, stride: isize,
@@ -4475,8 +4476,8 @@ unsafe impl Scalar for f64 {
         vesica_cast_first_f64(one, many, vx, vy, t_end, out)
     }
     #[inline]
-    unsafe fn sweep_bounds(kind: i32, numbers: *const f64, vx: f64, vy: f64, t_end: f64, out: *mut Aabb<f64>) -> i32 {
-        vesica_sweep_bounds_f64(kind, numbers, vx, vy, t_end, out)
+    unsafe fn sweep_bounds(kind: i32, shape: *const c_void, vx: f64, vy: f64, t_end: f64, out: *mut Aabb<f64>) -> i32 {
+        vesica_sweep_bounds_f64(kind, shape, vx, vy, t_end, out)
     }
     #[inline]
     unsafe fn index_cast(index: *const c_void, sets: *const Shapes<f64>, set_count: i32, one: *const Shapes<f64>,
@@ -4489,9 +4490,9 @@ unsafe impl Scalar for f64 {
         vesica_index_cast_first_f64(index, sets, set_count, one, vx, vy, t_end, out)
     }
     #[inline]
-    unsafe fn impact_time(kind_a: i32, numbers_a: *const f64, turn_a: *const Turn<f64>, kind_b: i32,
-        numbers_b: *const f64, turn_b: *const Turn<f64>, tolerance: f64, out: *mut Impact<f64>, gap: *mut f64) -> i32 {
-        vesica_impact_time_f64(kind_a, numbers_a, turn_a, kind_b, numbers_b, turn_b, tolerance, out, gap)
+    unsafe fn impact_time(kind_a: i32, a: *const c_void, turn_a: *const Turn<f64>, kind_b: i32, b: *const c_void,
+        turn_b: *const Turn<f64>, tolerance: f64, out: *mut Impact<f64>, gap: *mut f64) -> i32 {
+        vesica_impact_time_f64(kind_a, a, turn_a, kind_b, b, turn_b, tolerance, out, gap)
     }
     #[inline]
     unsafe fn cast_point_point(a: *const Point<f64>, b: *const Point<f64>, vx: f64, vy: f64, t_end: f64,
@@ -4534,67 +4535,65 @@ unsafe impl Scalar for f64 {
         vesica_cast_rect_rect_f64(a, b, vx, vy, t_end, out)
     }
     #[inline]
-    unsafe fn de9im(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64, matrix: *mut u8) -> i32 {
-        vesica_de9im_f64(kind_a, numbers_a, kind_b, numbers_b, matrix)
+    unsafe fn de9im(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, matrix: *mut u8) -> i32 {
+        vesica_de9im_f64(kind_a, a, kind_b, b, matrix)
     }
     #[inline]
-    unsafe fn intersection(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
-        vertices: *mut f64) -> i32 {
-        vesica_intersection_f64(kind_a, numbers_a, kind_b, numbers_b, vertices)
+    unsafe fn intersection(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, vertices: *mut f64) -> i32 {
+        vesica_intersection_f64(kind_a, a, kind_b, b, vertices)
     }
 }
 unsafe impl Scalar for f32 {
     #[inline]
-    unsafe fn check(kind: i32, numbers: *const f32) -> i32 {
-        vesica_check_f32(kind, numbers)
+    unsafe fn check(kind: i32, shape: *const c_void) -> i32 {
+        vesica_check_f32(kind, shape)
     }
     #[inline]
-    unsafe fn overlap(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32) -> i32 {
-        vesica_overlap_f32(kind_a, numbers_a, kind_b, numbers_b)
+    unsafe fn overlap(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32 {
+        vesica_overlap_f32(kind_a, a, kind_b, b)
     }
     #[inline]
-    unsafe fn relation(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32) -> i32 {
-        vesica_relation_f32(kind_a, numbers_a, kind_b, numbers_b)
+    unsafe fn relation(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32 {
+        vesica_relation_f32(kind_a, a, kind_b, b)
     }
     #[inline]
-    unsafe fn contains(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32) -> i32 {
-        vesica_contains_f32(kind_a, numbers_a, kind_b, numbers_b)
+    unsafe fn contains(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32 {
+        vesica_contains_f32(kind_a, a, kind_b, b)
     }
     #[inline]
-    unsafe fn crossings(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
+    unsafe fn crossings(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
         out: *mut CrossingPoints<f32>) -> i32 {
-        vesica_crossings_f32(kind_a, numbers_a, kind_b, numbers_b, out)
+        vesica_crossings_f32(kind_a, a, kind_b, b, out)
     }
     #[inline]
-    unsafe fn nearest(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
+    unsafe fn nearest(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
         out: *mut ClosestPoints<f32>) -> i32 {
-        vesica_nearest_f32(kind_a, numbers_a, kind_b, numbers_b, out)
+        vesica_nearest_f32(kind_a, a, kind_b, b, out)
     }
     #[inline]
-    unsafe fn boundary_distance(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
+    unsafe fn boundary_distance(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
         out: *mut ClosestPoints<f32>) -> i32 {
-        vesica_boundary_distance_f32(kind_a, numbers_a, kind_b, numbers_b, out)
+        vesica_boundary_distance_f32(kind_a, a, kind_b, b, out)
     }
     #[inline]
-    unsafe fn depth(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
-        out: *mut Penetration<f32>) -> i32 {
-        vesica_depth_f32(kind_a, numbers_a, kind_b, numbers_b, out)
+    unsafe fn depth(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Penetration<f32>) -> i32 {
+        vesica_depth_f32(kind_a, a, kind_b, b, out)
     }
     #[inline]
-    unsafe fn shape_area(kind: i32, numbers: *const f32, out: *mut f32) -> i32 {
-        vesica_shape_area_f32(kind, numbers, out)
+    unsafe fn shape_area(kind: i32, shape: *const c_void, out: *mut f32) -> i32 {
+        vesica_shape_area_f32(kind, shape, out)
     }
     #[inline]
-    unsafe fn area(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32, out: *mut f32) -> i32 {
-        vesica_area_f32(kind_a, numbers_a, kind_b, numbers_b, out)
+    unsafe fn area(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut f32) -> i32 {
+        vesica_area_f32(kind_a, a, kind_b, b, out)
     }
     #[inline]
-    unsafe fn iou(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32, out: *mut f32) -> i32 {
-        vesica_iou_f32(kind_a, numbers_a, kind_b, numbers_b, out)
+    unsafe fn iou(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut f32) -> i32 {
+        vesica_iou_f32(kind_a, a, kind_b, b, out)
     }
     #[inline]
-    unsafe fn bounds(kind: i32, numbers: *const f32, out: *mut Aabb<f32>) -> i32 {
-        vesica_bounds_f32(kind, numbers, out)
+    unsafe fn bounds(kind: i32, shape: *const c_void, out: *mut Aabb<f32>) -> i32 {
+        vesica_bounds_f32(kind, shape, out)
     }
     #[inline]
     unsafe fn overlap_point_point(a: *const Point<f32>, b: *const Point<f32>) -> i32 {
@@ -4843,9 +4842,8 @@ unsafe impl Scalar for f32 {
             distance)
     }
     #[inline]
-    unsafe fn ratio(ratio: i32, kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
-        out: *mut f32) -> i32 {
-        vesica_ratio_f32(ratio, kind_a, numbers_a, kind_b, numbers_b, out)
+    unsafe fn ratio(ratio: i32, kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut f32) -> i32 {
+        vesica_ratio_f32(ratio, kind_a, a, kind_b, b, out)
     }
     #[inline]
     unsafe fn ratio_many(ratio: i32, a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut f32) -> i64 {
@@ -4870,9 +4868,8 @@ unsafe impl Scalar for f32 {
         vesica_depth_matrix_f32(a, b, out, row_stride)
     }
     #[inline]
-    unsafe fn signed_distance(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
-        out: *mut f32) -> i32 {
-        vesica_signed_distance_f32(kind_a, numbers_a, kind_b, numbers_b, out)
+    unsafe fn signed_distance(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut f32) -> i32 {
+        vesica_signed_distance_f32(kind_a, a, kind_b, b, out)
     }
     #[inline]
     unsafe fn signed_distance_many(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut f32) -> i64 {
@@ -4884,8 +4881,8 @@ unsafe impl Scalar for f32 {
         vesica_signed_distance_matrix_f32(a, b, out, row_stride)
     }
     #[inline]
-    unsafe fn within(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32, distance: f32) -> i32 {
-        vesica_within_f32(kind_a, numbers_a, kind_b, numbers_b, distance)
+    unsafe fn within(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, distance: f32) -> i32 {
+        vesica_within_f32(kind_a, a, kind_b, b, distance)
     }
     #[inline]
     unsafe fn within_many(a: *const Shapes<f32>, b: *const Shapes<f32>, distance: f32, out: *mut u8) -> i64 {
@@ -4910,9 +4907,9 @@ unsafe impl Scalar for f32 {
             scratch_size, keep, decayed, kept)
     }
     #[inline]
-    unsafe fn cast(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32, vx: f32, vy: f32, t_end: f32,
+    unsafe fn cast(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, vx: f32, vy: f32, t_end: f32,
         out: *mut Impact<f32>) -> i32 {
-        vesica_cast_f32(kind_a, numbers_a, kind_b, numbers_b, vx, vy, t_end, out)
+        vesica_cast_f32(kind_a, a, kind_b, b, vx, vy, t_end, out)
     }
     #[inline]
     unsafe fn cast_many(a: *const Shapes<f32>, b: *const Shapes<f32>, vx: *const f32, vy: *const f32, stride: isize,
@@ -4925,8 +4922,8 @@ unsafe impl Scalar for f32 {
         vesica_cast_first_f32(one, many, vx, vy, t_end, out)
     }
     #[inline]
-    unsafe fn sweep_bounds(kind: i32, numbers: *const f32, vx: f32, vy: f32, t_end: f32, out: *mut Aabb<f32>) -> i32 {
-        vesica_sweep_bounds_f32(kind, numbers, vx, vy, t_end, out)
+    unsafe fn sweep_bounds(kind: i32, shape: *const c_void, vx: f32, vy: f32, t_end: f32, out: *mut Aabb<f32>) -> i32 {
+        vesica_sweep_bounds_f32(kind, shape, vx, vy, t_end, out)
     }
     #[inline]
     unsafe fn index_cast(index: *const c_void, sets: *const Shapes<f32>, set_count: i32, one: *const Shapes<f32>,
@@ -4939,9 +4936,9 @@ unsafe impl Scalar for f32 {
         vesica_index_cast_first_f32(index, sets, set_count, one, vx, vy, t_end, out)
     }
     #[inline]
-    unsafe fn impact_time(kind_a: i32, numbers_a: *const f32, turn_a: *const Turn<f32>, kind_b: i32,
-        numbers_b: *const f32, turn_b: *const Turn<f32>, tolerance: f32, out: *mut Impact<f32>, gap: *mut f32) -> i32 {
-        vesica_impact_time_f32(kind_a, numbers_a, turn_a, kind_b, numbers_b, turn_b, tolerance, out, gap)
+    unsafe fn impact_time(kind_a: i32, a: *const c_void, turn_a: *const Turn<f32>, kind_b: i32, b: *const c_void,
+        turn_b: *const Turn<f32>, tolerance: f32, out: *mut Impact<f32>, gap: *mut f32) -> i32 {
+        vesica_impact_time_f32(kind_a, a, turn_a, kind_b, b, turn_b, tolerance, out, gap)
     }
     #[inline]
     unsafe fn cast_point_point(a: *const Point<f32>, b: *const Point<f32>, vx: f32, vy: f32, t_end: f32,
@@ -4984,12 +4981,11 @@ unsafe impl Scalar for f32 {
         vesica_cast_rect_rect_f32(a, b, vx, vy, t_end, out)
     }
     #[inline]
-    unsafe fn de9im(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32, matrix: *mut u8) -> i32 {
-        vesica_de9im_f32(kind_a, numbers_a, kind_b, numbers_b, matrix)
+    unsafe fn de9im(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, matrix: *mut u8) -> i32 {
+        vesica_de9im_f32(kind_a, a, kind_b, b, matrix)
     }
     #[inline]
-    unsafe fn intersection(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
-        vertices: *mut f32) -> i32 {
-        vesica_intersection_f32(kind_a, numbers_a, kind_b, numbers_b, vertices)
+    unsafe fn intersection(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, vertices: *mut f32) -> i32 {
+        vesica_intersection_f32(kind_a, a, kind_b, b, vertices)
     }
 }

@@ -2,6 +2,7 @@
 //! Questions about one shape or two.
 use crate::error::{answer, filled};
 use crate::{Aabb, ClosestPoints, CrossingPoints, Error, Penetration, Scalar, Shape};
+use core::ffi::c_void;
 use vesica_sys as sys;
 
 /// How a shape a relates to a shape b: the eight relations of RCC-8.
@@ -45,27 +46,28 @@ impl Default for Relation {
     }
 }
 
-type Code<T> = unsafe fn(i32, *const T, i32, *const T) -> i32;
-type Measure<T, R> = unsafe fn(i32, *const T, i32, *const T, *mut R) -> i32;
+type Code = unsafe fn(i32, *const c_void, i32, *const c_void) -> i32;
+type Measure<R> = unsafe fn(i32, *const c_void, i32, *const c_void, *mut R) -> i32;
 
 #[inline]
-fn code<A, B>(function: Code<A::Scalar>, a: &A, b: &B) -> Result<usize, Error>
+fn code<A, B>(function: Code, a: &A, b: &B) -> Result<usize, Error>
 where
     A: Shape + ?Sized,
     B: Shape<Scalar = A::Scalar> + ?Sized,
 {
     let (kind_a, kind_b) = (a.kind() as i32, b.kind() as i32);
-    answer(|| unsafe { function(kind_a, a.numbers().as_ptr(), kind_b, b.numbers().as_ptr()) })
+    answer(|| unsafe { function(kind_a, a.numbers().as_ptr().cast(), kind_b, b.numbers().as_ptr().cast()) })
 }
 
 #[inline]
-fn measure<A, B, R: Default>(function: Measure<A::Scalar, R>, a: &A, b: &B) -> Result<R, Error>
+fn measure<A, B, R: Default>(function: Measure<R>, a: &A, b: &B) -> Result<R, Error>
 where
     A: Shape + ?Sized,
     B: Shape<Scalar = A::Scalar> + ?Sized,
 {
     let (kind_a, kind_b) = (a.kind() as i32, b.kind() as i32);
-    filled(R::default(), |out| unsafe { function(kind_a, a.numbers().as_ptr(), kind_b, b.numbers().as_ptr(), out) })
+    let (a, b) = (a.numbers().as_ptr().cast(), b.numbers().as_ptr().cast());
+    filled(R::default(), |out| unsafe { function(kind_a, a, kind_b, b, out) })
 }
 
 macro_rules! of_two {
@@ -107,17 +109,17 @@ of_two! {
 
 /// Is a shape valid? If not, the error is the first rule that it breaks.
 pub fn check<S: Shape + ?Sized>(shape: &S) -> Result<(), Error> {
-    answer(|| unsafe { S::Scalar::check(shape.kind() as i32, shape.numbers().as_ptr()) }).map(drop)
+    answer(|| unsafe { S::Scalar::check(shape.kind() as i32, shape.numbers().as_ptr().cast()) }).map(drop)
 }
 
 /// The area of one shape.
 pub fn shape_area<S: Shape + ?Sized>(shape: &S) -> Result<S::Scalar, Error> {
     let (kind, numbers) = (shape.kind() as i32, shape.numbers());
-    filled(S::Scalar::default(), |out| unsafe { S::Scalar::shape_area(kind, numbers.as_ptr(), out) })
+    filled(S::Scalar::default(), |out| unsafe { S::Scalar::shape_area(kind, numbers.as_ptr().cast(), out) })
 }
 
 /// The smallest box of representable numbers that contains a shape.
 pub fn bounds<S: Shape + ?Sized>(shape: &S) -> Result<Aabb<S::Scalar>, Error> {
     let (kind, numbers) = (shape.kind() as i32, shape.numbers());
-    filled(Aabb::default(), |out| unsafe { S::Scalar::bounds(kind, numbers.as_ptr(), out) })
+    filled(Aabb::default(), |out| unsafe { S::Scalar::bounds(kind, numbers.as_ptr().cast(), out) })
 }

@@ -140,12 +140,13 @@ impl<'a, T: Scalar> Shapes<'a, T> {
 
     /// `step` counts numbers. Fields lie one after the other.
     fn at(kind: Kind, first: *const T, count: usize, step: usize) -> Self {
-        let mut field = [first; 6];
+        let mut field = [first; 8];
         for (i, place) in field.iter_mut().enumerate() {
             *place = first.wrapping_add(i);
         }
         let stride = (step * core::mem::size_of::<T>()) as isize;
-        let view = sys::Shapes { kind: kind as i32, reserved: 0, count: count as i64, stride, field };
+        let (kind, count, none) = (kind as i32, count as i64, core::ptr::null());
+        let view = sys::Shapes { kind, reserved: 0, count, stride, field, rings: none, polygons: none, each: 0 };
         Shapes { view, memory: PhantomData }
     }
 

@@ -31,7 +31,7 @@ where
     B: Shape<Scalar = A::Scalar> + ?Sized,
 {
     let (kind_a, kind_b) = (a.kind() as i32, b.kind() as i32);
-    let (a, b) = (a.numbers().as_ptr(), b.numbers().as_ptr());
+    let (a, b) = (a.numbers().as_ptr().cast(), b.numbers().as_ptr().cast());
     let code = answer(|| unsafe { A::Scalar::within(kind_a, a, kind_b, b, distance) })?;
     Ok([Within::No, Within::Yes, Within::Nearly][code])
 }
@@ -70,7 +70,7 @@ where
     B: Shape<Scalar = A::Scalar> + ?Sized,
 {
     let (kind_a, kind_b, mut text) = (a.kind() as i32, b.kind() as i32, [0; 10]);
-    let (a, b) = (a.numbers().as_ptr(), b.numbers().as_ptr());
+    let (a, b) = (a.numbers().as_ptr().cast(), b.numbers().as_ptr().cast());
     answer(|| unsafe { A::Scalar::de9im(kind_a, a, kind_b, b, text.as_mut_ptr()) })?;
     let mut matrix = [0; 9];
     matrix.copy_from_slice(&text[..9]);
@@ -112,7 +112,7 @@ where
     B: Shape<Scalar = A::Scalar> + ?Sized,
 {
     let (kind_a, kind_b, mut region) = (a.kind() as i32, b.kind() as i32, Region::default());
-    let (a, b) = (a.numbers().as_ptr(), b.numbers().as_ptr());
+    let (a, b) = (a.numbers().as_ptr().cast(), b.numbers().as_ptr().cast());
     let to = region.vertices.as_mut_ptr().cast();
     region.count = answer(|| unsafe { A::Scalar::intersection(kind_a, a, kind_b, b, to) })?;
     Ok(region)
