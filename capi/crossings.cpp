@@ -1,27 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vesica/crossings.hpp>
 
-#include "environment.hpp"
-#include "query.hpp"
-#include "vesica.h"
+#include "query_calls.hpp"
 
 namespace {
 
-template <class T, class Out>
-int32_t crossings(int32_t kind_a, const void* a, int32_t kind_b, const void* b, Out* out) noexcept {
-  VESICA_DEFAULT_ENVIRONMENT((crossings<T, Out>), kind_a, a, kind_b, b, out);
-  static_assert(sizeof(Out) == sizeof(vesica::CrossingPoints<T>));
-  if (out == nullptr) return VESICA_E_NULL;
-  return vesica::ask<T>(vesica::queries::crossings, kind_a, a, kind_b, b, out);
+using namespace vesica::capi;
+
+template <class T, class CPoint>
+int64_t crossings(int32_t kind_a, const void* a, int32_t kind_b, const void* b, CPoint* out, int64_t capacity,
+                  int32_t* shared) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT((crossings<T, CPoint>), kind_a, a, kind_b, b, out, capacity, shared);
+  const int32_t error = check_room(vesica::queries::crossings, kind_a, a, kind_b, b, out, capacity);
+  if (error != 0) return error;
+  vesica::CrossingPoints<T> places;
+  const int32_t count = vesica::ask<T>(vesica::queries::crossings, kind_a, a, kind_b, b, &places);
+  if (count < 0) return count;
+  for (int32_t i = 0; i < count && i < capacity; ++i) out[i] = {places.x[i], places.y[i]};
+  if (shared != nullptr) *shared = places.shared;
+  return count;
 }
 
 }  // namespace
 
-int32_t vesica_crossings_f64(int32_t kind_a, const void* a, int32_t kind_b, const void* b,
-                             vesica_crossing_points_f64* out) {
-  return crossings<double>(kind_a, a, kind_b, b, out);
+int64_t vesica_crossings_f64(int32_t kind_a, const void* a, int32_t kind_b, const void* b, vesica_point_f64* out,
+                             int64_t capacity, int32_t* shared) {
+  return crossings<double>(kind_a, a, kind_b, b, out, capacity, shared);
 }
-int32_t vesica_crossings_f32(int32_t kind_a, const void* a, int32_t kind_b, const void* b,
-                             vesica_crossing_points_f32* out) {
-  return crossings<float>(kind_a, a, kind_b, b, out);
+int64_t vesica_crossings_f32(int32_t kind_a, const void* a, int32_t kind_b, const void* b, vesica_point_f32* out,
+                             int64_t capacity, int32_t* shared) {
+  return crossings<float>(kind_a, a, kind_b, b, out, capacity, shared);
 }

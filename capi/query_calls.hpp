@@ -16,6 +16,15 @@ int32_t answer(const Query& query, int32_t kind_a, const void* a, int32_t kind_b
   return out == nullptr ? VESICA_E_NULL : vesica::ask<T>(query, kind_a, a, kind_b, b, out);
 }
 
+/// Checks a call about two shapes whose result has any length, of which the first `capacity` items are written.
+inline int32_t check_room(const Query& query, int32_t kind_a, const void* a, int32_t kind_b, const void* b,
+                          const void* out, int64_t capacity) noexcept {
+  if (a == nullptr || b == nullptr || (capacity > 0 && out == nullptr)) return VESICA_E_NULL;
+  const bool known = is_kind(kind_a) && is_kind(kind_b) && query.answers(kind_a, kind_b);
+  if (!known) return VESICA_E_KIND;
+  return capacity < 0 ? VESICA_E_ARGUMENT : 0;
+}
+
 inline int64_t result(const QueryTally& tally) noexcept { return tally.error != 0 ? tally.error : tally.count; }
 
 /// Columns may be null, but not all of them.

@@ -184,12 +184,6 @@ typedef struct {
     double distance, ax, ay, bx, by;
 } vesica_closest_points_f64;
 
-/** Where two outlines meet: `count` places (x[i], y[i]), the rest 0. shared is 1 if the outlines share a stretch. */
-typedef struct {
-    int32_t count, shared;
-    double x[8], y[8];
-} vesica_crossing_points_f64;
-
 /** The shortest move of b that ends its overlap with a: its length, and its unit direction (x, y). */
 typedef struct {
     double depth, x, y;
@@ -249,19 +243,22 @@ VESICA_API int32_t vesica_contains_f64(int32_t kind_a, const void *a, int32_t ki
  * Where do the outlines of two shapes meet? Touching counts.
  *
  * The outline of a shape with area is the curve around it. A segment, a point and a shape without area are their own
- * outlines. A contact counts as one place, however closely the curves touch there. If straight outlines share a
- * stretch, its two end points are places, and out->shared is 1; so equal boxes meet at their four corners. Two equal
- * curves meet everywhere: then the count is 0 and out->shared is 1.
+ * outlines. A contact is one place, however closely the curves touch there. If straight outlines share a stretch, its
+ * two end points are places, and *shared is 1; so equal boxes meet at their four corners. Two equal curves meet
+ * everywhere: then the count is 0 and *shared is 1.
  * Places come in order along a's outline, counter-clockwise in the frame of its axis. The start is a box's corner
  * C - hx u - hy perp(u), an ellipse's point C + a u (one without area begins as a box), a circle's point C + (r, 0),
  * or a segment's first end.
- * Returns: the number of places, 0 to 8.
+ * Requires: capacity, how many places out has room for. It may be 0, and out then NULL. shared may be NULL.
+ * Returns: how many places there are, even if that exceeds the capacity: at most 8 for these kinds. The first
+ * `capacity` are written, and *shared is set to 1 or 0.
+ * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a negative capacity), VESICA_E_SHAPE, VESICA_E_RANGE.
  * Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape, even
  * where the outlines nearly coincide. Places closer to one another than that may come in either order or be equal.
  * Cost: 1 to 10 us; at worst 30 us.
  */
-VESICA_API int32_t vesica_crossings_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b,
-                                        vesica_crossing_points_f64 *out);
+VESICA_API int64_t vesica_crossings_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b,
+                                        vesica_point_f64 *out, int64_t capacity, int32_t *shared);
 
 /**
  * How far apart are two solid shapes, and which of their points are closest?
@@ -704,13 +701,6 @@ typedef struct { float cx, cy, ux, uy, hx, hy; } vesica_rect_f32;
 typedef struct { float cx, cy, ux, uy, a, b; } vesica_ellipse_f32;
 /** As vesica_closest_points_f64. */
 typedef struct { float distance, ax, ay, bx, by; } vesica_closest_points_f32;
-
-/** As vesica_crossing_points_f64. */
-typedef struct {
-    int32_t count, shared;
-    float x[8], y[8];
-} vesica_crossing_points_f32;
-
 /** As vesica_penetration_f64. */
 typedef struct { float depth, x, y; } vesica_penetration_f32;
 
@@ -723,8 +713,8 @@ VESICA_API int32_t vesica_relation_f32(int32_t kind_a, const void *a, int32_t ki
 /** As vesica_contains_f64. */
 VESICA_API int32_t vesica_contains_f32(int32_t kind_a, const void *a, int32_t kind_b, const void *b);
 /** As vesica_crossings_f64, rounded to float. */
-VESICA_API int32_t vesica_crossings_f32(int32_t kind_a, const void *a, int32_t kind_b, const void *b,
-                                        vesica_crossing_points_f32 *out);
+VESICA_API int64_t vesica_crossings_f32(int32_t kind_a, const void *a, int32_t kind_b, const void *b,
+                                        vesica_point_f32 *out, int64_t capacity, int32_t *shared);
 /** As vesica_nearest_f64, rounded to float. */
 VESICA_API int32_t vesica_nearest_f32(int32_t kind_a, const void *a, int32_t kind_b, const void *b,
                                       vesica_closest_points_f32 *out);

@@ -27,7 +27,9 @@
 #define vesica_relation(a, b) VESICA_TWO_(vesica_relation, a, b)
 #define vesica_contains(a, b) VESICA_TWO_(vesica_contains, a, b)
 
-#define vesica_crossings(a, b, out) VESICA_TWO_OUT_(vesica_crossings, a, b, out)
+#define vesica_crossings(a, b, out, capacity, shared) \
+    VESICA_QUERY_(vesica_crossings, VESICA_SIZE_(a) & VESICA_SIZE_(b) & VESICA_SIZE_(out)) \
+    (VESICA_SHAPE_(a), VESICA_SHAPE_(b), out, capacity, shared)
 #define vesica_nearest(a, b, out) VESICA_TWO_OUT_(vesica_nearest, a, b, out)
 #define vesica_boundary_distance(a, b, out) VESICA_TWO_OUT_(vesica_boundary_distance, a, b, out)
 #define vesica_depth(a, b, out) VESICA_TWO_OUT_(vesica_depth, a, b, out)
@@ -42,7 +44,9 @@
 
 #define vesica_de9im(a, b, matrix) \
     VESICA_QUERY_(vesica_de9im, VESICA_SIZE_(a) & VESICA_SIZE_(b))(VESICA_SHAPE_(a), VESICA_SHAPE_(b), matrix)
-#define vesica_intersection(a, b, vertices) VESICA_TWO_OUT_(vesica_intersection, a, b, vertices)
+#define vesica_intersection(a, b, out, capacity) \
+    VESICA_QUERY_(vesica_intersection, VESICA_SIZE_(a) & VESICA_SIZE_(b) & VESICA_SIZE_(out)) \
+    (VESICA_SHAPE_(a), VESICA_SHAPE_(b), out, capacity)
 
 #define vesica_cast(a, b, vx, vy, t_end, out) \
     VESICA_QUERY_(vesica_cast, VESICA_SIZE_(a) & VESICA_SIZE_(b) & VESICA_SIZE_(out)) \
@@ -71,10 +75,10 @@
 #define VESICA_SIZE_(pointer) \
     _Generic(*(pointer), \
         double: 8, vesica_point_f64: 8, vesica_segment_f64: 8, vesica_circle_f64: 8, vesica_aabb_f64: 8, \
-        vesica_rect_f64: 8, vesica_ellipse_f64: 8, vesica_closest_points_f64: 8, vesica_crossing_points_f64: 8, \
+        vesica_rect_f64: 8, vesica_ellipse_f64: 8, vesica_closest_points_f64: 8, \
         vesica_penetration_f64: 8, vesica_impact_f64: 8, vesica_turn_f64: 8, \
         float: 4, vesica_point_f32: 4, vesica_segment_f32: 4, vesica_circle_f32: 4, vesica_aabb_f32: 4, \
-        vesica_rect_f32: 4, vesica_ellipse_f32: 4, vesica_closest_points_f32: 4, vesica_crossing_points_f32: 4, \
+        vesica_rect_f32: 4, vesica_ellipse_f32: 4, vesica_closest_points_f32: 4, \
         vesica_penetration_f32: 4, vesica_impact_f32: 4, vesica_turn_f32: 4)
 
 /* Chooses by a constant size. Sizes of several arguments are joined by &: 8 & 4 is 0, which matches nothing. */

@@ -17,8 +17,7 @@ extern "C" {
 
 /* ---- Constants ---- */
 
-#define VESICA_DE9IM_SIZE 10   /**< characters of a nine-intersection matrix with its final NUL */
-#define VESICA_MOST_VERTICES 8 /**< vertices of a shared region, at most */
+#define VESICA_DE9IM_SIZE 10 /**< characters of a nine-intersection matrix with its final NUL */
 
 /* ---- Topology, double ----
  * Since: 0.1.
@@ -58,26 +57,28 @@ VESICA_API int32_t vesica_de9im_match(const char *matrix, const char *pattern);
  * The kinds are points, segments, boxes and rectangles; a point or a segment may also meet a circle or an ellipse.
  * The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise if y points up. The first is the one with
  * the least y, of equal ones that with the least x, by the numbers written. One vertex is a point, two are the ends of
- * a segment. Exchanging the shapes changes no bit; a zero is +0. Unused vertices become 0.
- * Returns: the number of vertices, 1 to 8, or 0 if the shapes share nothing.
- * Errors: VESICA_E_NULL, VESICA_E_KIND (also for other pairs of kinds than these), VESICA_E_SHAPE, VESICA_E_RANGE (a
- * vertex, or the length of a side that makes one, overflows).
+ * a segment. Exchanging the shapes changes no bit; a zero is +0.
+ * Requires: capacity, how many vertices out has room for. It may be 0, and out then NULL.
+ * Returns: how many vertices there are, even if that exceeds the capacity: at most 8 for these kinds, and 0 if the
+ * shapes share nothing. The first `capacity` are written.
+ * Errors: VESICA_E_NULL, VESICA_E_KIND (also for other pairs of kinds than these), VESICA_E_ARGUMENT (a negative
+ * capacity), VESICA_E_SHAPE, VESICA_E_RANGE (a vertex, or the length of a side that makes one, overflows).
  * Accuracy: the number of vertices is exact: it is that of the true region. A corner of a shape that lies in the other
  * keeps the stored numbers, or those of vesica_corners_of_shapes_f64 for a rectangle. Other vertices are right to 4 u
  * times the largest coordinate or size of either shape.
  * Cost: that of vesica_overlap_f64 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6 us for areas; at worst
  * 30 us.
  */
-VESICA_API int32_t vesica_intersection_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b,
-                                           double vertices[16]);
+VESICA_API int64_t vesica_intersection_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b,
+                                           vesica_point_f64 *out, int64_t capacity);
 
 /* ---- The same functions with float in place of double ---- */
 
 /** As vesica_de9im_f64. */
 VESICA_API int32_t vesica_de9im_f32(int32_t kind_a, const void *a, int32_t kind_b, const void *b, char *matrix);
 /** As vesica_intersection_f64, rounded to float. */
-VESICA_API int32_t vesica_intersection_f32(int32_t kind_a, const void *a, int32_t kind_b, const void *b,
-                                           float vertices[16]);
+VESICA_API int64_t vesica_intersection_f32(int32_t kind_a, const void *a, int32_t kind_b, const void *b,
+                                           vesica_point_f32 *out, int64_t capacity);
 
 #ifdef __cplusplus
 }

@@ -27,6 +27,6 @@ for library in vesica vesica-methods; do
   fi
   cat "$new" >"$baseline"
 done
-python3 -B "$tools/describe.py"
-python3 -B "$bindings/declare"
+python3 -B "$root/tools/describe.py"
+python3 -B "$root/bindings/declare"
 echo "refreshed: $(cd "$capi" && echo vesica.json ./*.cdef abi/*.abi)"

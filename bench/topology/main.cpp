@@ -123,8 +123,8 @@ Ask de9im(std::int32_t a, std::int32_t b) {
 }
 Ask intersection(std::int32_t a, std::int32_t b) {
   return [=](const Pair& p) {
-    double v[16];
-    return vesica_intersection_f64(a, p.a.data(), b, p.b.data(), v);
+    vesica_point_f64 v[8];
+    return vesica_intersection_f64(a, p.a.data(), b, p.b.data(), v, 8);
   };
 }
 

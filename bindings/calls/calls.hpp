@@ -92,18 +92,18 @@ VESICA_BOTH_SCALARS(suppress_soft)
 
 template <class T>
 struct Structs;
-#define VESICA_STRUCTS(scalar, suffix)                      \
-  template <>                                               \
-  struct Structs<scalar> {                                  \
-    using Aabb = vesica_aabb_##suffix;                      \
-    using Rect = vesica_rect_##suffix;                      \
-    using Ellipse = vesica_ellipse_##suffix;                \
-    using ClosestPoints = vesica_closest_points_##suffix;   \
-    using CrossingPoints = vesica_crossing_points_##suffix; \
-    using Penetration = vesica_penetration_##suffix;        \
-    using Impact = vesica_impact_##suffix;                  \
-    using Turn = vesica_turn_##suffix;                      \
-    using Shapes = vesica_shapes_##suffix;                  \
+#define VESICA_STRUCTS(scalar, suffix)                    \
+  template <>                                             \
+  struct Structs<scalar> {                                \
+    using Point = vesica_point_##suffix;                  \
+    using Aabb = vesica_aabb_##suffix;                    \
+    using Rect = vesica_rect_##suffix;                    \
+    using Ellipse = vesica_ellipse_##suffix;              \
+    using ClosestPoints = vesica_closest_points_##suffix; \
+    using Penetration = vesica_penetration_##suffix;      \
+    using Impact = vesica_impact_##suffix;                \
+    using Turn = vesica_turn_##suffix;                    \
+    using Shapes = vesica_shapes_##suffix;                \
   };
 VESICA_STRUCTS(double, f64)
 VESICA_STRUCTS(float, f32)

@@ -59,13 +59,14 @@ void measure_of_two(const char* name, Call call, const Array<T>& a, const Array<
 
 template <class T>
 void crossings(const Array<T>& a, const Array<T>& b) {
-  typename Structs<T>::CrossingPoints out{};
+  typename Structs<T>::Point out[8];
+  std::int32_t shared = 0;
   begin<T>("crossings"), argument(a), argument(b);
-  const int code = call::crossings(T{}, a.kind, a.data(), b.kind, b.data(), &out);
+  const auto code = static_cast<int>(call::crossings(T{}, a.kind, a.data(), b.kind, b.data(), out, 8, &shared));
   result(code);
   if (code >= 0) {
-    print_number(out.shared);
-    for (int i = 0; i < code; ++i) values(std::vector<T>{out.x[i], out.y[i]});
+    print_number(shared);
+    for (int i = 0; i < code; ++i) values(std::vector<T>{out[i].x, out[i].y});
   }
   end();
 }

@@ -119,11 +119,11 @@ inline void de9im_match(const char* matrix, const char* pattern) {
 
 template <class T>
 void intersection(const Array<T>& a, const Array<T>& b) {
-  std::array<T, 16> vertices{};
+  typename Structs<T>::Point vertices[8];
   begin<T>("intersection"), argument(a), argument(b);
-  const int code = call::intersection(T{}, a.kind, a.data(), b.kind, b.data(), vertices.data());
+  const auto code = static_cast<int>(call::intersection(T{}, a.kind, a.data(), b.kind, b.data(), vertices, 8));
   result(code);
-  if (code > 0) values(std::vector<T>(vertices.begin(), vertices.begin() + 2 * code));
+  for (int i = 0; i < code; ++i) values(std::vector<T>{vertices[i].x, vertices[i].y});
   end();
 }
 

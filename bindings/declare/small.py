@@ -144,7 +144,7 @@ def constant_name(entry):
 # ---- Fortran ----
 
 # What writes an array of structs, not one.
-SHAPES_OUT = ("rects_from_boxes", "ellipses_from_boxes", "bounds_many")
+SHAPES_OUT = ("rects_from_boxes", "ellipses_from_boxes", "bounds_many", "crossings", "intersection")
 
 FORTRAN = {
     "int32_t": "integer(c_int32_t)",

@@ -141,11 +141,14 @@ func ofOneOrTwo[T Float](function string, arguments []string) outcome {
 		return whole(0, err, iou)
 	case "crossings":
 		places, err := Crossings(a, b)
-		values := []float64{float64(places.Shared)}
-		for i := 0; i < int(places.Count); i++ {
-			values = append(values, places.X[i], places.Y[i])
+		values := []float64{0}
+		if places.Shared {
+			values[0] = 1
 		}
-		return whole(int(places.Count), err, values...)
+		for _, place := range places.Places {
+			values = append(values, place.X, place.Y)
+		}
+		return whole(len(places.Places), err, values...)
 	case "check":
 		return whole(0, Check(a))
 	case "shape_area":

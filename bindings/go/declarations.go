@@ -270,15 +270,6 @@ type ClosestPoints[T Float] struct {
 	BY       T
 }
 
-// CrossingPoints: Where two outlines meet: `count` places (x[i], y[i]), the rest 0. shared is 1 if the outlines share a
-// stretch.
-type CrossingPoints[T Float] struct {
-	Count  int32
-	Shared int32
-	X      [8]T
-	Y      [8]T
-}
-
 // Penetration: The shortest move of b that ends its overlap with a: its length, and its unit direction (x, y).
 type Penetration[T Float] struct {
 	Depth T
@@ -333,12 +324,12 @@ func cContains(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_
 	return C.go_contains_f32(kindA, a, kindB, b)
 }
 
-func cCrossings(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers,
-	out *C.char) C.int32_t {
+func cCrossings(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers, out *C.char,
+	capacity C.int64_t, shared *C.char) C.int64_t {
 	if wide {
-		return C.go_crossings_f64(kindA, a, kindB, b, out)
+		return C.go_crossings_f64(kindA, a, kindB, b, out, capacity, shared)
 	}
-	return C.go_crossings_f32(kindA, a, kindB, b, out)
+	return C.go_crossings_f32(kindA, a, kindB, b, out, capacity, shared)
 }
 
 func cNearest(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers,
@@ -887,9 +878,9 @@ func cDe9im(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, 
 }
 
 func cIntersection(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers,
-	vertices *C.char) C.int32_t {
+	out *C.char, capacity C.int64_t) C.int64_t {
 	if wide {
-		return C.go_intersection_f64(kindA, a, kindB, b, vertices)
+		return C.go_intersection_f64(kindA, a, kindB, b, out, capacity)
 	}
-	return C.go_intersection_f32(kindA, a, kindB, b, vertices)
+	return C.go_intersection_f32(kindA, a, kindB, b, out, capacity)
 }

@@ -86,22 +86,22 @@ static inline int32_t go_contains_f32(int32_t kind_a, vesica_go_numbers a, int32
     return vesica_contains_f32(kind_a, of_a, kind_b, of_b);
 }
 
-static inline int32_t go_crossings_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
-    char *out) {
+static inline int64_t go_crossings_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
+    char *out, int64_t capacity, char *shared) {
     double of_a[6];
     memcpy(of_a, &a, sizeof of_a);
     double of_b[6];
     memcpy(of_b, &b, sizeof of_b);
-    return vesica_crossings_f64(kind_a, of_a, kind_b, of_b, (void *)out);
+    return vesica_crossings_f64(kind_a, of_a, kind_b, of_b, (void *)out, capacity, (void *)shared);
 }
 
-static inline int32_t go_crossings_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
-    char *out) {
+static inline int64_t go_crossings_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
+    char *out, int64_t capacity, char *shared) {
     float of_a[6];
     memcpy(of_a, &a, sizeof of_a);
     float of_b[6];
     memcpy(of_b, &b, sizeof of_b);
-    return vesica_crossings_f32(kind_a, of_a, kind_b, of_b, (void *)out);
+    return vesica_crossings_f32(kind_a, of_a, kind_b, of_b, (void *)out, capacity, (void *)shared);
 }
 
 static inline int32_t go_nearest_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
@@ -1160,22 +1160,22 @@ static inline int32_t go_de9im_f32(int32_t kind_a, vesica_go_numbers a, int32_t 
     return vesica_de9im_f32(kind_a, of_a, kind_b, of_b, (void *)matrix);
 }
 
-static inline int32_t go_intersection_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
-    char *vertices) {
+static inline int64_t go_intersection_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
+    char *out, int64_t capacity) {
     double of_a[6];
     memcpy(of_a, &a, sizeof of_a);
     double of_b[6];
     memcpy(of_b, &b, sizeof of_b);
-    return vesica_intersection_f64(kind_a, of_a, kind_b, of_b, (void *)vertices);
+    return vesica_intersection_f64(kind_a, of_a, kind_b, of_b, (void *)out, capacity);
 }
 
-static inline int32_t go_intersection_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
-    char *vertices) {
+static inline int64_t go_intersection_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
+    char *out, int64_t capacity) {
     float of_a[6];
     memcpy(of_a, &a, sizeof of_a);
     float of_b[6];
     memcpy(of_b, &b, sizeof of_b);
-    return vesica_intersection_f32(kind_a, of_a, kind_b, of_b, (void *)vertices);
+    return vesica_intersection_f32(kind_a, of_a, kind_b, of_b, (void *)out, capacity);
 }
 
 #endif

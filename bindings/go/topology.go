@@ -80,25 +80,9 @@ func DE9IMMatch(matrix, pattern string) (bool, error) {
 // Intersection has the vertices of the region that two shapes share, counter-clockwise; none if they do not overlap. It
 // is of points, segments, boxes and rectangles, or of a point or a segment and any shape.
 func Intersection[A, B Shape](a A, b B) ([]Point[float64], error) {
-	first, second := a.one(), b.one()
-	if first.wide != second.wide {
-		return nil, errScalars
-	}
-	var out [16]float64
-	found, err := count(cIntersection(first.wide, first.kind, first.numbers, second.kind, second.numbers,
-		address(&out)))
-	if err != nil {
-		return nil, err
-	}
-	narrow := (*[32]float32)(unsafe.Pointer(&out))
-	points := make([]Point[float64], found)
-	for i := range points {
-		points[i] = Point[float64]{out[2*i], out[2*i+1]}
-		if !first.wide {
-			points[i] = Point[float64]{float64(narrow[2*i]), float64(narrow[2*i+1])}
-		}
-	}
-	return points, nil
+	return pointsOf(a.one(), b.one(), func(a, b one, out *C.char) C.int64_t {
+		return cIntersection(a.wide, a.kind, a.numbers, b.kind, b.numbers, out, mostPoints)
+	})
 }
 
 // SoftSuppression is how SuppressSoft chooses.

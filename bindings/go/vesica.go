@@ -176,24 +176,45 @@ func IoU[A, B Shape](a A, b B) (float64, error) {
 	return n[0], err
 }
 
+// CrossingPoints are the places where two outlines meet, and whether they share a stretch.
+type CrossingPoints struct {
+	Places []Point[float64]
+	Shared bool
+}
+
 // Crossings are the places where the outlines meet, in order along a's. Their number is exact.
-func Crossings[A, B Shape](a A, b B) (CrossingPoints[float64], error) {
-	first, second := a.one(), b.one()
-	if first.wide != second.wide {
-		return CrossingPoints[float64]{}, errScalars
+func Crossings[A, B Shape](a A, b B) (CrossingPoints, error) {
+	var shared C.int32_t
+	places, err := pointsOf(a.one(), b.one(), func(a, b one, out *C.char) C.int64_t {
+		return cCrossings(a.wide, a.kind, a.numbers, b.kind, b.numbers, out, mostPoints, address(&shared))
+	})
+	return CrossingPoints{places, shared == 1}, err
+}
+
+// No two shapes of these kinds have more places or vertices.
+const mostPoints = 8
+
+// pointsOf has the points that a function of two shapes writes.
+func pointsOf(a, b one, function func(a, b one, out *C.char) C.int64_t) ([]Point[float64], error) {
+	if a.wide != b.wide {
+		return nil, errScalars
 	}
-	var out CrossingPoints[float64]
-	if first.wide {
-		code := cCrossings(true, first.kind, first.numbers, second.kind, second.numbers, address(&out))
-		return out, status(code)
+	var wide [mostPoints]Point[float64]
+	var narrow [mostPoints]Point[float32]
+	out := address(&wide)
+	if !a.wide {
+		out = address(&narrow)
 	}
-	var narrow CrossingPoints[float32]
-	code := cCrossings(false, first.kind, first.numbers, second.kind, second.numbers, address(&narrow))
-	out.Count, out.Shared = narrow.Count, narrow.Shared
-	for i := range narrow.X {
-		out.X[i], out.Y[i] = float64(narrow.X[i]), float64(narrow.Y[i])
+	found, err := count(function(a, b, out))
+	if err != nil {
+		return nil, err
 	}
-	return out, status(code)
+	for i := range narrow {
+		if !a.wide {
+			wide[i] = Point[float64]{float64(narrow[i].X), float64(narrow[i].Y)}
+		}
+	}
+	return wide[:found:found], nil
 }
 
 // Check is nil for a valid shape, else the first rule that it breaks.

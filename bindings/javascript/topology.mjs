@@ -37,11 +37,7 @@ export function de9imMatch(vesica, matrix, pattern) {
 }
 
 export function intersection(vesica, a, b) {
-  return ofTwo(vesica, a, b, (operands, room) => {
-    const out = room.take(16 * 8), count = vesica.check(vesica.c.vesica_intersection_f64(...operands, out));
-    const numbers = new Float64Array(vesica.memory.buffer, out, 2 * count);
-    return Array.from({ length: count }, (_, i) => ({ x: numbers[2 * i], y: numbers[2 * i + 1] }));
-  });
+  return vesica.inRoom((room) => vesica.pointsOf('intersection', a, b, room));
 }
 
 const decays = { linear: constants.DECAY_LINEAR, gaussian: constants.DECAY_GAUSSIAN };

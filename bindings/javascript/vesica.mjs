@@ -241,10 +241,10 @@ export class Vesica {
   }
 
   crossings(a, b) {
-    return this.#single('crossings', 8 + 16 * 8, a, b, (out) => {
-      const [count, shared] = new Int32Array(this.#memory.buffer, out, 2), numbers = this.#read(out + 8, 16);
-      const places = Array.from({ length: count }, (_, i) => ({ x: numbers[i], y: numbers[8 + i] }));
-      return { places, shared: shared === 1 };
+    return this.inRoom((room) => {
+      const shared = room.take(8);
+      const places = this.pointsOf('crossings', a, b, room, shared);
+      return { places, shared: new Int32Array(this.#memory.buffer, shared, 1)[0] === 1 };
     });
   }
 
@@ -416,6 +416,14 @@ export class Vesica {
       this.check(this.#inDouble(name)(...leading, kindA, numbersA, kindB, numbersB, out));
       return read(out);
     });
+  }
+
+  /** The points that a function of two shapes writes. No two of these kinds have more than 8. */
+  pointsOf(name, a, b, room, ...more) {
+    const most = 8, operands = [...this.record(a, room), ...this.record(b, room)], out = room.take(16 * most);
+    const count = this.check(Number(this.#inDouble(name)(...operands, out, BigInt(most), ...more)));
+    const numbers = this.#read(out, 2 * count);
+    return Array.from({ length: count }, (_, i) => ({ x: numbers[2 * i], y: numbers[2 * i + 1] }));
   }
 
   #inDouble(name) {

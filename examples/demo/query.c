@@ -26,8 +26,9 @@ static int32_t answer_relation(const struct pair* pair, double* out) {
 }
 
 static int32_t answer_crossings(const struct pair* pair, double* out) {
-  vesica_crossing_points_f64 points;
-  return take_result(vesica_crossings_f64(pair->a.kind, pair->a.numbers, pair->b.kind, pair->b.numbers, &points), out);
+  const int64_t places =
+      vesica_crossings_f64(pair->a.kind, pair->a.numbers, pair->b.kind, pair->b.numbers, NULL, 0, NULL);
+  return take_result((int32_t)places, out);
 }
 
 // The others write their answer, and return 0 or a negative error.

@@ -68,8 +68,6 @@ void expect_layout_of_shapes() {
 TEST(CapiConstants, SizesOfResults) {
   EXPECT_EQ(sizeof(vesica_closest_points_f64), 40u);
   EXPECT_EQ(sizeof(vesica_closest_points_f32), 20u);
-  EXPECT_EQ(sizeof(vesica_crossing_points_f64), 136u);
-  EXPECT_EQ(sizeof(vesica_crossing_points_f32), 72u);
   EXPECT_EQ(sizeof(vesica_penetration_f64), 24u);
   EXPECT_EQ(sizeof(vesica_penetration_f32), 12u);
   EXPECT_EQ(sizeof(vesica_impact_f64), 40u);
@@ -133,7 +131,6 @@ TEST(CapiConstants, Values) {
   EXPECT_EQ(VESICA_DECAY_LINEAR, 0);
   EXPECT_EQ(VESICA_DECAY_GAUSSIAN, 1);
   EXPECT_EQ(VESICA_DE9IM_SIZE, 10);
-  EXPECT_EQ(VESICA_MOST_VERTICES, 8);
 
   EXPECT_EQ(VESICA_ANGLE_RADIANS, 0);
   EXPECT_EQ(VESICA_ANGLE_DEGREES, 1);

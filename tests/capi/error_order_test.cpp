@@ -126,7 +126,7 @@ TYPED_TEST(ErrorOrder, OfTwoShapes) {
     return F::de9im(c.a.kind, c.a.numbers, c.b.kind, c.b.numbers, c.out(matrix[0]));
   });
   this->expect_order("intersection", of_shapes, 3, [](const Call<T>& c) -> std::int64_t {
-    T vertices[2 * VESICA_MOST_VERTICES];
+    T vertices[16];
     return F::intersection(c.a.kind, c.a.numbers, c.b.kind, c.b.numbers, c.out(vertices[0]));
   });
 }

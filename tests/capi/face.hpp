@@ -4,7 +4,59 @@
 
 #include <vesica.h>
 
+#include <cstdint>
+#include <type_traits>
+
 namespace capi_tests {
+
+/// What vesica_crossings writes, for the kinds whose outlines meet in at most 8 places; the rest is 0.
+template <class T>
+struct Crossings {
+  std::int32_t count, shared;
+  T x[8], y[8];
+};
+
+/// Calls vesica_crossings with room for all places. Writes nothing on error.
+template <class T>
+std::int32_t crossings(std::int32_t kind_a, const void* a, std::int32_t kind_b, const void* b, Crossings<T>* out) {
+  using Point = std::conditional_t<std::is_same_v<T, double>, vesica_point_f64, vesica_point_f32>;
+  Point at[8];
+  std::int32_t shared = 0;
+  Point* const to = out == nullptr ? nullptr : at;
+  std::int64_t count;
+  if constexpr (std::is_same_v<T, double>) {
+    count = vesica_crossings_f64(kind_a, a, kind_b, b, to, 8, &shared);
+  } else {
+    count = vesica_crossings_f32(kind_a, a, kind_b, b, to, 8, &shared);
+  }
+  if (count >= 0) {
+    *out = {};
+    out->count = static_cast<std::int32_t>(count);
+    out->shared = shared;
+    for (std::int64_t i = 0; i < count; ++i) out->x[i] = at[i].x, out->y[i] = at[i].y;
+  }
+  return static_cast<std::int32_t>(count);
+}
+
+/// Calls vesica_intersection with room for all vertices: x0 y0 x1 y1 ..., the rest of 16 numbers is 0. Writes nothing on
+/// error.
+template <class T>
+std::int32_t intersection(std::int32_t kind_a, const void* a, std::int32_t kind_b, const void* b, T* out) {
+  using Point = std::conditional_t<std::is_same_v<T, double>, vesica_point_f64, vesica_point_f32>;
+  Point at[8];
+  Point* const to = out == nullptr ? nullptr : at;
+  std::int64_t count;
+  if constexpr (std::is_same_v<T, double>) {
+    count = vesica_intersection_f64(kind_a, a, kind_b, b, to, 8);
+  } else {
+    count = vesica_intersection_f32(kind_a, a, kind_b, b, to, 8);
+  }
+  for (std::int64_t i = 0; count >= 0 && i < 8; ++i) {
+    out[2 * i] = i < count ? at[i].x : 0;
+    out[2 * i + 1] = i < count ? at[i].y : 0;
+  }
+  return static_cast<std::int32_t>(count);
+}
 
 template <class T>
 struct Face;
@@ -15,7 +67,8 @@ struct Face<double> {
   using Penetration = vesica_penetration_f64;
   using Impact = vesica_impact_f64;
   using Turn = vesica_turn_f64;
-  using Crossings = vesica_crossing_points_f64;
+  using Crossings = capi_tests::Crossings<double>;
+  using Point = vesica_point_f64;
   using Aabb = vesica_aabb_f64;
   using Rect = vesica_rect_f64;
   using Ellipse = vesica_ellipse_f64;
@@ -29,7 +82,8 @@ struct Face<double> {
   static constexpr auto depth = vesica_depth_f64;
   static constexpr auto area = vesica_area_f64;
   static constexpr auto iou = vesica_iou_f64;
-  static constexpr auto crossings = vesica_crossings_f64;
+  static constexpr auto crossings = capi_tests::crossings<double>;
+  static constexpr auto crossings_in_room = vesica_crossings_f64;
   static constexpr auto shape_area = vesica_shape_area_f64;
   static constexpr auto bounds = vesica_bounds_f64;
   static constexpr auto from_records = vesica_shapes_from_records_f64;
@@ -62,7 +116,8 @@ struct Face<double> {
   static constexpr auto signed_distance_many = vesica_signed_distance_many_f64;
   static constexpr auto signed_distance_matrix = vesica_signed_distance_matrix_f64;
   static constexpr auto de9im = vesica_de9im_f64;
-  static constexpr auto intersection = vesica_intersection_f64;
+  static constexpr auto intersection = capi_tests::intersection<double>;
+  static constexpr auto intersection_in_room = vesica_intersection_f64;
   static constexpr auto impact_time = vesica_impact_time_f64;
   static constexpr auto suppress_soft = vesica_suppress_soft_f64;
   static constexpr auto within = vesica_within_f64;
@@ -91,7 +146,8 @@ struct Face<float> {
   using Penetration = vesica_penetration_f32;
   using Impact = vesica_impact_f32;
   using Turn = vesica_turn_f32;
-  using Crossings = vesica_crossing_points_f32;
+  using Crossings = capi_tests::Crossings<float>;
+  using Point = vesica_point_f32;
   using Aabb = vesica_aabb_f32;
   using Rect = vesica_rect_f32;
   using Ellipse = vesica_ellipse_f32;
@@ -105,7 +161,8 @@ struct Face<float> {
   static constexpr auto depth = vesica_depth_f32;
   static constexpr auto area = vesica_area_f32;
   static constexpr auto iou = vesica_iou_f32;
-  static constexpr auto crossings = vesica_crossings_f32;
+  static constexpr auto crossings = capi_tests::crossings<float>;
+  static constexpr auto crossings_in_room = vesica_crossings_f32;
   static constexpr auto shape_area = vesica_shape_area_f32;
   static constexpr auto bounds = vesica_bounds_f32;
   static constexpr auto from_records = vesica_shapes_from_records_f32;
@@ -138,7 +195,8 @@ struct Face<float> {
   static constexpr auto signed_distance_many = vesica_signed_distance_many_f32;
   static constexpr auto signed_distance_matrix = vesica_signed_distance_matrix_f32;
   static constexpr auto de9im = vesica_de9im_f32;
-  static constexpr auto intersection = vesica_intersection_f32;
+  static constexpr auto intersection = capi_tests::intersection<float>;
+  static constexpr auto intersection_in_room = vesica_intersection_f32;
   static constexpr auto impact_time = vesica_impact_time_f32;
   static constexpr auto suppress_soft = vesica_suppress_soft_f32;
   static constexpr auto within = vesica_within_f32;

@@ -10,6 +10,7 @@
 
 #include "area/hard_pairs.hpp"
 #include "area/reference.hpp"
+#include "capi/face.hpp"
 #include "crossings/crossing_count.hpp"
 #include "properties/generators.hpp"
 #include "relation/nesting.hpp"
@@ -29,9 +30,9 @@ struct Kinded {
 
 /// Exactly these places, in this order, and nothing after them.
 void expect_places(const Kinded& a, const Kinded& b, const std::vector<Point>& places, int shared = 0) {
-  vesica_crossing_points_f64 out;
+  capi_tests::Crossings<double> out;
   const auto count = static_cast<int>(places.size());
-  ASSERT_EQ(vesica_crossings_f64(a.kind, a.numbers.data(), b.kind, b.numbers.data(), &out), count);
+  ASSERT_EQ(capi_tests::crossings<double>(a.kind, a.numbers.data(), b.kind, b.numbers.data(), &out), count);
   EXPECT_EQ(out.count, count);
   EXPECT_EQ(out.shared, shared);
   for (int i = 0; i < 8; ++i) {
@@ -131,8 +132,8 @@ std::vector<Kinded> small_shapes(int kind) {
 /// both have the same places.
 TEST(Crossings, OfFlatEllipsesAreThoseOfFlatRectangles) {
   const auto ask = [](const Kinded& a, const Kinded& b) {
-    vesica_crossing_points_f64 out{};
-    EXPECT_GE(vesica_crossings_f64(a.kind, a.numbers.data(), b.kind, b.numbers.data(), &out), 0);
+    capi_tests::Crossings<double> out{};
+    EXPECT_GE(capi_tests::crossings<double>(a.kind, a.numbers.data(), b.kind, b.numbers.data(), &out), 0);
     return out;
   };
   const std::vector<double> flat[] = {{0, 0, 1, 0, 3, 0},  {0, 0, 1, 0, 0, 3},  {0, -1, 0, -1, 2, 0},
@@ -158,8 +159,8 @@ struct Worst {
   double distance = 0;
 
   void ask(const Pair& p, bool places_too) {
-    vesica_crossing_points_f64 out;
-    const std::int32_t count = vesica_crossings_f64(p.kind_a, p.a.data(), p.kind_b, p.b.data(), &out);
+    capi_tests::Crossings<double> out;
+    const std::int32_t count = capi_tests::crossings<double>(p.kind_a, p.a.data(), p.kind_b, p.b.data(), &out);
     const reference::Meeting truth = reference::meeting(p.kind_a, p.a.data(), p.kind_b, p.b.data());
     ++asked;
     if (count == VESICA_E_RANGE) return;
@@ -203,8 +204,8 @@ TEST(Crossings, ComeInOneOrderAtEveryMagnitude) {
   for (int e = -1000; e <= 1000; e += 20) {
     const double q = std::ldexp(1, e);
     const double circle[] = {0, 0, q}, box[] = {0, q / 2, q, 2 * q};
-    vesica_crossing_points_f64 out;
-    ASSERT_EQ(vesica_crossings_f64(VESICA_CIRCLE, circle, VESICA_AABB, box, &out), 2) << e;
+    capi_tests::Crossings<double> out;
+    ASSERT_EQ(capi_tests::crossings<double>(VESICA_CIRCLE, circle, VESICA_AABB, box, &out), 2) << e;
     EXPECT_EQ(out.y[0], q / 2) << e;
     EXPECT_EQ(out.y[1], q) << e;
   }
@@ -262,8 +263,8 @@ TEST(Crossings, AreWhereTheyShouldBe) {
       Stream stream(Workload::random, a, b, Scalar::f64, seed());
       for (int i = 0; i < 60 * repeat(); ++i) {
         const Pair p = stream.next();
-        vesica_crossing_points_f64 out;
-        const std::int32_t count = vesica_crossings_f64(p.kind_a, p.a.data(), p.kind_b, p.b.data(), &out);
+        capi_tests::Crossings<double> out;
+        const std::int32_t count = capi_tests::crossings<double>(p.kind_a, p.a.data(), p.kind_b, p.b.data(), &out);
         for (int k = 0; k < count; ++k) {
           double extent = 1;
           for (const double x : p.a) extent = std::fmax(extent, std::fabs(x));
@@ -285,11 +286,11 @@ TEST(Crossings, OfFloatsAreTheDoublesRounded) {
       Stream stream(Workload::random, a, b, Scalar::f32, seed());
       for (int i = 0; i < 60 * repeat(); ++i) {
         const Pair p = stream.next();
-        vesica_crossing_points_f64 wide;
-        vesica_crossing_points_f32 out;
+        capi_tests::Crossings<double> wide;
+        capi_tests::Crossings<float> out;
         const auto f = narrow(p.a), g = narrow(p.b);
-        const std::int32_t count = vesica_crossings_f64(a, p.a.data(), b, p.b.data(), &wide);
-        ASSERT_EQ(vesica_crossings_f32(a, f.data(), b, g.data(), &out), count) << describe(p);
+        const std::int32_t count = capi_tests::crossings<double>(a, p.a.data(), b, p.b.data(), &wide);
+        ASSERT_EQ(capi_tests::crossings<float>(a, f.data(), b, g.data(), &out), count) << describe(p);
         ASSERT_EQ(out.shared, wide.shared);
         for (int k = 0; k < 8; ++k) {
           ASSERT_EQ(out.x[k], static_cast<float>(wide.x[k]));

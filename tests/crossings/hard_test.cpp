@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "area/reference.hpp"
+#include "capi/face.hpp"
 #include "crossings/crossing_count.hpp"
 #include "properties/generators.hpp"
 
@@ -75,14 +76,14 @@ struct Tally {
     if (++failures <= 3) ADD_FAILURE() << what << ", seed " << seed() << "\n  " << text(a) << " | " << text(b);
   }
   void ask(const Shape& a, const Shape& b) {
-    vesica_crossing_points_f64 out, back;
-    const int count = vesica_crossings_f64(a.kind, a.numbers.data(), b.kind, b.numbers.data(), &out);
+    capi_tests::Crossings<double> out, back;
+    const int count = capi_tests::crossings<double>(a.kind, a.numbers.data(), b.kind, b.numbers.data(), &out);
     ASSERT_GE(count, 0) << text(a) << " | " << text(b);
     ++asked;
     meeting += count > 0;
     const reference::Meeting truth = reference::meeting(a.kind, a.numbers.data(), b.kind, b.numbers.data());
     if (count != truth.count || (out.shared != 0) != truth.shared) return fail(a, b, "not as many");
-    if (vesica_crossings_f64(b.kind, b.numbers.data(), a.kind, a.numbers.data(), &back) != count) {
+    if (capi_tests::crossings<double>(b.kind, b.numbers.data(), a.kind, a.numbers.data(), &back) != count) {
       return fail(a, b, "not as many of exchanged shapes");
     }
     for (int i = 0; i < count; ++i) {
@@ -105,7 +106,7 @@ struct Tally {
     in_order(a, b, p, out, near);
     where_true_ones_are(a, b, q, out, near);
   }
-  void in_order(const Shape& a, const Shape& b, const Oval& p, const vesica_crossing_points_f64& out, double near) {
+  void in_order(const Shape& a, const Shape& b, const Oval& p, const capi_tests::Crossings<double>& out, double near) {
     if (std::fmin(p.a, p.b) < 1024 * near) return;
     for (int i = 0; i + 1 < out.count; ++i) {
       double from = p.angle(out.x[i], out.y[i]), to = p.angle(out.x[i + 1], out.y[i + 1]);
@@ -116,7 +117,7 @@ struct Tally {
     }
   }
   /// As many true places around each group of places as the group has, and as many different ones as can be told apart.
-  void where_true_ones_are(const Shape& a, const Shape& b, const Oval& q, const vesica_crossing_points_f64& out,
+  void where_true_ones_are(const Shape& a, const Shape& b, const Oval& q, const capi_tests::Crossings<double>& out,
                            double near) {
     if (out.count == 0 || std::fmin(q.a, q.b) < 1024 * near) return;
     for (int i = 0; i < out.count; ++i) {
@@ -225,8 +226,8 @@ TEST(CrossingsHard, OsculatingEllipsesMovedByFarLessThanRoundings) {
 // The x of the places are 0 and the cube root of 3200 / 3 times the offset, but for its fourth power.
 TEST(CrossingsHard, PlacesOfAnOsculatingCircle) {
   const Shape a = ellipse(0x1p-224, 0, 1, 0, 10, 5), b = ellipse(0, -15, 3, 4, 4, 4);
-  vesica_crossing_points_f64 out;
-  ASSERT_EQ(vesica_crossings_f64(a.kind, a.numbers.data(), b.kind, b.numbers.data(), &out), 2);
+  capi_tests::Crossings<double> out;
+  ASSERT_EQ(capi_tests::crossings<double>(a.kind, a.numbers.data(), b.kind, b.numbers.data(), &out), 2);
   const double far = std::cbrt(3200.0 / 3) * std::exp2(-224.0 / 3);
   EXPECT_NEAR(out.x[0], far, 0.01 * far);
   EXPECT_NEAR(out.x[1], 0, 0.01 * far);
@@ -276,9 +277,9 @@ TEST(CrossingsHard, AreScaledWithTheShapes) {
     const Shape a = any_ellipse(random, 20), b = any_ellipse(random, 20);
     const int by = random.integer(-900, 900);
     const Shape c = scaled(a, by), d = scaled(b, by);
-    vesica_crossing_points_f64 out, other;
-    const int count = vesica_crossings_f64(a.kind, a.numbers.data(), b.kind, b.numbers.data(), &out);
-    ASSERT_EQ(vesica_crossings_f64(c.kind, c.numbers.data(), d.kind, d.numbers.data(), &other), count);
+    capi_tests::Crossings<double> out, other;
+    const int count = capi_tests::crossings<double>(a.kind, a.numbers.data(), b.kind, b.numbers.data(), &out);
+    ASSERT_EQ(capi_tests::crossings<double>(c.kind, c.numbers.data(), d.kind, d.numbers.data(), &other), count);
     for (int k = 0; k < count; ++k) {
       EXPECT_EQ(std::ldexp(out.x[k], by), other.x[k]) << text(a) << " | " << text(b);
       EXPECT_EQ(std::ldexp(out.y[k], by), other.y[k]) << text(a) << " | " << text(b);
@@ -303,8 +304,8 @@ TEST(CrossingsHard, MixedExponents) {
 // Were errors of range: shares of an edge underflowed, and 0 was divided by 0.
 TEST(CrossingsHard, EdgesFarLongerThanAnEllipse) {
   const auto count = [](const Shape& a, const Shape& b) {
-    vesica_crossing_points_f64 out;
-    return vesica_crossings_f64(a.kind, a.numbers.data(), b.kind, b.numbers.data(), &out);
+    capi_tests::Crossings<double> out;
+    return capi_tests::crossings<double>(a.kind, a.numbers.data(), b.kind, b.numbers.data(), &out);
   };
   EXPECT_EQ(count(ellipse(0, 0, 0, 0x1p-189, 1, 1), {VESICA_AABB, {-0x1p+976, -1, 0x1p-113, 0}}), 2);
   EXPECT_EQ(count(ellipse(0, 0, 0x1p-892, -1, 0x1p-14, 1), {VESICA_AABB, {0, 0, 1, 0x1p+229}}), 4);
@@ -314,8 +315,8 @@ TEST(CrossingsHard, EdgesFarLongerThanAnEllipse) {
 TEST(CrossingsHard, ACornerAtTheStartAndANeighbour) {
   const double r = 0x1.1e68c65b0a91dp+493;
   const Shape a = circle(-r, 0, r), b{VESICA_AABB, {-1, -1, 0, 0}};
-  vesica_crossing_points_f64 out;
-  ASSERT_EQ(vesica_crossings_f64(a.kind, a.numbers.data(), b.kind, b.numbers.data(), &out), 2);
+  capi_tests::Crossings<double> out;
+  ASSERT_EQ(capi_tests::crossings<double>(a.kind, a.numbers.data(), b.kind, b.numbers.data(), &out), 2);
   EXPECT_TRUE(out.x[0] == 0 && out.y[0] == 0 && out.y[1] == -1);
 }
 
@@ -336,8 +337,8 @@ TEST(CrossingsHard, AStartComesBeforePlacesNearerThanRoundings) {
                             ellipse(0, near, 0, -1, std::fabs(near), std::fabs(near))};
     for (const Shape& a : firsts) {
       for (const Shape& b : others) {
-        vesica_crossing_points_f64 out;
-        const int count = vesica_crossings_f64(a.kind, a.numbers.data(), b.kind, b.numbers.data(), &out);
+        capi_tests::Crossings<double> out;
+        const int count = capi_tests::crossings<double>(a.kind, a.numbers.data(), b.kind, b.numbers.data(), &out);
         ASSERT_EQ(count, 2) << text(a) << " | " << text(b);
         ++asked;
         EXPECT_LE(std::fabs(out.y[0]), 64 * u * std::fabs(near)) << text(a) << " | " << text(b);
@@ -355,8 +356,8 @@ TEST(CrossingsHard, AStartComesBeforePlacesNearerThanRoundings) {
 TEST(CrossingsHard, APlaceJustBeforeTheStartIsTheLast) {
   const Shape a = ellipse(-0x1.8p-568, -0x1.4p-569, 0x1.8p+1, 0x1p-1073, 0x1p-571, 0x1p-569);
   const Shape b{VESICA_AABB, {-0x1.8p-568, -0x1.1p-567, -0x1.2p-568, -0x1.3ffffffffffffp-569}};
-  vesica_crossing_points_f64 out;
-  ASSERT_EQ(vesica_crossings_f64(a.kind, a.numbers.data(), b.kind, b.numbers.data(), &out), 6);
+  capi_tests::Crossings<double> out;
+  ASSERT_EQ(capi_tests::crossings<double>(a.kind, a.numbers.data(), b.kind, b.numbers.data(), &out), 6);
   EXPECT_EQ(out.x[0], -0x1.2p-568);
   EXPECT_EQ(out.y[0], -0x1.4p-569);
   EXPECT_EQ(out.x[5], -0x1.2p-568);
@@ -377,8 +378,9 @@ TEST(CrossingsHard, AStartOnAnEdgeComesBeforeTheOtherPlaceThere) {
                             {VESICA_AABB, {0, -h, 1, h}},
                             {VESICA_RECT, {1, 0, 0, -1, h, 1}}};
     for (const Shape& second : others) {
-      vesica_crossing_points_f64 out;
-      ASSERT_EQ(vesica_crossings_f64(first.kind, first.numbers.data(), second.kind, second.numbers.data(), &out), 2)
+      capi_tests::Crossings<double> out;
+      ASSERT_EQ(
+          capi_tests::crossings<double>(first.kind, first.numbers.data(), second.kind, second.numbers.data(), &out), 2)
           << text(first) << " | " << text(second);
       EXPECT_NEAR(out.y[0], a * tilt, 1e-9 * h) << text(first) << " | " << text(second);
       EXPECT_NEAR(out.y[1], other, 1e-9 * h) << text(first) << " | " << text(second);
@@ -411,8 +413,8 @@ TEST(CrossingsHard, AStartThatIsAPlaceComesFirst) {
                             ellipse(x + 2 * tx, y + ty, 1, 0, 2 * tr, tr)};
     for (const Shape& a : firsts) {
       for (const Shape& b : others) {
-        vesica_crossing_points_f64 out;
-        const int count = vesica_crossings_f64(a.kind, a.numbers.data(), b.kind, b.numbers.data(), &out);
+        capi_tests::Crossings<double> out;
+        const int count = capi_tests::crossings<double>(a.kind, a.numbers.data(), b.kind, b.numbers.data(), &out);
         if (out.shared != 0 && count == 0) continue;
         ASSERT_GT(count, 0) << text(a) << " | " << text(b);
         ++asked;

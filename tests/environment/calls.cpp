@@ -521,7 +521,7 @@ Bytes ask_soft(const Inputs& inputs) {
         {"nearest", ask_pair<T, vesica_closest_points_##s, vesica_nearest_##s>},                                    \
         {"boundary_distance", ask_pair<T, vesica_closest_points_##s, vesica_boundary_distance_##s>},                \
         {"depth", ask_pair<T, vesica_penetration_##s, vesica_depth_##s>},                                           \
-        {"crossings", ask_pair<T, vesica_crossing_points_##s, vesica_crossings_##s>},                               \
+        {"crossings", ask_pair<T, capi_tests::Crossings<T>, capi_tests::crossings<T>>},                             \
         {"area", ask_pair<T, T, vesica_area_##s>}, {"iou", ask_pair<T, T, vesica_iou_##s>},                         \
         {"signed_distance", ask_pair<T, T, vesica_signed_distance_##s>}, {"within", ask_code<T, within<T>>},        \
         {"de9im", ask_text<T, vesica_de9im_##s>}, {"intersection", ask_numbers<T, vesica_intersection_##s, 16>},    \

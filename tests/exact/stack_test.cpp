@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "capi/face.hpp"
 #include "properties/random.hpp"
 
 namespace {
@@ -127,29 +128,29 @@ std::size_t used_by(PaintedStack& stack, Query query, const Shapes& s) {
 }
 
 // Results beyond the finite numbers are answers here.
-std::int32_t area(std::int32_t kind_a, const double* a, std::int32_t kind_b, const double* b) {
+std::int32_t area(std::int32_t kind_a, const void* a, std::int32_t kind_b, const void* b) {
   double out;
   const std::int32_t code = vesica_area_f64(kind_a, a, kind_b, b, &out);
   return code == VESICA_E_RANGE ? 0 : code;
 }
-std::int32_t crossings(std::int32_t kind_a, const double* a, std::int32_t kind_b, const double* b) {
-  vesica_crossing_points_f64 out;
-  const std::int32_t code = vesica_crossings_f64(kind_a, a, kind_b, b, &out);
+std::int32_t crossings(std::int32_t kind_a, const void* a, std::int32_t kind_b, const void* b) {
+  capi_tests::Crossings<double> out;
+  const std::int32_t code = capi_tests::crossings<double>(kind_a, a, kind_b, b, &out);
   return code == VESICA_E_RANGE ? 0 : code;
 }
 
 /// Shapes moved apart and towards each other again: so contact at the start is contact on the way, at a time of about
 /// 1.
-std::int32_t cast(std::int32_t kind_a, const double* a, std::int32_t kind_b, const double* b) {
+std::int32_t cast(std::int32_t kind_a, const void* a, std::int32_t kind_b, const void* b) {
   double apart[6];
-  std::copy_n(b, 6, apart);
+  std::copy_n(static_cast<const double*>(b), 6, apart);
   const bool corners = kind_b == VESICA_SEGMENT || kind_b == VESICA_AABB;
   const double vx = 0x1p1019, vy = 0x1.3333p1018;
   for (int i = 0; i < (corners ? 4 : 2); ++i) apart[i] = apart[i] / 8 + (i % 2 == 0 ? vx : vy);
   vesica_impact_f64 out;
   std::int32_t worst = 0;
   for (const double end : {1.0, 0.7, HUGE_VAL}) {
-    for (const double* moving : {b, static_cast<const double*>(apart)}) {
+    for (const void* moving : {b, static_cast<const void*>(apart)}) {
       const std::int32_t code = vesica_cast_f64(kind_a, a, kind_b, moving, -vx, -vy, end, &out);
       worst = code < 0 && code != VESICA_E_RANGE ? code : worst;
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bytes to one call of vesica.h: any function, any legal pointers, buffers that end at a guard page.
+#include "capi/face.hpp"
 #include "fuzz/bytes.hpp"
 
 namespace fuzz {
@@ -105,8 +106,8 @@ constexpr Call calls[] = {
     output<float, float, vesica_iou_f32>,
     ratio<double, vesica_ratio_f64>,
     ratio<float, vesica_ratio_f32>,
-    output<double, vesica_crossing_points_f64, vesica_crossings_f64>,
-    output<float, vesica_crossing_points_f32, vesica_crossings_f32>,
+    output<double, capi_tests::Crossings<double>, capi_tests::crossings<double>>,
+    output<float, capi_tests::Crossings<float>, capi_tests::crossings<float>>,
     of_one<double, double, vesica_shape_area_f64>,
     of_one<float, float, vesica_shape_area_f32>,
     of_one<double, vesica_aabb_f64, vesica_bounds_f64>,

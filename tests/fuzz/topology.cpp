@@ -43,9 +43,11 @@ void call_de9im(Bytes& bytes, Memory& memory) {
 template <class T>
 void call_intersection(Bytes& bytes, Memory& memory) {
   const Shape<T> a(bytes, memory.a), b(bytes, memory.b);
-  T* vertices = room<T>(memory.out, 2 * VESICA_MOST_VERTICES);
-  const std::int32_t count = Face<T>::intersection(a.kind(), a.numbers(), b.kind(), b.numbers(), vertices);
-  demand(is_error(count) || (count >= 0 && count <= VESICA_MOST_VERTICES));
+  const std::int64_t capacity = bytes.below(10);
+  auto* vertices = room<typename Face<T>::Point>(memory.out, static_cast<std::size_t>(capacity));
+  const std::int64_t count =
+      Face<T>::intersection_in_room(a.kind(), a.numbers(), b.kind(), b.numbers(), vertices, capacity);
+  demand(count < 0 ? is_error(static_cast<std::int32_t>(count)) : count <= 8);
   if (count >= 0) demand((count > 0) == (Face<T>::overlap(a.kind(), a.numbers(), b.kind(), b.numbers()) == 1));
 }
 

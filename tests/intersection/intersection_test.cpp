@@ -14,6 +14,7 @@
 #include <vector>
 #include <vesica/intersection.hpp>
 
+#include "capi/face.hpp"
 #include "nearest/reference.hpp"
 #include "oracle/oracle.hpp"
 #include "properties/generators.hpp"
@@ -112,12 +113,12 @@ Answer ask(Scalar scalar, const Pair& p) {
   Answer r{0, {}};
   r.at.fill(7);
   if (scalar == Scalar::f64) {
-    r.count = vesica_intersection_f64(p.kind_a, p.a.data(), p.kind_b, p.b.data(), r.at.data());
+    r.count = capi_tests::intersection<double>(p.kind_a, p.a.data(), p.kind_b, p.b.data(), r.at.data());
   } else {
     const auto a = properties::narrow(p.a), b = properties::narrow(p.b);
     float at[16];
     std::fill_n(at, 16, 7.0f);
-    r.count = vesica_intersection_f32(p.kind_a, a.data(), p.kind_b, b.data(), at);
+    r.count = capi_tests::intersection<float>(p.kind_a, a.data(), p.kind_b, b.data(), at);
     for (std::size_t i = 0; i < 16; ++i) r.at[i] = static_cast<double>(at[i]);
   }
   return r;
@@ -423,16 +424,16 @@ TEST(IntersectionKnown, OfTheHeader) {
 TEST(IntersectionKnown, Errors) {
   const double box[4] = {0, 0, 1, 1}, circle[3] = {0, 0, 1}, bad[4] = {1, 0, 0, 1};
   double out[16] = {7};
-  EXPECT_EQ(vesica_intersection_f64(VESICA_AABB, box, VESICA_CIRCLE, circle, out), VESICA_E_KIND);
-  EXPECT_EQ(vesica_intersection_f64(VESICA_CIRCLE, circle, VESICA_CIRCLE, circle, out), VESICA_E_KIND);
-  EXPECT_EQ(vesica_intersection_f64(VESICA_AABB, box, 9, circle, out), VESICA_E_KIND);
-  EXPECT_EQ(vesica_intersection_f64(VESICA_AABB, box, VESICA_AABB, bad, out), VESICA_E_SHAPE);
-  EXPECT_EQ(vesica_intersection_f64(VESICA_AABB, box, VESICA_AABB, nullptr, out), VESICA_E_NULL);
-  EXPECT_EQ(vesica_intersection_f64(VESICA_AABB, box, VESICA_AABB, box, nullptr), VESICA_E_NULL);
+  EXPECT_EQ(capi_tests::intersection<double>(VESICA_AABB, box, VESICA_CIRCLE, circle, out), VESICA_E_KIND);
+  EXPECT_EQ(capi_tests::intersection<double>(VESICA_CIRCLE, circle, VESICA_CIRCLE, circle, out), VESICA_E_KIND);
+  EXPECT_EQ(capi_tests::intersection<double>(VESICA_AABB, box, 9, circle, out), VESICA_E_KIND);
+  EXPECT_EQ(capi_tests::intersection<double>(VESICA_AABB, box, VESICA_AABB, bad, out), VESICA_E_SHAPE);
+  EXPECT_EQ(capi_tests::intersection<double>(VESICA_AABB, box, VESICA_AABB, nullptr, out), VESICA_E_NULL);
+  EXPECT_EQ(capi_tests::intersection<double>(VESICA_AABB, box, VESICA_AABB, box, nullptr), VESICA_E_NULL);
   const double huge[6] = {1.7e308, 0, 1e308, 0, 1, 1}, all[4] = {0, -1.7e308, 1.7e308, 1.7e308};
-  EXPECT_EQ(vesica_intersection_f64(VESICA_RECT, huge, VESICA_RECT, huge, out), VESICA_E_RANGE);
+  EXPECT_EQ(capi_tests::intersection<double>(VESICA_RECT, huge, VESICA_RECT, huge, out), VESICA_E_RANGE);
   EXPECT_EQ(out[0], 7);
-  EXPECT_EQ(vesica_intersection_f64(VESICA_AABB, all, VESICA_AABB, all, out), 4);
+  EXPECT_EQ(capi_tests::intersection<double>(VESICA_AABB, all, VESICA_AABB, all, out), 4);
 }
 
 }  // namespace

@@ -126,7 +126,7 @@ struct Caller {
     return finish(marked, [&] { return Face<T>::de9im(kind_a, a, kind_b, b, marked.out.characters.data()); });
   }
   Answer intersection() const {
-    Marked<std::array<T, 2 * std::size_t{VESICA_MOST_VERTICES}>> marked;
+    Marked<std::array<T, 16>> marked;
     return finish(marked, [&] { return Face<T>::intersection(kind_a, a, kind_b, b, marked.out.data()); });
   }
 

@@ -19,7 +19,7 @@ namespace Vesica
 
         // Made once: a delegate of a static method is slow to make.
         private static readonly Codes overlap = Native.Overlap, relation = Native.Relation, contains = Native.Contains;
-        private static readonly Measures crossings = Native.Crossings, nearest = Native.Nearest, depth = Native.Depth;
+        private static readonly Measures nearest = Native.Nearest, depth = Native.Depth;
         private static readonly Measures boundaryDistance = Native.BoundaryDistance, area = Native.Area;
         private static readonly Measures iou = Native.Iou;
 
@@ -36,6 +36,23 @@ namespace Vesica
             bool wide = Write(a, b, numbersA, numbersB);
             Native.Checked(function(wide, (int)a.Kind, numbersA, (int)b.Kind, numbersB, output));
             return wide;
+        }
+
+        internal delegate long PointQuery(bool wide, int kindA, void* a, int kindB, void* b, void* output,
+            long capacity);
+
+        /// <summary>The points that a function of two shapes writes. No two of these kinds have more than
+        /// 8.</summary>
+        internal static Point[] PointsOf<A, B>(A a, B b, PointQuery function) where A : IShape where B : IShape
+        {
+            const int Most = 8;
+            double* n = stackalloc double[2 * Most];
+            double* numbersA = stackalloc double[MostNumbers], numbersB = stackalloc double[MostNumbers];
+            bool wide = Write(a, b, numbersA, numbersB);
+            var points = new Point[Native.Checked(function(wide, (int)a.Kind, numbersA, (int)b.Kind, numbersB, n,
+                Most))];
+            for (int i = 0; i < points.Length; ++i) points[i] = new Point(At(wide, n, 2 * i), At(wide, n, 2 * i + 1));
+            return points;
         }
 
         private static bool Write<A, B>(A a, B b, void* numbersA, void* numbersB) where A : IShape where B : IShape
@@ -119,15 +136,11 @@ namespace Vesica
         /// they have a stretch in common.</summary>
         public static Point[] Crossings<A, B>(A a, B b, out bool shared) where A : IShape where B : IShape
         {
-            const int Most = 8;
-            double* n = stackalloc double[1 + 2 * Most];
-            bool wide = Measure(crossings, a, b, n);
-            var counts = (int*)n;
-            var numbers = (double*)(counts + 2);
-            var places = new Point[counts[0]];
-            for (int i = 0; i < places.Length; ++i)
-                places[i] = new Point(At(wide, numbers, i), At(wide, numbers, Most + i));
-            shared = counts[1] != 0;
+            int stretch = 0;
+            int* to = &stretch;
+            Point[] places = PointsOf(a, b, (wide, kindA, p, kindB, q, output, capacity) =>
+                Native.Crossings(wide, kindA, p, kindB, q, output, capacity, to));
+            shared = stretch != 0;
             return places;
         }
 

@@ -38,15 +38,7 @@ namespace Vesica
         /// It is of points, segments, boxes and rectangles, or of a point or a segment and any shape.</summary>
         public static Point[] Intersection<A, B>(A a, B b) where A : IShape where B : IShape
         {
-            double* n = stackalloc double[16];
-            int count = 0;
-            Query.Measures call = (isDouble, kindA, p, kindB, q, to) =>
-                count = Native.Intersection(isDouble, kindA, p, kindB, q, to);
-            bool wide = Query.Measure(call, a, b, n);
-            var vertices = new Point[count];
-            for (int i = 0; i < count; ++i)
-                vertices[i] = new Point(Query.At(wide, n, 2 * i), Query.At(wide, n, 2 * i + 1));
-            return vertices;
+            return Query.PointsOf(a, b, Native.Intersection);
         }
     }
 

@@ -77,14 +77,14 @@ function inC(name, scalar, args) {
       new Numbers(vesica.c.memory.buffer, address, numbers.length).set(numbers);
       return isTurn ? [address] : [kinds.indexOf(kindOf(text)), address];
     });
-    const size = resultSizes[name], out = room.take(8 + 16 * 8), gap = out + 5 * width;
+    const size = resultSizes[name], out = room.take(8 + 16 * 8), gap = out + 5 * width, shared = out + 16 * 8;
     const results = size === 0 ? [] : name === 'impact_time' ? [out, gap] : [out];
-    const code = vesica.c[`vesica_${name}_${scalar}`](...given, ...results);
+    if (name === 'crossings') results.push(8n, shared);
+    const code = Number(vesica.c[`vesica_${name}_${scalar}`](...given, ...results));
     vesica.check(code);
     if (name !== 'crossings') return [code, Array.from(new Numbers(vesica.c.memory.buffer, out, size))];
-    const shared = new Int32Array(vesica.c.memory.buffer, out, 2)[1];
-    const places = new Numbers(vesica.c.memory.buffer, out + 8, 16);
-    return [code, [shared, ...Array.from({ length: code }, (_, i) => [places[i], places[8 + i]]).flat()]];
+    const stretch = new Int32Array(vesica.c.memory.buffer, shared, 1)[0];
+    return [code, [stretch, ...new Numbers(vesica.c.memory.buffer, out, 2 * code)]];
   });
 }
 
@@ -227,8 +227,8 @@ function topologyInC(name, args) {
       new Float32Array(memory.buffer, address, numbers.length).set(numbers);
       return [kinds.indexOf(kindOf(text)), address];
     });
-    const last = name === 'within' ? numbersOf(args[2]) : [out];
-    const code = vesica.check(vesica.c[`vesica_${name}_f32`](...operands, ...last));
+    const last = name === 'within' ? numbersOf(args[2]) : name === 'intersection' ? [out, 8n] : [out];
+    const code = vesica.check(Number(vesica.c[`vesica_${name}_f32`](...operands, ...last)));
     if (name === 'within') return [code, []];
     if (name === 'intersection') return [code, Array.from(new Float32Array(memory.buffer, out, 2 * code))];
     const letters = Array.from(new Uint8Array(memory.buffer, out, 9));

@@ -3,6 +3,8 @@
 import ctypes
 import pathlib
 
+import numpy
+
 from . import _declarations
 
 _inside = pathlib.Path(__file__).with_name("libvesica.so.0")
@@ -46,3 +48,9 @@ def checked(code):
 def by_scalar(name):
     """A function's two forms, by the letter of numpy's type."""
     return {letter: getattr(library, f"vesica_{name}_{suffix}") for letter, suffix in (("d", "f64"), ("f", "f32"))}
+
+
+def all_points(function, a, b, *more):
+    """The points (n, 2) that a function of two single shapes writes: no two kinds have more than 8."""
+    out = numpy.empty((8, 2), a.dtype)
+    return out[: checked(function(a.kind, a.record, b.kind, b.record, out.ctypes.data, len(out), *more))]

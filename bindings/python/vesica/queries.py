@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy
 
 from . import _declarations
-from ._library import VesicaError, by_scalar, checked, library
+from ._library import VesicaError, all_points, by_scalar, checked, library
 from .shapes import Kind, exactly, one_shape, plain, same_scalar, shapes, the_shapes
 
 
@@ -225,7 +225,7 @@ _RATIO = {which: _Query("ratio", record=_NUMBER, first=(which,), partial=True) f
 _RATIO_MATRIX = {which: _Matrix("ratio", first=(which,), partial=True) for which in Ratio}
 _SELECT, _SUPPRESS, _SOFT = by_scalar("overlap_select"), by_scalar("suppress"), by_scalar("suppress_soft")
 _DECAYS = {"linear": _declarations.DECAY_LINEAR, "gaussian": _declarations.DECAY_GAUSSIAN}
-_CROSSINGS, _CROSSING_POINTS = by_scalar("crossings"), _structs("crossing_points")
+_CROSSINGS = by_scalar("crossings")
 _SHAPE_AREA, _BOUNDS, _CORNERS = by_scalar("shape_area"), by_scalar("bounds_many"), by_scalar("corners_of_shapes")
 
 # Every question takes shapes a and b. Two single shapes give a number. Arrays in step give an array; of one shape and
@@ -373,9 +373,8 @@ def crossings(a, b):
     letter = same_scalar(a, b)
     if not (a.single and b.single):
         raise TypeError("crossings are those of two single shapes: take a[i] and b[i]")
-    out = _CROSSING_POINTS[letter]()
-    count = checked(_CROSSINGS[letter](a.kind, a.record, b.kind, b.record, ctypes.byref(out)))
-    return Crossings(numpy.array([out.x[:count], out.y[:count]], a.dtype).T, bool(out.shared))
+    shared = ctypes.c_int32()
+    return Crossings(all_points(_CROSSINGS[letter], a, b, ctypes.byref(shared)), bool(shared.value))
 
 
 def shape_area(shape):

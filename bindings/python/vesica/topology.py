@@ -4,7 +4,7 @@ import ctypes
 
 import numpy
 
-from ._library import by_scalar, checked, library
+from ._library import all_points, by_scalar, checked, library
 from .shapes import same_scalar
 
 _DE9IM, _INTERSECTION = by_scalar("de9im"), by_scalar("intersection")
@@ -41,5 +41,4 @@ def intersection(a, b):
     """
     letter = same_scalar(a, b)
     _two(a, b, "a shared region")
-    out = numpy.empty((8, 2), a.dtype)
-    return out[: checked(_INTERSECTION[letter](a.kind, a.record, b.kind, b.record, out.ctypes.data))]
+    return all_points(_INTERSECTION[letter], a, b)

@@ -62,7 +62,6 @@ package Vesica_C is
    Vesica_Cast_Start : constant := 2;
    Vesica_Cast_Near : constant := 3;
    Vesica_De9im_Size : constant := 10;
-   Vesica_Most_Vertices : constant := 8;
 
    type Doubles_8 is array (1 .. 8) of IEEE_Float_64 with Convention => C;
    type Floats_8 is array (1 .. 8) of IEEE_Float_32 with Convention => C;
@@ -124,14 +123,6 @@ package Vesica_C is
       Ay : IEEE_Float_64;
       Bx : IEEE_Float_64;
       By : IEEE_Float_64;
-   end record with Convention => C;
-
-   --  Where two outlines meet: `count` places (x[i], y[i]), the rest 0. shared is 1 if the outlines share a stretch.
-   type Vesica_Crossing_Points_F64 is record
-      Count : Integer_32;
-      Shared : Integer_32;
-      X : Doubles_8;
-      Y : Doubles_8;
    end record with Convention => C;
 
    --  The shortest move of b that ends its overlap with a: its length, and its unit direction (x, y).
@@ -209,14 +200,6 @@ package Vesica_C is
       Ay : IEEE_Float_32;
       Bx : IEEE_Float_32;
       By : IEEE_Float_32;
-   end record with Convention => C;
-
-   --  Where two outlines meet: `count` places (x[i], y[i]), the rest 0. shared is 1 if the outlines share a stretch.
-   type Vesica_Crossing_Points_F32 is record
-      Count : Integer_32;
-      Shared : Integer_32;
-      X : Floats_8;
-      Y : Floats_8;
    end record with Convention => C;
 
    --  The shortest move of b that ends its overlap with a: its length, and its unit direction (x, y).
@@ -325,7 +308,7 @@ package Vesica_C is
 
    --  Where do the outlines of two shapes meet?
    function Vesica_Crossings_F64 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B :
-      System.Address; Output : System.Address) return Integer_32
+      System.Address; Output : System.Address; Capacity : Integer_64; Shared : System.Address) return Integer_64
      with Import, Convention => C, External_Name => "vesica_crossings_f64";
 
    --  How far apart are two solid shapes, and which of their points are closest?
@@ -591,7 +574,7 @@ package Vesica_C is
 
    --  Where do the outlines of two shapes meet?
    function Vesica_Crossings_F32 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B :
-      System.Address; Output : System.Address) return Integer_32
+      System.Address; Output : System.Address; Capacity : Integer_64; Shared : System.Address) return Integer_64
      with Import, Convention => C, External_Name => "vesica_crossings_f32";
 
    --  How far apart are two solid shapes, and which of their points are closest?
@@ -1315,7 +1298,7 @@ package Vesica_C is
 
    --  The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
    function Vesica_Intersection_F64 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B :
-      System.Address; Vertices : System.Address) return Integer_32
+      System.Address; Output : System.Address; Capacity : Integer_64) return Integer_64
      with Import, Convention => C, External_Name => "vesica_intersection_f64";
 
    --  The nine-intersection matrix of two shapes (DE-9IM), as geographic systems write it.
@@ -1325,7 +1308,7 @@ package Vesica_C is
 
    --  The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
    function Vesica_Intersection_F32 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B :
-      System.Address; Vertices : System.Address) return Integer_32
+      System.Address; Output : System.Address; Capacity : Integer_64) return Integer_64
      with Import, Convention => C, External_Name => "vesica_intersection_f32";
 
 end Vesica_C;

@@ -61,7 +61,6 @@ module vesica_c
   integer(c_int32_t), parameter :: vesica_cast_start = 2
   integer(c_int32_t), parameter :: vesica_cast_near = 3
   integer(c_int32_t), parameter :: vesica_de9im_size = 10
-  integer(c_int32_t), parameter :: vesica_most_vertices = 8
 
   !> A location.
   type, bind(c) :: vesica_point_f64
@@ -119,14 +118,6 @@ module vesica_c
     real(c_double) :: ay
     real(c_double) :: bx
     real(c_double) :: by
-  end type
-
-  !> Where two outlines meet: `count` places (x[i], y[i]), the rest 0. shared is 1 if the outlines share a stretch.
-  type, bind(c) :: vesica_crossing_points_f64
-    integer(c_int32_t) :: count
-    integer(c_int32_t) :: shared
-    real(c_double) :: x(8)
-    real(c_double) :: y(8)
   end type
 
   !> The shortest move of b that ends its overlap with a: its length, and its unit direction (x, y).
@@ -204,14 +195,6 @@ module vesica_c
     real(c_float) :: ay
     real(c_float) :: bx
     real(c_float) :: by
-  end type
-
-  !> Where two outlines meet: `count` places (x[i], y[i]), the rest 0. shared is 1 if the outlines share a stretch.
-  type, bind(c) :: vesica_crossing_points_f32
-    integer(c_int32_t) :: count
-    integer(c_int32_t) :: shared
-    real(c_float) :: x(8)
-    real(c_float) :: y(8)
   end type
 
   !> The shortest move of b that ends its overlap with a: its length, and its unit direction (x, y).
@@ -346,13 +329,15 @@ module vesica_c
     end function
 
     !> Where do the outlines of two shapes meet?
-    integer(c_int32_t) function vesica_crossings_f64(kind_a, a, kind_b, b, out) bind(c)
+    integer(c_int64_t) function vesica_crossings_f64(kind_a, a, kind_b, b, out, capacity, shared) bind(c)
       import
       integer(c_int32_t), value :: kind_a
       real(c_double), intent(in) :: a(*)
       integer(c_int32_t), value :: kind_b
       real(c_double), intent(in) :: b(*)
-      type(vesica_crossing_points_f64), intent(out) :: out
+      type(c_ptr), value :: out
+      integer(c_int64_t), value :: capacity
+      type(c_ptr), value :: shared
     end function
 
     !> How far apart are two solid shapes, and which of their points are closest?
@@ -835,13 +820,15 @@ module vesica_c
     end function
 
     !> Where do the outlines of two shapes meet?
-    integer(c_int32_t) function vesica_crossings_f32(kind_a, a, kind_b, b, out) bind(c)
+    integer(c_int64_t) function vesica_crossings_f32(kind_a, a, kind_b, b, out, capacity, shared) bind(c)
       import
       integer(c_int32_t), value :: kind_a
       real(c_float), intent(in) :: a(*)
       integer(c_int32_t), value :: kind_b
       real(c_float), intent(in) :: b(*)
-      type(vesica_crossing_points_f32), intent(out) :: out
+      type(c_ptr), value :: out
+      integer(c_int64_t), value :: capacity
+      type(c_ptr), value :: shared
     end function
 
     !> How far apart are two solid shapes, and which of their points are closest?
@@ -2327,13 +2314,14 @@ module vesica_c
     end function
 
     !> The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
-    integer(c_int32_t) function vesica_intersection_f64(kind_a, a, kind_b, b, vertices) bind(c)
+    integer(c_int64_t) function vesica_intersection_f64(kind_a, a, kind_b, b, out, capacity) bind(c)
       import
       integer(c_int32_t), value :: kind_a
       real(c_double), intent(in) :: a(*)
       integer(c_int32_t), value :: kind_b
       real(c_double), intent(in) :: b(*)
-      type(c_ptr), value :: vertices
+      type(c_ptr), value :: out
+      integer(c_int64_t), value :: capacity
     end function
 
     !> The nine-intersection matrix of two shapes (DE-9IM), as geographic systems write it.
@@ -2347,13 +2335,14 @@ module vesica_c
     end function
 
     !> The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
-    integer(c_int32_t) function vesica_intersection_f32(kind_a, a, kind_b, b, vertices) bind(c)
+    integer(c_int64_t) function vesica_intersection_f32(kind_a, a, kind_b, b, out, capacity) bind(c)
       import
       integer(c_int32_t), value :: kind_a
       real(c_float), intent(in) :: a(*)
       integer(c_int32_t), value :: kind_b
       real(c_float), intent(in) :: b(*)
-      type(c_ptr), value :: vertices
+      type(c_ptr), value :: out
+      integer(c_int64_t), value :: capacity
     end function
   end interface
 end module

@@ -58,7 +58,6 @@
 (define-public VESICA_CAST_START 2)
 (define-public VESICA_CAST_NEAR 3)
 (define-public VESICA_DE9IM_SIZE 10)
-(define-public VESICA_MOST_VERTICES 8)
 
 (define library (load-foreign-library "libvesica.so.0"))
 
@@ -97,7 +96,7 @@
 ;; Does a contain all of b?
 (c vesica_contains_f64 int32 int32 '* int32 '*)
 ;; Where do the outlines of two shapes meet?
-(c vesica_crossings_f64 int32 int32 '* int32 '* '*)
+(c vesica_crossings_f64 int64 int32 '* int32 '* '* int64 '*)
 ;; How far apart are two solid shapes, and which of their points are closest?
 (c vesica_nearest_f64 int32 int32 '* int32 '* '*)
 ;; How far apart are the outlines of two shapes, and where do they come closest?
@@ -212,7 +211,7 @@
 ;; Does a contain all of b?
 (c vesica_contains_f32 int32 int32 '* int32 '*)
 ;; Where do the outlines of two shapes meet?
-(c vesica_crossings_f32 int32 int32 '* int32 '* '*)
+(c vesica_crossings_f32 int64 int32 '* int32 '* '* int64 '*)
 ;; How far apart are two solid shapes, and which of their points are closest?
 (c vesica_nearest_f32 int32 int32 '* int32 '* '*)
 ;; How far apart are the outlines of two shapes, and where do they come closest?
@@ -505,8 +504,8 @@
 ;; Does a nine-intersection matrix match a pattern, such as "T*F**F***" for "a is within b"?
 (c vesica_de9im_match int32 '* '*)
 ;; The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
-(c vesica_intersection_f64 int32 int32 '* int32 '* '*)
+(c vesica_intersection_f64 int64 int32 '* int32 '* '* int64)
 ;; The nine-intersection matrix of two shapes (DE-9IM), as geographic systems write it.
 (c vesica_de9im_f32 int32 int32 '* int32 '* '*)
 ;; The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
-(c vesica_intersection_f32 int32 int32 '* int32 '* '*)
+(c vesica_intersection_f32 int64 int32 '* int32 '* '* int64)

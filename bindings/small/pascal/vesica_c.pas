@@ -62,7 +62,6 @@ const
   vesica_cast_start = 2;
   vesica_cast_near = 3;
   vesica_de9im_size = 10;
-  vesica_most_vertices = 8;
 
 type
   // A location.
@@ -123,14 +122,6 @@ type
     by: Double;
   end;
   PVesicaClosestPointsF64 = ^TVesicaClosestPointsF64;
-  // Where two outlines meet: `count` places (x[i], y[i]), the rest 0. shared is 1 if the outlines share a stretch.
-  TVesicaCrossingPointsF64 = record
-    count: Int32;
-    shared: Int32;
-    x: array[0..7] of Double;
-    y: array[0..7] of Double;
-  end;
-  PVesicaCrossingPointsF64 = ^TVesicaCrossingPointsF64;
   // The shortest move of b that ends its overlap with a: its length, and its unit direction (x, y).
   TVesicaPenetrationF64 = record
     depth: Double;
@@ -208,14 +199,6 @@ type
     by: Single;
   end;
   PVesicaClosestPointsF32 = ^TVesicaClosestPointsF32;
-  // Where two outlines meet: `count` places (x[i], y[i]), the rest 0. shared is 1 if the outlines share a stretch.
-  TVesicaCrossingPointsF32 = record
-    count: Int32;
-    shared: Int32;
-    x: array[0..7] of Single;
-    y: array[0..7] of Single;
-  end;
-  PVesicaCrossingPointsF32 = ^TVesicaCrossingPointsF32;
   // The shortest move of b that ends its overlap with a: its length, and its unit direction (x, y).
   TVesicaPenetrationF32 = record
     depth: Single;
@@ -298,8 +281,8 @@ function vesica_relation_f64(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointe
 function vesica_contains_f64(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer): Int32; cdecl; external
   vesica_library;
 // Where do the outlines of two shapes meet?
-function vesica_crossings_f64(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output:
-  PVesicaCrossingPointsF64): Int32; cdecl; external vesica_library;
+function vesica_crossings_f64(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output: PVesicaPointF64;
+  capacity: Int64; shared: PInt32): Int64; cdecl; external vesica_library;
 // How far apart are two solid shapes, and which of their points are closest?
 function vesica_nearest_f64(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output: PVesicaClosestPointsF64):
   Int32; cdecl; external vesica_library;
@@ -464,8 +447,8 @@ function vesica_relation_f32(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointe
 function vesica_contains_f32(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer): Int32; cdecl; external
   vesica_library;
 // Where do the outlines of two shapes meet?
-function vesica_crossings_f32(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output:
-  PVesicaCrossingPointsF32): Int32; cdecl; external vesica_library;
+function vesica_crossings_f32(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output: PVesicaPointF32;
+  capacity: Int64; shared: PInt32): Int64; cdecl; external vesica_library;
 // How far apart are two solid shapes, and which of their points are closest?
 function vesica_nearest_f32(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output: PVesicaClosestPointsF32):
   Int32; cdecl; external vesica_library;
@@ -906,14 +889,14 @@ function vesica_de9im_f64(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; 
 // Does a nine-intersection matrix match a pattern, such as "T*F**F***" for "a is within b"?
 function vesica_de9im_match(matrix: PChar; pattern: PChar): Int32; cdecl; external vesica_library;
 // The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
-function vesica_intersection_f64(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; vertices: PDouble): Int32;
-  cdecl; external vesica_library;
+function vesica_intersection_f64(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output: PVesicaPointF64;
+  capacity: Int64): Int64; cdecl; external vesica_library;
 // The nine-intersection matrix of two shapes (DE-9IM), as geographic systems write it.
 function vesica_de9im_f32(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; matrix: PChar): Int32; cdecl;
   external vesica_library;
 // The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
-function vesica_intersection_f32(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; vertices: PSingle): Int32;
-  cdecl; external vesica_library;
+function vesica_intersection_f32(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output: PVesicaPointF32;
+  capacity: Int64): Int64; cdecl; external vesica_library;
 
 implementation
 

@@ -61,7 +61,6 @@ our %CONSTANTS = (
     CAST_START => 2,
     CAST_NEAR => 3,
     DE9IM_SIZE => 10,
-    MOST_VERTICES => 8,
 );
 
 our @FUNCTIONS = (
@@ -90,7 +89,7 @@ our @FUNCTIONS = (
     # Does a contain all of b?
     [vesica_contains_f64 => ['sint32', 'double[]', 'sint32', 'double[]'] => 'sint32'],
     # Where do the outlines of two shapes meet?
-    [vesica_crossings_f64 => ['sint32', 'double[]', 'sint32', 'double[]', 'opaque'] => 'sint32'],
+    [vesica_crossings_f64 => ['sint32', 'double[]', 'sint32', 'double[]', 'opaque', 'sint64', 'opaque'] => 'sint64'],
     # How far apart are two solid shapes, and which of their points are closest?
     [vesica_nearest_f64 => ['sint32', 'double[]', 'sint32', 'double[]', 'opaque'] => 'sint32'],
     # How far apart are the outlines of two shapes, and where do they come closest?
@@ -207,7 +206,7 @@ our @FUNCTIONS = (
     # Does a contain all of b?
     [vesica_contains_f32 => ['sint32', 'float[]', 'sint32', 'float[]'] => 'sint32'],
     # Where do the outlines of two shapes meet?
-    [vesica_crossings_f32 => ['sint32', 'float[]', 'sint32', 'float[]', 'opaque'] => 'sint32'],
+    [vesica_crossings_f32 => ['sint32', 'float[]', 'sint32', 'float[]', 'opaque', 'sint64', 'opaque'] => 'sint64'],
     # How far apart are two solid shapes, and which of their points are closest?
     [vesica_nearest_f32 => ['sint32', 'float[]', 'sint32', 'float[]', 'opaque'] => 'sint32'],
     # How far apart are the outlines of two shapes, and where do they come closest?
@@ -525,11 +524,11 @@ our @FUNCTIONS = (
     # Does a nine-intersection matrix match a pattern, such as "T*F**F***" for "a is within b"?
     [vesica_de9im_match => ['string', 'string'] => 'sint32'],
     # The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
-    [vesica_intersection_f64 => ['sint32', 'double[]', 'sint32', 'double[]', 'opaque'] => 'sint32'],
+    [vesica_intersection_f64 => ['sint32', 'double[]', 'sint32', 'double[]', 'opaque', 'sint64'] => 'sint64'],
     # The nine-intersection matrix of two shapes (DE-9IM), as geographic systems write it.
     [vesica_de9im_f32 => ['sint32', 'float[]', 'sint32', 'float[]', 'opaque'] => 'sint32'],
     # The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
-    [vesica_intersection_f32 => ['sint32', 'float[]', 'sint32', 'float[]', 'opaque'] => 'sint32'],
+    [vesica_intersection_f32 => ['sint32', 'float[]', 'sint32', 'float[]', 'opaque', 'sint64'] => 'sint64'],
 );
 
 1;

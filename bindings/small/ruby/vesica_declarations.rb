@@ -58,7 +58,6 @@ module Vesica
   CAST_START = 2
   CAST_NEAR = 3
   DE9IM_SIZE = 10
-  MOST_VERTICES = 8
 
   # For Fiddle::Importer#extern. A pointer is a string, or what Fiddle makes.
   DECLARATIONS = [
@@ -87,7 +86,7 @@ module Vesica
     # Does a contain all of b?
     'int vesica_contains_f64(int, void *, int, void *)',
     # Where do the outlines of two shapes meet?
-    'int vesica_crossings_f64(int, void *, int, void *, void *)',
+    'int64_t vesica_crossings_f64(int, void *, int, void *, void *, int64_t, void *)',
     # How far apart are two solid shapes, and which of their points are closest?
     'int vesica_nearest_f64(int, void *, int, void *, void *)',
     # How far apart are the outlines of two shapes, and where do they come closest?
@@ -202,7 +201,7 @@ module Vesica
     # Does a contain all of b?
     'int vesica_contains_f32(int, void *, int, void *)',
     # Where do the outlines of two shapes meet?
-    'int vesica_crossings_f32(int, void *, int, void *, void *)',
+    'int64_t vesica_crossings_f32(int, void *, int, void *, void *, int64_t, void *)',
     # How far apart are two solid shapes, and which of their points are closest?
     'int vesica_nearest_f32(int, void *, int, void *, void *)',
     # How far apart are the outlines of two shapes, and where do they come closest?
@@ -505,10 +504,10 @@ module Vesica
     # Does a nine-intersection matrix match a pattern, such as "T*F**F***" for "a is within b"?
     'int vesica_de9im_match(const char *, const char *)',
     # The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
-    'int vesica_intersection_f64(int, void *, int, void *, void *)',
+    'int64_t vesica_intersection_f64(int, void *, int, void *, void *, int64_t)',
     # The nine-intersection matrix of two shapes (DE-9IM), as geographic systems write it.
     'int vesica_de9im_f32(int, void *, int, void *, void *)',
     # The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
-    'int vesica_intersection_f32(int, void *, int, void *, void *)',
+    'int64_t vesica_intersection_f32(int, void *, int, void *, void *, int64_t)',
   ].freeze
 end

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package vesica;
 
-import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
-import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -13,17 +10,13 @@ import java.util.List;
  * @param shared whether they have a stretch in common
  */
 public record Crossings(List<Point> places, boolean shared) {
-  private static final int PLACES = 8;
+  /** No two of these kinds have more places, or more vertices of a shared region. */
+  static final int MOST = 8;
 
-  /** Bytes of the library's struct. */
-  static final int SIZE = 8 + 2 * PLACES * Double.BYTES;
-
-  static Crossings of(byte[] struct) {
-    ByteBuffer buffer = ByteBuffer.wrap(struct).order(ByteOrder.nativeOrder());
-    List<Point> places = new ArrayList<>();
-    for (int i = 0; i < buffer.getInt(0); i++) {
-      places.add(new Point(buffer.getDouble(8 + 8 * i), buffer.getDouble(8 + 8 * (PLACES + i))));
-    }
-    return new Crossings(List.copyOf(places), buffer.getInt(4) != 0);
+  /** The first points of x0 y0 x1 y1 ... */
+  static List<Point> points(double[] numbers, long count) {
+    Point[] points = new Point[(int) count];
+    for (int i = 0; i < count; i++) points[i] = new Point(numbers[2 * i], numbers[2 * i + 1]);
+    return List.of(points);
   }
 }

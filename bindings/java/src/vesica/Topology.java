@@ -4,7 +4,6 @@ package vesica;
 import static vesica.VesicaException.checked;
 
 import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
 import java.util.List;
 
 /** How the parts of two shapes meet: nine-intersection matrices, and the region that they share. */
@@ -38,10 +37,11 @@ public final class Topology {
    * segments, boxes and rectangles, or of a point or a segment and any shape.
    */
   public static List<Point> intersection(Shape a, Shape b) {
-    double[] out = new double[16];
-    long count = checked(Native.intersectionF64(a.kind().value, a.numbers(), b.kind().value, b.numbers(), out));
-    List<Point> vertices = new ArrayList<>();
-    for (int i = 0; i < count; i++) vertices.add(new Point(out[2 * i], out[2 * i + 1]));
-    return vertices;
+    double[] out = new double[2 * Crossings.MOST];
+    long count =
+        checked(
+            Native.intersectionF64(
+                a.kind().value, a.numbers(), b.kind().value, b.numbers(), out, Crossings.MOST));
+    return Crossings.points(out, count);
   }
 }

@@ -46,9 +46,13 @@ public final class Vesica {
 
   /** The places where the outlines meet. Their number is exact. */
   public static Crossings crossings(Shape a, Shape b) {
-    byte[] out = new byte[Crossings.SIZE];
-    checked(Native.crossingsF64(a.kind().value, a.numbers(), b.kind().value, b.numbers(), out));
-    return Crossings.of(out);
+    double[] out = new double[2 * Crossings.MOST];
+    int[] shared = new int[1];
+    long count =
+        checked(
+            Native.crossingsF64(
+                a.kind().value, a.numbers(), b.kind().value, b.numbers(), out, Crossings.MOST, shared));
+    return new Crossings(Crossings.points(out, count), shared[0] != 0);
   }
 
   /** How far are the solid shapes apart, and which of their points are closest? */

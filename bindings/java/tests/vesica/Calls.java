@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package vesica;
 
-import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -202,15 +200,12 @@ final class Calls {
   }
 
   private long crossingsInFloat(int kind, float[] numbers) {
-    byte[] struct = new byte[8 + 16 * Float.BYTES];
-    int code = Native.crossingsF32(kind, numbers, kind(arguments[1]).value, narrow(numbers(arguments[1])), struct);
-    ByteBuffer buffer = ByteBuffer.wrap(struct).order(ByteOrder.nativeOrder());
-    values = new double[1 + 2 * Math.max(code, 0)];
-    values[0] = buffer.getInt(4);
-    for (int i = 0; i < code; i++) {
-      values[1 + 2 * i] = buffer.getFloat(8 + 4 * i);
-      values[2 + 2 * i] = buffer.getFloat(40 + 4 * i);
-    }
+    float[] places = new float[16];
+    int[] shared = new int[1];
+    float[] other = narrow(numbers(arguments[1]));
+    long code = Native.crossingsF32(kind, numbers, kind(arguments[1]).value, other, places, 8, shared);
+    double[] found = widened(Arrays.copyOf(places, (int) (2 * Math.max(code, 0))));
+    values = joined(new double[] {shared[0]}, found);
     return code;
   }
 
@@ -500,7 +495,7 @@ final class Calls {
       VesicaException.checked(Native.de9imF32(kindA, a, kindB, b, letters));
       return gives(matrix(letters));
     }
-    long count = VesicaException.checked(Native.intersectionF32(kindA, a, kindB, b, vertices));
+    long count = VesicaException.checked(Native.intersectionF32(kindA, a, kindB, b, vertices, 8));
     gives(Arrays.copyOf(widened(vertices), 2 * (int) count));
     return count;
   }

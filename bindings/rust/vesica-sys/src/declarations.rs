@@ -103,8 +103,6 @@ pub const VESICA_CAST_START: i32 = 2;
 pub const VESICA_CAST_NEAR: i32 = 3;
 /// characters of a nine-intersection matrix with its final NUL
 pub const VESICA_DE9IM_SIZE: i32 = 10;
-/// vertices of a shared region, at most
-pub const VESICA_MOST_VERTICES: i32 = 8;
 
 /// A location.
 #[repr(C)]
@@ -212,21 +210,6 @@ pub struct ClosestPoints<T> {
 pub type vesica_closest_points_f64 = ClosestPoints<f64>;
 /// [`ClosestPoints`] of f32.
 pub type vesica_closest_points_f32 = ClosestPoints<f32>;
-
-/// Where two outlines meet: `count` places (x\[i\], y\[i\]), the rest 0. shared is 1 if the outlines share a stretch.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[allow(missing_docs)]
-pub struct CrossingPoints<T> {
-    pub count: i32,
-    pub shared: i32,
-    pub x: [T; 8],
-    pub y: [T; 8],
-}
-/// [`CrossingPoints`] of f64.
-pub type vesica_crossing_points_f64 = CrossingPoints<f64>;
-/// [`CrossingPoints`] of f32.
-pub type vesica_crossing_points_f32 = CrossingPoints<f32>;
 
 /// The shortest move of b that ends its overlap with a: its length, and its unit direction (x, y).
 #[repr(C)]
@@ -404,15 +387,18 @@ extern "C" {
     /// Where do the outlines of two shapes meet? Touching counts.
     ///
     /// The outline of a shape with area is the curve around it. A segment, a point and a shape without area are their
-    /// own outlines. A contact counts as one place, however closely the curves touch there. If straight outlines share
-    /// a stretch, its two end points are places, and out-\>shared is 1; so equal boxes meet at their four corners. Two
-    /// equal curves meet everywhere: then the count is 0 and out-\>shared is 1. Places come in order along a's outline,
+    /// own outlines. A contact is one place, however closely the curves touch there. If straight outlines share a
+    /// stretch, its two end points are places, and \*shared is 1; so equal boxes meet at their four corners. Two equal
+    /// curves meet everywhere: then the count is 0 and \*shared is 1. Places come in order along a's outline,
     /// counter-clockwise in the frame of its axis. The start is a box's corner C - hx u - hy perp(u), an ellipse's
     /// point C + a u (one without area begins as a box), a circle's point C + (r, 0), or a segment's first end.
     ///
-    /// Returns: the number of places, 0 to 8.
+    /// Requires: capacity, how many places out has room for. It may be 0, and out then NULL. shared may be NULL.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+    /// Returns: how many places there are, even if that exceeds the capacity: at most 8 for these kinds. The first
+    /// `capacity` are written, and \*shared is set to 1 or 0.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a negative capacity), VESICA_E_SHAPE, VESICA_E_RANGE.
     ///
     /// Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape,
     /// even where the outlines nearly coincide. Places closer to one another than that may come in either order or be
@@ -423,8 +409,8 @@ extern "C" {
     /// Cost: 1 to 10 us; at worst 30 us.
     ///
     /// Since: 0.1.
-    pub fn vesica_crossings_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
-        out: *mut CrossingPoints<f64>) -> i32;
+    pub fn vesica_crossings_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Point<f64>,
+        capacity: i64, shared: *mut i32) -> i64;
     /// How far apart are two solid shapes, and which of their points are closest?
     ///
     /// If the shapes overlap (as vesica_overlap_f64 tells), the distance is 0 and both points are one common point. If
@@ -1336,15 +1322,18 @@ extern "C" {
     /// Where do the outlines of two shapes meet? Touching counts.
     ///
     /// The outline of a shape with area is the curve around it. A segment, a point and a shape without area are their
-    /// own outlines. A contact counts as one place, however closely the curves touch there. If straight outlines share
-    /// a stretch, its two end points are places, and out-\>shared is 1; so equal boxes meet at their four corners. Two
-    /// equal curves meet everywhere: then the count is 0 and out-\>shared is 1. Places come in order along a's outline,
+    /// own outlines. A contact is one place, however closely the curves touch there. If straight outlines share a
+    /// stretch, its two end points are places, and \*shared is 1; so equal boxes meet at their four corners. Two equal
+    /// curves meet everywhere: then the count is 0 and \*shared is 1. Places come in order along a's outline,
     /// counter-clockwise in the frame of its axis. The start is a box's corner C - hx u - hy perp(u), an ellipse's
     /// point C + a u (one without area begins as a box), a circle's point C + (r, 0), or a segment's first end.
     ///
-    /// Returns: the number of places, 0 to 8.
+    /// Requires: capacity, how many places out has room for. It may be 0, and out then NULL. shared may be NULL.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+    /// Returns: how many places there are, even if that exceeds the capacity: at most 8 for these kinds. The first
+    /// `capacity` are written, and \*shared is set to 1 or 0.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a negative capacity), VESICA_E_SHAPE, VESICA_E_RANGE.
     ///
     /// Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape,
     /// even where the outlines nearly coincide. Places closer to one another than that may come in either order or be
@@ -1356,8 +1345,8 @@ extern "C" {
     /// Cost: 1 to 10 us; at worst 30 us.
     ///
     /// Since: 0.1.
-    pub fn vesica_crossings_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
-        out: *mut CrossingPoints<f32>) -> i32;
+    pub fn vesica_crossings_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Point<f32>,
+        capacity: i64, shared: *mut i32) -> i64;
     /// How far apart are two solid shapes, and which of their points are closest?
     ///
     /// If the shapes overlap (as vesica_overlap_f32 tells), the distance is 0 and both points are one common point. If
@@ -3877,12 +3866,15 @@ extern "C" {
     /// The kinds are points, segments, boxes and rectangles; a point or a segment may also meet a circle or an ellipse.
     /// The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise if y points up. The first is the one
     /// with the least y, of equal ones that with the least x, by the numbers written. One vertex is a point, two are
-    /// the ends of a segment. Exchanging the shapes changes no bit; a zero is +0. Unused vertices become 0.
+    /// the ends of a segment. Exchanging the shapes changes no bit; a zero is +0.
     ///
-    /// Returns: the number of vertices, 1 to 8, or 0 if the shapes share nothing.
+    /// Requires: capacity, how many vertices out has room for. It may be 0, and out then NULL.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_KIND (also for other pairs of kinds than these), VESICA_E_SHAPE, VESICA_E_RANGE
-    /// (a vertex, or the length of a side that makes one, overflows).
+    /// Returns: how many vertices there are, even if that exceeds the capacity: at most 8 for these kinds, and 0 if the
+    /// shapes share nothing. The first `capacity` are written.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND (also for other pairs of kinds than these), VESICA_E_ARGUMENT (a negative
+    /// capacity), VESICA_E_SHAPE, VESICA_E_RANGE (a vertex, or the length of a side that makes one, overflows).
     ///
     /// Accuracy: the number of vertices is exact: it is that of the true region. A corner of a shape that lies in the
     /// other keeps the stored numbers, or those of vesica_corners_of_shapes_f64 for a rectangle. Other vertices are
@@ -3895,8 +3887,8 @@ extern "C" {
     /// 30 us.
     ///
     /// Since: 0.1.
-    pub fn vesica_intersection_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
-        vertices: *mut f64) -> i32;
+    pub fn vesica_intersection_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Point<f64>,
+        capacity: i64) -> i64;
     /// The nine-intersection matrix of two shapes (DE-9IM), as geographic systems write it.
     ///
     /// Every shape has an inside, an outline and an outside. The first three characters say what a's inside shares with
@@ -3924,12 +3916,15 @@ extern "C" {
     /// The kinds are points, segments, boxes and rectangles; a point or a segment may also meet a circle or an ellipse.
     /// The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise if y points up. The first is the one
     /// with the least y, of equal ones that with the least x, by the numbers written. One vertex is a point, two are
-    /// the ends of a segment. Exchanging the shapes changes no bit; a zero is +0. Unused vertices become 0.
+    /// the ends of a segment. Exchanging the shapes changes no bit; a zero is +0.
     ///
-    /// Returns: the number of vertices, 1 to 8, or 0 if the shapes share nothing.
+    /// Requires: capacity, how many vertices out has room for. It may be 0, and out then NULL.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_KIND (also for other pairs of kinds than these), VESICA_E_SHAPE, VESICA_E_RANGE
-    /// (a vertex, or the length of a side that makes one, overflows).
+    /// Returns: how many vertices there are, even if that exceeds the capacity: at most 8 for these kinds, and 0 if the
+    /// shapes share nothing. The first `capacity` are written.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND (also for other pairs of kinds than these), VESICA_E_ARGUMENT (a negative
+    /// capacity), VESICA_E_SHAPE, VESICA_E_RANGE (a vertex, or the length of a side that makes one, overflows).
     ///
     /// Accuracy: the number of vertices is exact: it is that of the true region. A corner of a shape that lies in the
     /// other keeps the stored numbers, or those of vesica_corners_of_shapes_f32 for a rectangle. Other vertices are
@@ -3942,8 +3937,8 @@ extern "C" {
     /// 30 us.
     ///
     /// Since: 0.1.
-    pub fn vesica_intersection_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
-        vertices: *mut f32) -> i32;
+    pub fn vesica_intersection_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Point<f32>,
+        capacity: i64) -> i64;
 }
 
 /// `f64` and `f32`, each with the functions of its type.
@@ -3956,8 +3951,8 @@ pub unsafe trait Scalar: Copy + Default + PartialEq + PartialOrd + core::fmt::De
     unsafe fn overlap(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32;
     unsafe fn relation(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32;
     unsafe fn contains(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32;
-    unsafe fn crossings(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
-        out: *mut CrossingPoints<Self>) -> i32;
+    unsafe fn crossings(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Point<Self>,
+        capacity: i64, shared: *mut i32) -> i64;
     unsafe fn nearest(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
         out: *mut ClosestPoints<Self>) -> i32;
     unsafe fn boundary_distance(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
@@ -4095,7 +4090,8 @@ pub unsafe trait Scalar: Copy + Default + PartialEq + PartialOrd + core::fmt::De
     unsafe fn cast_rect_rect(a: *const Rect<Self>, b: *const Rect<Self>, vx: Self, vy: Self, t_end: Self,
         out: *mut Impact<Self>) -> i32;
     unsafe fn de9im(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, matrix: *mut u8) -> i32;
-    unsafe fn intersection(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, vertices: *mut Self) -> i32;
+    unsafe fn intersection(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Point<Self>,
+        capacity: i64) -> i64;
 }
 unsafe impl Scalar for f64 {
     #[inline]
@@ -4115,9 +4111,9 @@ unsafe impl Scalar for f64 {
         vesica_contains_f64(kind_a, a, kind_b, b)
     }
     #[inline]
-    unsafe fn crossings(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
-        out: *mut CrossingPoints<f64>) -> i32 {
-        vesica_crossings_f64(kind_a, a, kind_b, b, out)
+    unsafe fn crossings(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Point<f64>,
+        capacity: i64, shared: *mut i32) -> i64 {
+        vesica_crossings_f64(kind_a, a, kind_b, b, out, capacity, shared)
     }
     #[inline]
     unsafe fn nearest(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
@@ -4539,8 +4535,9 @@ unsafe impl Scalar for f64 {
         vesica_de9im_f64(kind_a, a, kind_b, b, matrix)
     }
     #[inline]
-    unsafe fn intersection(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, vertices: *mut f64) -> i32 {
-        vesica_intersection_f64(kind_a, a, kind_b, b, vertices)
+    unsafe fn intersection(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Point<f64>,
+        capacity: i64) -> i64 {
+        vesica_intersection_f64(kind_a, a, kind_b, b, out, capacity)
     }
 }
 unsafe impl Scalar for f32 {
@@ -4561,9 +4558,9 @@ unsafe impl Scalar for f32 {
         vesica_contains_f32(kind_a, a, kind_b, b)
     }
     #[inline]
-    unsafe fn crossings(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
-        out: *mut CrossingPoints<f32>) -> i32 {
-        vesica_crossings_f32(kind_a, a, kind_b, b, out)
+    unsafe fn crossings(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Point<f32>,
+        capacity: i64, shared: *mut i32) -> i64 {
+        vesica_crossings_f32(kind_a, a, kind_b, b, out, capacity, shared)
     }
     #[inline]
     unsafe fn nearest(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
@@ -4985,7 +4982,8 @@ unsafe impl Scalar for f32 {
         vesica_de9im_f32(kind_a, a, kind_b, b, matrix)
     }
     #[inline]
-    unsafe fn intersection(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, vertices: *mut f32) -> i32 {
-        vesica_intersection_f32(kind_a, a, kind_b, b, vertices)
+    unsafe fn intersection(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Point<f32>,
+        capacity: i64) -> i64 {
+        vesica_intersection_f32(kind_a, a, kind_b, b, out, capacity)
     }
 }

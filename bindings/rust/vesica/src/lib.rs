@@ -49,7 +49,7 @@ pub use query::*;
 pub use shape::{AnyShape, Kind, Shape, Shapes};
 pub use topology::*;
 pub use vesica_sys as sys;
-pub use vesica_sys::{Aabb, Circle, ClosestPoints, CrossingPoints, Ellipse, Impact, Penetration, Point, Rect, Scalar};
+pub use vesica_sys::{Aabb, Circle, ClosestPoints, Ellipse, Impact, Penetration, Point, Rect, Scalar};
 pub use vesica_sys::{Segment, Turn};
 
 /// The README's example.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //! Questions about one shape or two.
 use crate::error::{answer, filled};
-use crate::{Aabb, ClosestPoints, CrossingPoints, Error, Penetration, Scalar, Shape};
+use crate::{Aabb, ClosestPoints, Error, Penetration, Scalar, Shape};
 use core::ffi::c_void;
 use vesica_sys as sys;
 
@@ -44,6 +44,35 @@ impl Default for Relation {
     fn default() -> Self {
         Relation::Disjoint
     }
+}
+
+/// Where two outlines meet.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Crossings<T> {
+    count: usize,
+    places: [[T; 2]; 8],
+    /// Whether the outlines share a stretch.
+    pub shared: bool,
+}
+
+impl<T> Crossings<T> {
+    /// The places, in order along the first shape's outline.
+    pub fn places(&self) -> &[[T; 2]] {
+        &self.places[..self.count]
+    }
+}
+
+fn places<A, B>(a: &A, b: &B) -> Result<Crossings<A::Scalar>, Error>
+where
+    A: Shape + ?Sized,
+    B: Shape<Scalar = A::Scalar> + ?Sized,
+{
+    let (kind_a, kind_b, mut found, mut shared) = (a.kind() as i32, b.kind() as i32, Crossings::default(), 0);
+    let (a, b) = (a.numbers().as_ptr().cast(), b.numbers().as_ptr().cast());
+    let (to, room) = (found.places.as_mut_ptr().cast(), found.places.len() as i64);
+    found.count = answer(|| unsafe { A::Scalar::crossings(kind_a, a, kind_b, b, to, room, &mut shared) })?;
+    found.shared = shared == 1;
+    Ok(found)
 }
 
 type Code = unsafe fn(i32, *const c_void, i32, *const c_void) -> i32;
@@ -92,7 +121,7 @@ of_two! {
     /// Does a hold all of b? Equal shapes do. Exact.
     contains -> bool: |a, b| Ok(code(A::Scalar::contains, a, b)? == 1);
     /// The places where the outlines meet, in order along a's. Their number is exact.
-    crossings -> CrossingPoints<A::Scalar>: |a, b| measure(A::Scalar::crossings, a, b);
+    crossings -> Crossings<A::Scalar>: places;
     /// How far are the solid shapes apart, and which of their points are closest?
     nearest -> ClosestPoints<A::Scalar>: |a, b| measure(A::Scalar::nearest, a, b);
     /// How far are the outlines apart, that of a shape inside another too?

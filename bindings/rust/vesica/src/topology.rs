@@ -114,7 +114,7 @@ where
     let (kind_a, kind_b, mut region) = (a.kind() as i32, b.kind() as i32, Region::default());
     let (a, b) = (a.numbers().as_ptr().cast(), b.numbers().as_ptr().cast());
     let to = region.vertices.as_mut_ptr().cast();
-    region.count = answer(|| unsafe { A::Scalar::intersection(kind_a, a, kind_b, b, to) })?;
+    region.count = answer(|| unsafe { A::Scalar::intersection(kind_a, a, kind_b, b, to, 8) })?;
     Ok(region)
 }
 

@@ -339,9 +339,9 @@ fn of_one_or_two<T: Number>(call: &Call) -> Option<Outcome> {
         "shape_area" => shape_area(&a).map(|area| (0, values(&[area]))),
         "bounds" => bounds(&a).map(|b| (0, values(&[b.min_x, b.min_y, b.max_x, b.max_y]))),
         "crossings" => crossings(&a, &b).map(|places| {
-            let count = places.count as usize;
-            let each = (0..count).flat_map(|i| [places.x[i].into(), places.y[i].into()]);
-            (places.count.into(), [places.shared.into()].into_iter().chain(each).collect())
+            let each = places.places().iter().flatten().map(|&number| number.into());
+            let shared = f64::from(u8::from(places.shared));
+            (places.places().len() as i64, [shared].into_iter().chain(each).collect())
         }),
         _ => return None,
     }))
