@@ -23,7 +23,7 @@ function(vesica_library name)
   string(REGEX REPLACE "^vesica_" "" alias ${name})
   string(REPLACE "_" "-" output ${name})
   add_library(${name} ${arg_SOURCES})
-  set(headers $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  set(headers $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(${name}
     PRIVATE $<BUILD_INTERFACE:vesica_core> $<BUILD_INTERFACE:vesica_flags> ${arg_LINK} m
     INTERFACE ${arg_HAND_ON})

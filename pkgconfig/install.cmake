@@ -11,15 +11,15 @@ install(TARGETS ${targets} EXPORT vesica-targets
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
   INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(FILES
-    ${PROJECT_SOURCE_DIR}/capi/vesica.h
-    ${PROJECT_SOURCE_DIR}/capi/vesica_generic.h
-    ${PROJECT_SOURCE_DIR}/capi/vesica_boxes.h
-    ${PROJECT_SOURCE_DIR}/capi/vesica_index.h
-    ${PROJECT_SOURCE_DIR}/capi/vesica_index.hpp
-    ${PROJECT_SOURCE_DIR}/capi/vesica_measures.h
-    ${PROJECT_SOURCE_DIR}/capi/vesica_motion.h
-    ${PROJECT_SOURCE_DIR}/capi/vesica_topology.h
-    ${PROJECT_SOURCE_DIR}/capi/vesica_methods.h
+    ${PROJECT_SOURCE_DIR}/capi/include/vesica.h
+    ${PROJECT_SOURCE_DIR}/capi/include/vesica_generic.h
+    ${PROJECT_SOURCE_DIR}/capi/include/vesica_boxes.h
+    ${PROJECT_SOURCE_DIR}/capi/include/vesica_index.h
+    ${PROJECT_SOURCE_DIR}/capi/include/vesica_index.hpp
+    ${PROJECT_SOURCE_DIR}/capi/include/vesica_measures.h
+    ${PROJECT_SOURCE_DIR}/capi/include/vesica_motion.h
+    ${PROJECT_SOURCE_DIR}/capi/include/vesica_topology.h
+    ${PROJECT_SOURCE_DIR}/capi/include/vesica_methods.h
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/vesica DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 

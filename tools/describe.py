@@ -20,6 +20,7 @@ import re
 import sys
 
 CAPI = pathlib.Path(__file__).resolve().parent.parent / "capi"
+INCLUDE = CAPI / "include"
 # Each header's library, without its version, and the version script of what that exports.
 QUESTIONS = ("vesica.h", "vesica_boxes.h", "vesica_index.h", "vesica_measures.h", "vesica_motion.h",
              "vesica_topology.h")
@@ -195,7 +196,7 @@ def complete(found, definition):
         entry["since"], entry["comment"] = since[1], joined(parts)
 
 
-def describe(directory=CAPI):
+def describe(directory=INCLUDE):
     """The description of all headers as one dictionary; its form is that of vesica.json."""
     found = {"constants": [], "structs": [], "functions": []}
     for header in HEADERS:

@@ -122,7 +122,7 @@ def overview(header, text, description):
 def pages():
     """{name: lines} of all pages."""
     description = describe.describe()
-    texts = {header: (describe.CAPI / header).read_text(encoding="utf-8") for header in describe.HEADERS}
+    texts = {header: (describe.INCLUDE / header).read_text(encoding="utf-8") for header in describe.HEADERS}
     result = {entry["name"]: page(entry, description) for entry in description["functions"]}
     maps = "".join((describe.CAPI / name).read_text(encoding="utf-8") for name in describe.MAPS.values())
     exported = set(re.findall(r"^\s+(vesica_\w+);", maps, re.M))

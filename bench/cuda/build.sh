@@ -8,7 +8,7 @@ bench=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 root=$bench/..
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-flags=(-std=c++20 -O2 "-I$root/include" "-I$root/capi" "-I$bench" -c --output-directory "$work")
+flags=(-std=c++20 -O2 "-I$root/include" "-I$root/capi/include" "-I$bench" -c --output-directory "$work")
 device=(-x cu --expt-relaxed-constexpr "-arch=$architecture" "${@:4}")
 nvcc "${flags[@]}" "${device[@]}" "$bench/cuda/main.cpp" "$bench/cuda/any_pair.cpp"
 nvcc "${flags[@]}" -Xcompiler -ffp-contract=off "$bench/contacts.cpp" "$bench/workloads.cpp"

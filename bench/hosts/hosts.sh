@@ -19,7 +19,7 @@ export GLIBC_TUNABLES=glibc.malloc.hugetlb=1
 exec 3>&1 1>&2 # the table alone is the output
 
 c() {
-  cc -std=gnu99 -O2 -I "$root/capi" -o "$work/overhead" "$root/bench/hosts/overhead.c" "$shared/libvesica.so.0"
+  cc -std=gnu99 -O2 -I "$root/capi/include" -o "$work/overhead" "$root/bench/hosts/overhead.c" "$shared/libvesica.so.0"
   "$work/overhead"
 }
 rust() {
@@ -29,7 +29,7 @@ rust() {
 go() {
   rm -rf "$work/go" && mkdir -p "$work/go/include" "$work/go/lib"
   cp -r "$root"/bindings/go/{*.go,*.h,go.mod,overhead} "$work/go"
-  cp "$root"/capi/vesica*.h "$work/go/include"
+  cp "$root"/capi/include/vesica*.h "$work/go/include"
   cp "$static/libvesica.a" "$work/go/lib"
   (cd "$work/go" && GOPROXY=off GOCACHE="$work/go-cache" command go run ./overhead)
 }
@@ -37,7 +37,7 @@ java() {
   local jdk
   jdk=$(dirname "$(dirname "$(readlink -f "$(command -v javac)")")")
   javac -d "$work/java" "$root"/bindings/java/{src,generated}/vesica/*.java "$root/bindings/java/overhead/Overhead.java"
-  cc -std=c99 -O2 -fPIC -shared -I "$jdk/include" -I "$jdk/include/linux" -I "$root/capi" -o "$work/java/jni.so" \
+  cc -std=c99 -O2 -fPIC -shared -I "$jdk/include" -I "$jdk/include/linux" -I "$root/capi/include" -o "$work/java/jni.so" \
     -I "$root/bindings/java/native" "$root"/bindings/java/{native,generated}/*.c "$static/libvesica.a" -lm
   command java -XX:+UseTransparentHugePages "-Dvesica.library=$work/java/jni.so" -cp "$work/java" Overhead
 }

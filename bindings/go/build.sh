@@ -17,7 +17,7 @@ version=$(sed -n 's/ *"version": "\(.*\)",/\1/p' "$here/../../capi/vesica.json")
 module=$work/vesica-go
 mkdir -p "$module/include" "$module/lib"
 cp "$here"/*.go "$here/go.mod" "$here/declarations.h" "$here/README.md" "$here/../../LICENSE" "$module"
-cp "$here"/../../capi/vesica*.h "$module/include"
+cp "$here"/../../capi/include/vesica*.h "$module/include"
 cp "$library/libvesica.a" "$module/lib"
 unformatted=$(cd "$here" && gofmt -l ./*.go)
 [ -z "$unformatted" ] || { echo "go: not as gofmt has it: $unformatted" >&2; exit 1; }

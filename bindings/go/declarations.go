@@ -138,7 +138,7 @@ type Decay int32
 const (
 	// DecayLinear: score * (1 - r) if r exceeds the parameter, a threshold from 0 to 1
 	DecayLinear Decay = 0
-	// DecayGaussian: score * exp(-r^2 / parameter) if r > 0; the parameter is at least 2^-100
+	// DecayGaussian: score * exp(-r^2 / parameter) if r > 0; parameter from 2^-100, finite
 	DecayGaussian Decay = 1
 )
 
@@ -151,7 +151,7 @@ const (
 	WithinNo WithinResult = 0
 	// WithinYes: they are at most that far apart
 	WithinYes WithinResult = 1
-	// WithinNearly: only with an ellipse: their distance is too close to the one asked for to tell
+	// WithinNearly: only with an ellipse: their distance is too close to the one asked for to decide
 	WithinNearly WithinResult = 2
 )
 
@@ -164,7 +164,7 @@ const (
 	CastMiss CastResult = 0
 	// CastHit: contact, the first after t = 0
 	CastHit CastResult = 1
-	// CastStart: the shapes overlap at t = 0, as vesica_overlap_f64 tells
+	// CastStart: the shapes overlap at t = 0, as vesica_overlap_f64 says
 	CastStart CastResult = 2
 	// CastNear: only from vesica_impact_time_f64: none before t, and perhaps none later
 	CastNear CastResult = 3
@@ -296,25 +296,11 @@ type Turn[T Float] struct {
 	Angle T
 }
 
-func cCheck(wide bool, kind C.int32_t, shape C.vesica_go_numbers) C.int32_t {
-	if wide {
-		return C.go_check_f64(kind, shape)
-	}
-	return C.go_check_f32(kind, shape)
-}
-
 func cOverlap(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers) C.int32_t {
 	if wide {
 		return C.go_overlap_f64(kindA, a, kindB, b)
 	}
 	return C.go_overlap_f32(kindA, a, kindB, b)
-}
-
-func cRelation(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers) C.int32_t {
-	if wide {
-		return C.go_relation_f64(kindA, a, kindB, b)
-	}
-	return C.go_relation_f32(kindA, a, kindB, b)
 }
 
 func cContains(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers) C.int32_t {
@@ -324,12 +310,11 @@ func cContains(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_
 	return C.go_contains_f32(kindA, a, kindB, b)
 }
 
-func cCrossings(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers, out *C.char,
-	capacity C.int64_t, shared *C.char) C.int64_t {
+func cRelation(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers) C.int32_t {
 	if wide {
-		return C.go_crossings_f64(kindA, a, kindB, b, out, capacity, shared)
+		return C.go_relation_f64(kindA, a, kindB, b)
 	}
-	return C.go_crossings_f32(kindA, a, kindB, b, out, capacity, shared)
+	return C.go_relation_f32(kindA, a, kindB, b)
 }
 
 func cNearest(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers,
@@ -340,27 +325,12 @@ func cNearest(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t
 	return C.go_nearest_f32(kindA, a, kindB, b, out)
 }
 
-func cBoundaryDistance(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers,
-	out *C.char) C.int32_t {
-	if wide {
-		return C.go_boundary_distance_f64(kindA, a, kindB, b, out)
-	}
-	return C.go_boundary_distance_f32(kindA, a, kindB, b, out)
-}
-
 func cDepth(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers,
 	out *C.char) C.int32_t {
 	if wide {
 		return C.go_depth_f64(kindA, a, kindB, b, out)
 	}
 	return C.go_depth_f32(kindA, a, kindB, b, out)
-}
-
-func cShapeArea(wide bool, kind C.int32_t, shape C.vesica_go_numbers, out *C.char) C.int32_t {
-	if wide {
-		return C.go_shape_area_f64(kind, shape, out)
-	}
-	return C.go_shape_area_f32(kind, shape, out)
 }
 
 func cArea(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers,
@@ -384,6 +354,36 @@ func cBounds(wide bool, kind C.int32_t, shape C.vesica_go_numbers, out *C.char) 
 		return C.go_bounds_f64(kind, shape, out)
 	}
 	return C.go_bounds_f32(kind, shape, out)
+}
+
+func cCheck(wide bool, kind C.int32_t, shape C.vesica_go_numbers) C.int32_t {
+	if wide {
+		return C.go_check_f64(kind, shape)
+	}
+	return C.go_check_f32(kind, shape)
+}
+
+func cCrossings(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers, out *C.char,
+	capacity C.int64_t, shared *C.char) C.int64_t {
+	if wide {
+		return C.go_crossings_f64(kindA, a, kindB, b, out, capacity, shared)
+	}
+	return C.go_crossings_f32(kindA, a, kindB, b, out, capacity, shared)
+}
+
+func cBoundaryDistance(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers,
+	out *C.char) C.int32_t {
+	if wide {
+		return C.go_boundary_distance_f64(kindA, a, kindB, b, out)
+	}
+	return C.go_boundary_distance_f32(kindA, a, kindB, b, out)
+}
+
+func cShapeArea(wide bool, kind C.int32_t, shape C.vesica_go_numbers, out *C.char) C.int32_t {
+	if wide {
+		return C.go_shape_area_f64(kind, shape, out)
+	}
+	return C.go_shape_area_f32(kind, shape, out)
 }
 
 func cAABBFromCorners(wide bool, x0 float64, y0 float64, x1 float64, y1 float64, out *C.char) C.int32_t {

@@ -26,18 +26,6 @@ typedef struct {
     double number[6];
 } vesica_go_numbers;
 
-static inline int32_t go_check_f64(int32_t kind, vesica_go_numbers shape) {
-    double of_shape[6];
-    memcpy(of_shape, &shape, sizeof of_shape);
-    return vesica_check_f64(kind, of_shape);
-}
-
-static inline int32_t go_check_f32(int32_t kind, vesica_go_numbers shape) {
-    float of_shape[6];
-    memcpy(of_shape, &shape, sizeof of_shape);
-    return vesica_check_f32(kind, of_shape);
-}
-
 static inline int32_t go_overlap_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b) {
     double of_a[6];
     memcpy(of_a, &a, sizeof of_a);
@@ -52,22 +40,6 @@ static inline int32_t go_overlap_f32(int32_t kind_a, vesica_go_numbers a, int32_
     float of_b[6];
     memcpy(of_b, &b, sizeof of_b);
     return vesica_overlap_f32(kind_a, of_a, kind_b, of_b);
-}
-
-static inline int32_t go_relation_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b) {
-    double of_a[6];
-    memcpy(of_a, &a, sizeof of_a);
-    double of_b[6];
-    memcpy(of_b, &b, sizeof of_b);
-    return vesica_relation_f64(kind_a, of_a, kind_b, of_b);
-}
-
-static inline int32_t go_relation_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b) {
-    float of_a[6];
-    memcpy(of_a, &a, sizeof of_a);
-    float of_b[6];
-    memcpy(of_b, &b, sizeof of_b);
-    return vesica_relation_f32(kind_a, of_a, kind_b, of_b);
 }
 
 static inline int32_t go_contains_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b) {
@@ -86,22 +58,20 @@ static inline int32_t go_contains_f32(int32_t kind_a, vesica_go_numbers a, int32
     return vesica_contains_f32(kind_a, of_a, kind_b, of_b);
 }
 
-static inline int64_t go_crossings_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
-    char *out, int64_t capacity, char *shared) {
+static inline int32_t go_relation_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b) {
     double of_a[6];
     memcpy(of_a, &a, sizeof of_a);
     double of_b[6];
     memcpy(of_b, &b, sizeof of_b);
-    return vesica_crossings_f64(kind_a, of_a, kind_b, of_b, (void *)out, capacity, (void *)shared);
+    return vesica_relation_f64(kind_a, of_a, kind_b, of_b);
 }
 
-static inline int64_t go_crossings_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
-    char *out, int64_t capacity, char *shared) {
+static inline int32_t go_relation_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b) {
     float of_a[6];
     memcpy(of_a, &a, sizeof of_a);
     float of_b[6];
     memcpy(of_b, &b, sizeof of_b);
-    return vesica_crossings_f32(kind_a, of_a, kind_b, of_b, (void *)out, capacity, (void *)shared);
+    return vesica_relation_f32(kind_a, of_a, kind_b, of_b);
 }
 
 static inline int32_t go_nearest_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
@@ -122,24 +92,6 @@ static inline int32_t go_nearest_f32(int32_t kind_a, vesica_go_numbers a, int32_
     return vesica_nearest_f32(kind_a, of_a, kind_b, of_b, (void *)out);
 }
 
-static inline int32_t go_boundary_distance_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
-    char *out) {
-    double of_a[6];
-    memcpy(of_a, &a, sizeof of_a);
-    double of_b[6];
-    memcpy(of_b, &b, sizeof of_b);
-    return vesica_boundary_distance_f64(kind_a, of_a, kind_b, of_b, (void *)out);
-}
-
-static inline int32_t go_boundary_distance_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
-    char *out) {
-    float of_a[6];
-    memcpy(of_a, &a, sizeof of_a);
-    float of_b[6];
-    memcpy(of_b, &b, sizeof of_b);
-    return vesica_boundary_distance_f32(kind_a, of_a, kind_b, of_b, (void *)out);
-}
-
 static inline int32_t go_depth_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
     char *out) {
     double of_a[6];
@@ -156,18 +108,6 @@ static inline int32_t go_depth_f32(int32_t kind_a, vesica_go_numbers a, int32_t 
     float of_b[6];
     memcpy(of_b, &b, sizeof of_b);
     return vesica_depth_f32(kind_a, of_a, kind_b, of_b, (void *)out);
-}
-
-static inline int32_t go_shape_area_f64(int32_t kind, vesica_go_numbers shape, char *out) {
-    double of_shape[6];
-    memcpy(of_shape, &shape, sizeof of_shape);
-    return vesica_shape_area_f64(kind, of_shape, (void *)out);
-}
-
-static inline int32_t go_shape_area_f32(int32_t kind, vesica_go_numbers shape, char *out) {
-    float of_shape[6];
-    memcpy(of_shape, &shape, sizeof of_shape);
-    return vesica_shape_area_f32(kind, of_shape, (void *)out);
 }
 
 static inline int32_t go_area_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b, char *out) {
@@ -212,6 +152,66 @@ static inline int32_t go_bounds_f32(int32_t kind, vesica_go_numbers shape, char 
     float of_shape[6];
     memcpy(of_shape, &shape, sizeof of_shape);
     return vesica_bounds_f32(kind, of_shape, (void *)out);
+}
+
+static inline int32_t go_check_f64(int32_t kind, vesica_go_numbers shape) {
+    double of_shape[6];
+    memcpy(of_shape, &shape, sizeof of_shape);
+    return vesica_check_f64(kind, of_shape);
+}
+
+static inline int32_t go_check_f32(int32_t kind, vesica_go_numbers shape) {
+    float of_shape[6];
+    memcpy(of_shape, &shape, sizeof of_shape);
+    return vesica_check_f32(kind, of_shape);
+}
+
+static inline int64_t go_crossings_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
+    char *out, int64_t capacity, char *shared) {
+    double of_a[6];
+    memcpy(of_a, &a, sizeof of_a);
+    double of_b[6];
+    memcpy(of_b, &b, sizeof of_b);
+    return vesica_crossings_f64(kind_a, of_a, kind_b, of_b, (void *)out, capacity, (void *)shared);
+}
+
+static inline int64_t go_crossings_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
+    char *out, int64_t capacity, char *shared) {
+    float of_a[6];
+    memcpy(of_a, &a, sizeof of_a);
+    float of_b[6];
+    memcpy(of_b, &b, sizeof of_b);
+    return vesica_crossings_f32(kind_a, of_a, kind_b, of_b, (void *)out, capacity, (void *)shared);
+}
+
+static inline int32_t go_boundary_distance_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
+    char *out) {
+    double of_a[6];
+    memcpy(of_a, &a, sizeof of_a);
+    double of_b[6];
+    memcpy(of_b, &b, sizeof of_b);
+    return vesica_boundary_distance_f64(kind_a, of_a, kind_b, of_b, (void *)out);
+}
+
+static inline int32_t go_boundary_distance_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
+    char *out) {
+    float of_a[6];
+    memcpy(of_a, &a, sizeof of_a);
+    float of_b[6];
+    memcpy(of_b, &b, sizeof of_b);
+    return vesica_boundary_distance_f32(kind_a, of_a, kind_b, of_b, (void *)out);
+}
+
+static inline int32_t go_shape_area_f64(int32_t kind, vesica_go_numbers shape, char *out) {
+    double of_shape[6];
+    memcpy(of_shape, &shape, sizeof of_shape);
+    return vesica_shape_area_f64(kind, of_shape, (void *)out);
+}
+
+static inline int32_t go_shape_area_f32(int32_t kind, vesica_go_numbers shape, char *out) {
+    float of_shape[6];
+    memcpy(of_shape, &shape, sizeof of_shape);
+    return vesica_shape_area_f32(kind, of_shape, (void *)out);
 }
 
 static inline int32_t go_aabb_from_corners_f64(double x0, double y0, double x1, double y1, char *out) {

@@ -17,7 +17,7 @@ jdk=$(dirname "$(dirname "$(readlink -f "$(command -v javac)")")")
 # native FILE LIBRARY...: the native methods, linked to a library.
 native() {
   "${CC:-cc}" -std=c99 -O2 -fPIC -shared -fvisibility=hidden -Wall -Wextra -Wl,--exclude-libs,ALL \
-    -I "$jdk/include" -I "$jdk/include/linux" -I "$here/../../capi" -I "$here/native" -o "$1" \
+    -I "$jdk/include" -I "$jdk/include/linux" -I "$here/../../capi/include" -I "$here/native" -o "$1" \
     "$here"/{native,generated}/*.c "${@:2}" -lm
 }
 

@@ -16,7 +16,7 @@ REPOSITORY = pathlib.Path(__file__).resolve().parent.parent.parent
 
 
 def version():
-    text = (REPOSITORY / "capi" / "vesica.h").read_text()
+    text = (REPOSITORY / "capi" / "include" / "vesica.h").read_text()
     return ".".join(re.search(rf"#define VESICA_VERSION_{part} (\d+)", text)[1] for part in ("MAJOR", "MINOR", "PATCH"))
 
 

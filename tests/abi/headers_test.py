@@ -54,7 +54,7 @@ def constants_agree(description):
     functions = {entry["name"] for entry in description["functions"]}
     of_library = {}
     for header in describe.HEADERS:
-        path = ROOT / "capi" / header
+        path = ROOT / "capi/include" / header
         written = dict(re.findall(r"^#define (VESICA_\w+)[ (]+(-?\d+)", path.read_text(), re.M))
         listed = {entry["name"]: str(entry["value"]) for entry in described if entry["header"] == header}
         expect(written, f"{header} has no constants")

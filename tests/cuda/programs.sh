@@ -17,7 +17,7 @@ if nvidia-smi -L 2>/dev/null | grep '^GPU' >/dev/null; then
 fi
 
 "$root/bench/cuda/build.sh" "$work/bench" "$architecture" "$build/capi" "${pairs[@]}"
-flags=(-std=c++20 -O1 "-I$root/include" "-I$root/capi" "-I$root/bench" "-I$root/tests" -c --output-directory "$work"
+flags=(-std=c++20 -O1 "-I$root/include" "-I$root/capi/include" "-I$root/bench" "-I$root/tests" -c --output-directory "$work"
   -x cu --expt-relaxed-constexpr "-arch=$architecture" "${pairs[@]}")
 nvcc "${flags[@]}" "-DVESICA_VECTORS=\"$root/bindings/vectors/vectors.txt\"" "$here/device_test.cpp"
 nvcc "${flags[@]}" "$root/bench/cuda/any_pair.cpp"

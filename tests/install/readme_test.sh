@@ -16,7 +16,7 @@ block() {
 
 block "$readme" c >"$work/demo.c"
 [ "$(wc -l <"$work/demo.c")" -gt 10 ]
-"$CC" -std=c99 -Wall -Wextra -Wpedantic -Werror -o "$work/demo" "$work/demo.c" "${flags[@]}"
+"$CC" -std=c11 -Wall -Wextra -Wpedantic -Werror -o "$work/demo" "$work/demo.c" "${flags[@]}"
 says=$(sed -n 's/^It prints `\([^`]*\)`.*/\1/p' "$readme")
 [ -n "$says" ]
 [ "$("$work/demo")" = "$says" ]

@@ -45,7 +45,7 @@ rust() {
 go() {
   rm -rf "$work/go" && mkdir -p "$work/go/include" "$work/go/lib"
   cp "$root"/bindings/go/{*.go,*.h,go.mod} "$work/go"
-  cp "$root"/capi/vesica*.h "$work/go/include"
+  cp "$root"/capi/include/vesica*.h "$work/go/include"
   cp "$library/libvesica.a" "$work/go/lib"
   (cd "$work/go" && GOPROXY=off GOCACHE="$work/go-cache" ASAN_OPTIONS=detect_leaks=0 \
     command go test -asan -count=1 -v -run TestAnyArguments .)
@@ -55,7 +55,7 @@ java() {
   jdk=$(dirname "$(dirname "$(readlink -f "$(command -v javac)")")")
   javac -d "$work/java" "$root"/bindings/java/{src,generated}/vesica/*.java "$root"/bindings/java/tests/vesica/*.java
   # shellcheck disable=SC2086
-  cc -std=c99 $flags -fPIC -shared -I "$jdk/include" -I "$jdk/include/linux" -I "$root/capi" -o "$work/java/jni.so" \
+  cc -std=c99 $flags -fPIC -shared -I "$jdk/include" -I "$jdk/include/linux" -I "$root/capi/include" -o "$work/java/jni.so" \
     -I "$root/bindings/java/native" "$root"/bindings/java/{native,generated}/*.c -L "$library" -l:libvesica.so.0 -lm
   sanitized "$jdk/bin/java" -Xcheck:jni -Xmx150m "-Dvesica.library=$work/java/jni.so" -cp "$work/java" \
     vesica.Arguments "$VESICA_CALLS"

@@ -11,7 +11,7 @@ command -v $tool >/dev/null || { echo "format: no $tool: nothing can be checked"
 # declarations.h, and the folders `generated`.
 mapfile -d '' -t files < <(find include src capi bindings engines examples tests tools bench docs \
   \( -name build -o -name generated \) -prune -o -type f \
-  ! -path 'capi/vesica*.h' ! -path 'bindings/go/declarations.h' \
+  ! -path 'capi/include/vesica*.h' ! -path 'bindings/go/declarations.h' \
   \( -name '*.c' -o -name '*.h' -o -name '*.cpp' -o -name '*.hpp' -o -name '*.cu' -o -name '*.cuh' \) -print0)
 [ ${#files[@]} -gt 400 ] || { echo "format: only ${#files[@]} files found" >&2; exit 2; }
 if [ "${1:-}" = --fix ]; then
@@ -19,7 +19,7 @@ if [ "${1:-}" = --fix ]; then
 else
   printf '%s\0' "${files[@]}" | xargs -0 $tool --dry-run -Werror || { echo 'format: to mend it: ./run lint --fix' >&2; exit 1; }
 fi
-long=$(printf '%s\0' "${files[@]}" capi/vesica*.h | LC_ALL=C.UTF-8 xargs -0 grep -nE '^.{121,}$' || true)
+long=$(printf '%s\0' "${files[@]}" capi/include/vesica*.h | LC_ALL=C.UTF-8 xargs -0 grep -nE '^.{121,}$' || true)
 if [ -n "$long" ]; then
   echo "$long"
   echo 'format: lines of more than 120 columns' >&2

@@ -9,7 +9,7 @@ command -v $tool >/dev/null || { echo "tidy: no $tool: nothing can be checked" >
 
 files=(capi/*.cpp src/*.cpp src/isa/dispatch.cpp src/isa/portable.cpp src/isa/portable_queries.cpp
   src/isa/portable_ties.cpp tests/install/consumer/core_user.cpp)
-flags=(-std=c++20 -fno-exceptions -Iinclude -Isrc -Icapi -DVESICA_BUILDING)
+flags=(-std=c++20 -fno-exceptions -Iinclude -Isrc -Icapi -Icapi/include -DVESICA_BUILDING)
 printf '%s\0' "${files[@]}" |
   xargs -0 -P "${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}" -I{} $tool --quiet --warnings-as-errors='*' {} -- "${flags[@]}"
 echo "tidy: ${#files[@]} files"

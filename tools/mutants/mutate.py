@@ -60,7 +60,7 @@ def reached_by(root, unit, sources, known):
     if unit not in known:
         known[unit] = {unit}
         for name in re.findall(r'^#include ["<]([\w/.]+)[">]', (root / unit).read_text(), re.M):
-            for folder in [str(pathlib.Path(unit).parent), "include", "src", "capi"]:
+            for folder in [str(pathlib.Path(unit).parent), "include", "src", "capi", "capi/include"]:
                 if f"{folder}/{name}" in sources:
                     known[unit] = known[unit] | reached_by(root, f"{folder}/{name}", sources, known)
                     break
@@ -79,7 +79,7 @@ def candidates(root, names, folder, prefixes):
     wanted = {n for n in sources if n.startswith(tuple(prefixes))}
     own = set(sources)
     finder = sites.Finder(lambda path: path[len(str(root)) + 1:] in wanted, lambda path: path[len(str(root)) + 1:] in own)
-    flags = ["-x", "c++", "-std=c++20", "-DNDEBUG"] + [f"-I{root}/{f}" for f in ("include", "src", "capi")]
+    flags = ["-x", "c++", "-std=c++20", "-DNDEBUG"] + [f"-I{root}/{f}" for f in ("include", "src", "capi", "capi/include")]
     vectors = ["-mavx2", "-mfma", "-mbmi2", "-mpopcnt", "-mavx512f", "-mavx512vl", "-mavx512bw", "-mavx512dq"]
     headers = [n for n in sources if n.startswith("include/") and n in wanted]
     if headers:

@@ -255,81 +255,30 @@ package Vesica_C is
       Angle : IEEE_Float_32;
    end record with Convention => C;
 
-   --  Version of the loaded library.
-   function Vesica_Version return Integer_32
-     with Import, Convention => C, External_Name => "vesica_version";
-
-   --  VESICA_VERSION_MAJOR of the loaded library.
-   function Vesica_Version_Major return Integer_32
-     with Import, Convention => C, External_Name => "vesica_version_major";
-
-   --  VESICA_VERSION_MINOR of the loaded library.
-   function Vesica_Version_Minor return Integer_32
-     with Import, Convention => C, External_Name => "vesica_version_minor";
-
-   --  VESICA_VERSION_PATCH of the loaded library.
-   function Vesica_Version_Patch return Integer_32
-     with Import, Convention => C, External_Name => "vesica_version_patch";
-
-   --  What an error code means, as one English phrase without a full stop.
-   function Vesica_Strerror (Code : Integer_32) return chars_ptr
-     with Import, Convention => C, External_Name => "vesica_strerror";
-
-   --  How many numbers does a shape of this kind have?
-   function Vesica_Field_Count (Kind : Integer_32) return Integer_32
-     with Import, Convention => C, External_Name => "vesica_field_count";
-
-   --  Name of a kind.
-   function Vesica_Kind_Name (Kind : Integer_32) return chars_ptr
-     with Import, Convention => C, External_Name => "vesica_kind_name";
-
-   --  Name of the instruction set that batches use: the best one of this processor.
-   function Vesica_Isa_Name return chars_ptr
-     with Import, Convention => C, External_Name => "vesica_isa_name";
-
-   --  Is a shape valid, and if not, which rule does it break?
-   function Vesica_Check_F64 (Kind : Integer_32; Shape : System.Address) return Integer_32
-     with Import, Convention => C, External_Name => "vesica_check_f64";
-
    --  Do two shapes share a point?
    function Vesica_Overlap_F64 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B : System.Address)
       return Integer_32
      with Import, Convention => C, External_Name => "vesica_overlap_f64";
-
-   --  How does a relate to b?
-   function Vesica_Relation_F64 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B :
-      System.Address) return Integer_32
-     with Import, Convention => C, External_Name => "vesica_relation_f64";
 
    --  Does a contain all of b?
    function Vesica_Contains_F64 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B :
       System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_contains_f64";
 
-   --  Where do the outlines of two shapes meet?
-   function Vesica_Crossings_F64 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B :
-      System.Address; Output : System.Address; Capacity : Integer_64; Shared : System.Address) return Integer_64
-     with Import, Convention => C, External_Name => "vesica_crossings_f64";
+   --  How does a relate to b?
+   function Vesica_Relation_F64 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B :
+      System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_relation_f64";
 
    --  How far apart are two solid shapes, and which of their points are closest?
    function Vesica_Nearest_F64 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B : System.Address;
       Output : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_nearest_f64";
 
-   --  How far apart are the outlines of two shapes, and where do they come closest?
-   function Vesica_Boundary_Distance_F64 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B :
-      System.Address; Output : System.Address) return Integer_32
-     with Import, Convention => C, External_Name => "vesica_boundary_distance_f64";
-
    --  Penetration depth: how far and which way must b be moved until the two shapes only touch?
    function Vesica_Depth_F64 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B : System.Address;
       Output : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_depth_f64";
-
-   --  Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
-   function Vesica_Shape_Area_F64 (Kind : Integer_32; Shape : System.Address; Output : System.Address) return
-      Integer_32
-     with Import, Convention => C, External_Name => "vesica_shape_area_f64";
 
    --  Area of the intersection of two shapes.
    function Vesica_Area_F64 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B : System.Address;
@@ -345,6 +294,29 @@ package Vesica_C is
    function Vesica_Bounds_F64 (Kind : Integer_32; Shape : System.Address; Output : System.Address) return
       Integer_32
      with Import, Convention => C, External_Name => "vesica_bounds_f64";
+
+   --  Is a shape valid, and if not, which rule does it break?
+   function Vesica_Check_F64 (Kind : Integer_32; Shape : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_check_f64";
+
+   --  What an error code means, as one English phrase without a full stop.
+   function Vesica_Strerror (Code : Integer_32) return chars_ptr
+     with Import, Convention => C, External_Name => "vesica_strerror";
+
+   --  Where do the outlines of two shapes meet?
+   function Vesica_Crossings_F64 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B :
+      System.Address; Output : System.Address; Capacity : Integer_64; Shared : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_crossings_f64";
+
+   --  How far apart are the outlines of two shapes, and where do they come closest?
+   function Vesica_Boundary_Distance_F64 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B :
+      System.Address; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_boundary_distance_f64";
+
+   --  Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
+   function Vesica_Shape_Area_F64 (Kind : Integer_32; Shape : System.Address; Output : System.Address) return
+      Integer_32
+     with Import, Convention => C, External_Name => "vesica_shape_area_f64";
 
    --  Are the two points the same?
    function Vesica_Overlap_Point_Point_F64 (A : System.Address; B : System.Address) return Integer_32
@@ -552,6 +524,34 @@ package Vesica_C is
       : System.Address; Scratch_Size : Integer_64; Keep : System.Address; Kept : System.Address) return
       Integer_32
      with Import, Convention => C, External_Name => "vesica_nms_f64";
+
+   --  Version of the loaded library.
+   function Vesica_Version return Integer_32
+     with Import, Convention => C, External_Name => "vesica_version";
+
+   --  VESICA_VERSION_MAJOR of the loaded library.
+   function Vesica_Version_Major return Integer_32
+     with Import, Convention => C, External_Name => "vesica_version_major";
+
+   --  VESICA_VERSION_MINOR of the loaded library.
+   function Vesica_Version_Minor return Integer_32
+     with Import, Convention => C, External_Name => "vesica_version_minor";
+
+   --  VESICA_VERSION_PATCH of the loaded library.
+   function Vesica_Version_Patch return Integer_32
+     with Import, Convention => C, External_Name => "vesica_version_patch";
+
+   --  How many numbers does a shape of this kind have?
+   function Vesica_Field_Count (Kind : Integer_32) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_field_count";
+
+   --  Name of a kind.
+   function Vesica_Kind_Name (Kind : Integer_32) return chars_ptr
+     with Import, Convention => C, External_Name => "vesica_kind_name";
+
+   --  Name of the instruction set that batches use: the best one of this processor.
+   function Vesica_Isa_Name return chars_ptr
+     with Import, Convention => C, External_Name => "vesica_isa_name";
 
    --  Is a shape valid, and if not, which rule does it break?
    function Vesica_Check_F32 (Kind : Integer_32; Shape : System.Address) return Integer_32

@@ -251,67 +251,8 @@ module vesica_c
   end type
 
   interface
-    !> Version of the loaded library.
-    integer(c_int32_t) function vesica_version() bind(c)
-      import
-    end function
-
-    !> VESICA_VERSION_MAJOR of the loaded library.
-    integer(c_int32_t) function vesica_version_major() bind(c)
-      import
-    end function
-
-    !> VESICA_VERSION_MINOR of the loaded library.
-    integer(c_int32_t) function vesica_version_minor() bind(c)
-      import
-    end function
-
-    !> VESICA_VERSION_PATCH of the loaded library.
-    integer(c_int32_t) function vesica_version_patch() bind(c)
-      import
-    end function
-
-    !> What an error code means, as one English phrase without a full stop.
-    type(c_ptr) function vesica_strerror(code) bind(c)
-      import
-      integer(c_int32_t), value :: code
-    end function
-
-    !> How many numbers does a shape of this kind have?
-    integer(c_int32_t) function vesica_field_count(kind) bind(c)
-      import
-      integer(c_int32_t), value :: kind
-    end function
-
-    !> Name of a kind.
-    type(c_ptr) function vesica_kind_name(kind) bind(c)
-      import
-      integer(c_int32_t), value :: kind
-    end function
-
-    !> Name of the instruction set that batches use: the best one of this processor.
-    type(c_ptr) function vesica_isa_name() bind(c)
-      import
-    end function
-
-    !> Is a shape valid, and if not, which rule does it break?
-    integer(c_int32_t) function vesica_check_f64(kind, shape) bind(c)
-      import
-      integer(c_int32_t), value :: kind
-      real(c_double), intent(in) :: shape(*)
-    end function
-
     !> Do two shapes share a point?
     integer(c_int32_t) function vesica_overlap_f64(kind_a, a, kind_b, b) bind(c)
-      import
-      integer(c_int32_t), value :: kind_a
-      real(c_double), intent(in) :: a(*)
-      integer(c_int32_t), value :: kind_b
-      real(c_double), intent(in) :: b(*)
-    end function
-
-    !> How does a relate to b?
-    integer(c_int32_t) function vesica_relation_f64(kind_a, a, kind_b, b) bind(c)
       import
       integer(c_int32_t), value :: kind_a
       real(c_double), intent(in) :: a(*)
@@ -328,30 +269,17 @@ module vesica_c
       real(c_double), intent(in) :: b(*)
     end function
 
-    !> Where do the outlines of two shapes meet?
-    integer(c_int64_t) function vesica_crossings_f64(kind_a, a, kind_b, b, out, capacity, shared) bind(c)
+    !> How does a relate to b?
+    integer(c_int32_t) function vesica_relation_f64(kind_a, a, kind_b, b) bind(c)
       import
       integer(c_int32_t), value :: kind_a
       real(c_double), intent(in) :: a(*)
       integer(c_int32_t), value :: kind_b
       real(c_double), intent(in) :: b(*)
-      type(c_ptr), value :: out
-      integer(c_int64_t), value :: capacity
-      type(c_ptr), value :: shared
     end function
 
     !> How far apart are two solid shapes, and which of their points are closest?
     integer(c_int32_t) function vesica_nearest_f64(kind_a, a, kind_b, b, out) bind(c)
-      import
-      integer(c_int32_t), value :: kind_a
-      real(c_double), intent(in) :: a(*)
-      integer(c_int32_t), value :: kind_b
-      real(c_double), intent(in) :: b(*)
-      type(vesica_closest_points_f64), intent(out) :: out
-    end function
-
-    !> How far apart are the outlines of two shapes, and where do they come closest?
-    integer(c_int32_t) function vesica_boundary_distance_f64(kind_a, a, kind_b, b, out) bind(c)
       import
       integer(c_int32_t), value :: kind_a
       real(c_double), intent(in) :: a(*)
@@ -368,14 +296,6 @@ module vesica_c
       integer(c_int32_t), value :: kind_b
       real(c_double), intent(in) :: b(*)
       type(vesica_penetration_f64), intent(out) :: out
-    end function
-
-    !> Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
-    integer(c_int32_t) function vesica_shape_area_f64(kind, shape, out) bind(c)
-      import
-      integer(c_int32_t), value :: kind
-      real(c_double), intent(in) :: shape(*)
-      type(c_ptr), value :: out
     end function
 
     !> Area of the intersection of two shapes.
@@ -404,6 +324,49 @@ module vesica_c
       integer(c_int32_t), value :: kind
       real(c_double), intent(in) :: shape(*)
       type(vesica_aabb_f64), intent(out) :: out
+    end function
+
+    !> Is a shape valid, and if not, which rule does it break?
+    integer(c_int32_t) function vesica_check_f64(kind, shape) bind(c)
+      import
+      integer(c_int32_t), value :: kind
+      real(c_double), intent(in) :: shape(*)
+    end function
+
+    !> What an error code means, as one English phrase without a full stop.
+    type(c_ptr) function vesica_strerror(code) bind(c)
+      import
+      integer(c_int32_t), value :: code
+    end function
+
+    !> Where do the outlines of two shapes meet?
+    integer(c_int64_t) function vesica_crossings_f64(kind_a, a, kind_b, b, out, capacity, shared) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_double), intent(in) :: a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_double), intent(in) :: b(*)
+      type(c_ptr), value :: out
+      integer(c_int64_t), value :: capacity
+      type(c_ptr), value :: shared
+    end function
+
+    !> How far apart are the outlines of two shapes, and where do they come closest?
+    integer(c_int32_t) function vesica_boundary_distance_f64(kind_a, a, kind_b, b, out) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_double), intent(in) :: a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_double), intent(in) :: b(*)
+      type(vesica_closest_points_f64), intent(out) :: out
+    end function
+
+    !> Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
+    integer(c_int32_t) function vesica_shape_area_f64(kind, shape, out) bind(c)
+      import
+      integer(c_int32_t), value :: kind
+      real(c_double), intent(in) :: shape(*)
+      type(c_ptr), value :: out
     end function
 
     !> Are the two points the same?
@@ -783,6 +746,43 @@ module vesica_c
       integer(c_int64_t), value :: scratch_size
       type(c_ptr), value :: keep
       type(c_ptr), value :: kept
+    end function
+
+    !> Version of the loaded library.
+    integer(c_int32_t) function vesica_version() bind(c)
+      import
+    end function
+
+    !> VESICA_VERSION_MAJOR of the loaded library.
+    integer(c_int32_t) function vesica_version_major() bind(c)
+      import
+    end function
+
+    !> VESICA_VERSION_MINOR of the loaded library.
+    integer(c_int32_t) function vesica_version_minor() bind(c)
+      import
+    end function
+
+    !> VESICA_VERSION_PATCH of the loaded library.
+    integer(c_int32_t) function vesica_version_patch() bind(c)
+      import
+    end function
+
+    !> How many numbers does a shape of this kind have?
+    integer(c_int32_t) function vesica_field_count(kind) bind(c)
+      import
+      integer(c_int32_t), value :: kind
+    end function
+
+    !> Name of a kind.
+    type(c_ptr) function vesica_kind_name(kind) bind(c)
+      import
+      integer(c_int32_t), value :: kind
+    end function
+
+    !> Name of the instruction set that batches use: the best one of this processor.
+    type(c_ptr) function vesica_isa_name() bind(c)
+      import
     end function
 
     !> Is a shape valid, and if not, which rule does it break?

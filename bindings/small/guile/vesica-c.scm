@@ -71,46 +71,32 @@
 (define-syntax-rule (c name result argument ...)
   (define-public name (function (symbol->string 'name) result (list argument ...))))
 
-;; Version of the loaded library.
-(c vesica_version int32)
-;; VESICA_VERSION_MAJOR of the loaded library.
-(c vesica_version_major int32)
-;; VESICA_VERSION_MINOR of the loaded library.
-(c vesica_version_minor int32)
-;; VESICA_VERSION_PATCH of the loaded library.
-(c vesica_version_patch int32)
-;; What an error code means, as one English phrase without a full stop.
-(c vesica_strerror '* int32)
-;; How many numbers does a shape of this kind have?
-(c vesica_field_count int32 int32)
-;; Name of a kind.
-(c vesica_kind_name '* int32)
-;; Name of the instruction set that batches use: the best one of this processor.
-(c vesica_isa_name '*)
-;; Is a shape valid, and if not, which rule does it break?
-(c vesica_check_f64 int32 int32 '*)
 ;; Do two shapes share a point?
 (c vesica_overlap_f64 int32 int32 '* int32 '*)
-;; How does a relate to b?
-(c vesica_relation_f64 int32 int32 '* int32 '*)
 ;; Does a contain all of b?
 (c vesica_contains_f64 int32 int32 '* int32 '*)
-;; Where do the outlines of two shapes meet?
-(c vesica_crossings_f64 int64 int32 '* int32 '* '* int64 '*)
+;; How does a relate to b?
+(c vesica_relation_f64 int32 int32 '* int32 '*)
 ;; How far apart are two solid shapes, and which of their points are closest?
 (c vesica_nearest_f64 int32 int32 '* int32 '* '*)
-;; How far apart are the outlines of two shapes, and where do they come closest?
-(c vesica_boundary_distance_f64 int32 int32 '* int32 '* '*)
 ;; Penetration depth: how far and which way must b be moved until the two shapes only touch?
 (c vesica_depth_f64 int32 int32 '* int32 '* '*)
-;; Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
-(c vesica_shape_area_f64 int32 int32 '* '*)
 ;; Area of the intersection of two shapes.
 (c vesica_area_f64 int32 int32 '* int32 '* '*)
 ;; Intersection over union (Jaccard index) of two shapes: the area they share over the area they cover together.
 (c vesica_iou_f64 int32 int32 '* int32 '* '*)
 ;; Smallest box of representable numbers that contains a shape.
 (c vesica_bounds_f64 int32 int32 '* '*)
+;; Is a shape valid, and if not, which rule does it break?
+(c vesica_check_f64 int32 int32 '*)
+;; What an error code means, as one English phrase without a full stop.
+(c vesica_strerror '* int32)
+;; Where do the outlines of two shapes meet?
+(c vesica_crossings_f64 int64 int32 '* int32 '* '* int64 '*)
+;; How far apart are the outlines of two shapes, and where do they come closest?
+(c vesica_boundary_distance_f64 int32 int32 '* int32 '* '*)
+;; Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
+(c vesica_shape_area_f64 int32 int32 '* '*)
 ;; Are the two points the same?
 (c vesica_overlap_point_point_f64 int32 '* '*)
 ;; Does the point lie on the segment?
@@ -202,6 +188,20 @@
 ;; Greedy non-maximum suppression: takes shapes in the order of their scores, highest first, and keeps each one whose
 ;; vesica_iou_f64 with every shape kept before is at most the threshold.
 (c vesica_nms_f64 int32 '* '* double '* int64 '* '*)
+;; Version of the loaded library.
+(c vesica_version int32)
+;; VESICA_VERSION_MAJOR of the loaded library.
+(c vesica_version_major int32)
+;; VESICA_VERSION_MINOR of the loaded library.
+(c vesica_version_minor int32)
+;; VESICA_VERSION_PATCH of the loaded library.
+(c vesica_version_patch int32)
+;; How many numbers does a shape of this kind have?
+(c vesica_field_count int32 int32)
+;; Name of a kind.
+(c vesica_kind_name '* int32)
+;; Name of the instruction set that batches use: the best one of this processor.
+(c vesica_isa_name '*)
 ;; Is a shape valid, and if not, which rule does it break?
 (c vesica_check_f32 int32 int32 '*)
 ;; Do two shapes share a point?

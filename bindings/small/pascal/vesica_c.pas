@@ -253,47 +253,21 @@ type
   end;
   PVesicaTurnF32 = ^TVesicaTurnF32;
 
-// Version of the loaded library.
-function vesica_version: Int32; cdecl; external vesica_library;
-// VESICA_VERSION_MAJOR of the loaded library.
-function vesica_version_major: Int32; cdecl; external vesica_library;
-// VESICA_VERSION_MINOR of the loaded library.
-function vesica_version_minor: Int32; cdecl; external vesica_library;
-// VESICA_VERSION_PATCH of the loaded library.
-function vesica_version_patch: Int32; cdecl; external vesica_library;
-// What an error code means, as one English phrase without a full stop.
-function vesica_strerror(code: Int32): PChar; cdecl; external vesica_library;
-// How many numbers does a shape of this kind have?
-function vesica_field_count(kind: Int32): Int32; cdecl; external vesica_library;
-// Name of a kind.
-function vesica_kind_name(kind: Int32): PChar; cdecl; external vesica_library;
-// Name of the instruction set that batches use: the best one of this processor.
-function vesica_isa_name: PChar; cdecl; external vesica_library;
-// Is a shape valid, and if not, which rule does it break?
-function vesica_check_f64(kind: Int32; shape: Pointer): Int32; cdecl; external vesica_library;
 // Do two shapes share a point?
 function vesica_overlap_f64(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer): Int32; cdecl; external
-  vesica_library;
-// How does a relate to b?
-function vesica_relation_f64(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer): Int32; cdecl; external
   vesica_library;
 // Does a contain all of b?
 function vesica_contains_f64(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer): Int32; cdecl; external
   vesica_library;
-// Where do the outlines of two shapes meet?
-function vesica_crossings_f64(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output: PVesicaPointF64;
-  capacity: Int64; shared: PInt32): Int64; cdecl; external vesica_library;
+// How does a relate to b?
+function vesica_relation_f64(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer): Int32; cdecl; external
+  vesica_library;
 // How far apart are two solid shapes, and which of their points are closest?
 function vesica_nearest_f64(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output: PVesicaClosestPointsF64):
   Int32; cdecl; external vesica_library;
-// How far apart are the outlines of two shapes, and where do they come closest?
-function vesica_boundary_distance_f64(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output:
-  PVesicaClosestPointsF64): Int32; cdecl; external vesica_library;
 // Penetration depth: how far and which way must b be moved until the two shapes only touch?
 function vesica_depth_f64(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output: PVesicaPenetrationF64):
   Int32; cdecl; external vesica_library;
-// Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
-function vesica_shape_area_f64(kind: Int32; shape: Pointer; output: PDouble): Int32; cdecl; external vesica_library;
 // Area of the intersection of two shapes.
 function vesica_area_f64(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output: PDouble): Int32; cdecl;
   external vesica_library;
@@ -303,6 +277,18 @@ function vesica_iou_f64(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; ou
 // Smallest box of representable numbers that contains a shape.
 function vesica_bounds_f64(kind: Int32; shape: Pointer; output: PVesicaAabbF64): Int32; cdecl; external
   vesica_library;
+// Is a shape valid, and if not, which rule does it break?
+function vesica_check_f64(kind: Int32; shape: Pointer): Int32; cdecl; external vesica_library;
+// What an error code means, as one English phrase without a full stop.
+function vesica_strerror(code: Int32): PChar; cdecl; external vesica_library;
+// Where do the outlines of two shapes meet?
+function vesica_crossings_f64(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output: PVesicaPointF64;
+  capacity: Int64; shared: PInt32): Int64; cdecl; external vesica_library;
+// How far apart are the outlines of two shapes, and where do they come closest?
+function vesica_boundary_distance_f64(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output:
+  PVesicaClosestPointsF64): Int32; cdecl; external vesica_library;
+// Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
+function vesica_shape_area_f64(kind: Int32; shape: Pointer; output: PDouble): Int32; cdecl; external vesica_library;
 // Are the two points the same?
 function vesica_overlap_point_point_f64(a: PVesicaPointF64; b: PVesicaPointF64): Int32; cdecl; external
   vesica_library;
@@ -435,6 +421,20 @@ function vesica_nms_scratch(count: Int64): Int64; cdecl; external vesica_library
 // vesica_iou_f64 with every shape kept before is at most the threshold.
 function vesica_nms_f64(shapes: PVesicaShapesF64; scores: PDouble; threshold: Double; scratch: Pointer;
   scratch_size: Int64; keep: PInt64; kept: PInt64): Int32; cdecl; external vesica_library;
+// Version of the loaded library.
+function vesica_version: Int32; cdecl; external vesica_library;
+// VESICA_VERSION_MAJOR of the loaded library.
+function vesica_version_major: Int32; cdecl; external vesica_library;
+// VESICA_VERSION_MINOR of the loaded library.
+function vesica_version_minor: Int32; cdecl; external vesica_library;
+// VESICA_VERSION_PATCH of the loaded library.
+function vesica_version_patch: Int32; cdecl; external vesica_library;
+// How many numbers does a shape of this kind have?
+function vesica_field_count(kind: Int32): Int32; cdecl; external vesica_library;
+// Name of a kind.
+function vesica_kind_name(kind: Int32): PChar; cdecl; external vesica_library;
+// Name of the instruction set that batches use: the best one of this processor.
+function vesica_isa_name: PChar; cdecl; external vesica_library;
 // Is a shape valid, and if not, which rule does it break?
 function vesica_check_f32(kind: Int32; shape: Pointer): Int32; cdecl; external vesica_library;
 // Do two shapes share a point?

@@ -64,46 +64,32 @@ our %CONSTANTS = (
 );
 
 our @FUNCTIONS = (
-    # Version of the loaded library.
-    [vesica_version => [] => 'sint32'],
-    # VESICA_VERSION_MAJOR of the loaded library.
-    [vesica_version_major => [] => 'sint32'],
-    # VESICA_VERSION_MINOR of the loaded library.
-    [vesica_version_minor => [] => 'sint32'],
-    # VESICA_VERSION_PATCH of the loaded library.
-    [vesica_version_patch => [] => 'sint32'],
-    # What an error code means, as one English phrase without a full stop.
-    [vesica_strerror => ['sint32'] => 'string'],
-    # How many numbers does a shape of this kind have?
-    [vesica_field_count => ['sint32'] => 'sint32'],
-    # Name of a kind.
-    [vesica_kind_name => ['sint32'] => 'string'],
-    # Name of the instruction set that batches use: the best one of this processor.
-    [vesica_isa_name => [] => 'string'],
-    # Is a shape valid, and if not, which rule does it break?
-    [vesica_check_f64 => ['sint32', 'double[]'] => 'sint32'],
     # Do two shapes share a point?
     [vesica_overlap_f64 => ['sint32', 'double[]', 'sint32', 'double[]'] => 'sint32'],
-    # How does a relate to b?
-    [vesica_relation_f64 => ['sint32', 'double[]', 'sint32', 'double[]'] => 'sint32'],
     # Does a contain all of b?
     [vesica_contains_f64 => ['sint32', 'double[]', 'sint32', 'double[]'] => 'sint32'],
-    # Where do the outlines of two shapes meet?
-    [vesica_crossings_f64 => ['sint32', 'double[]', 'sint32', 'double[]', 'opaque', 'sint64', 'opaque'] => 'sint64'],
+    # How does a relate to b?
+    [vesica_relation_f64 => ['sint32', 'double[]', 'sint32', 'double[]'] => 'sint32'],
     # How far apart are two solid shapes, and which of their points are closest?
     [vesica_nearest_f64 => ['sint32', 'double[]', 'sint32', 'double[]', 'opaque'] => 'sint32'],
-    # How far apart are the outlines of two shapes, and where do they come closest?
-    [vesica_boundary_distance_f64 => ['sint32', 'double[]', 'sint32', 'double[]', 'opaque'] => 'sint32'],
     # Penetration depth: how far and which way must b be moved until the two shapes only touch?
     [vesica_depth_f64 => ['sint32', 'double[]', 'sint32', 'double[]', 'opaque'] => 'sint32'],
-    # Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
-    [vesica_shape_area_f64 => ['sint32', 'double[]', 'opaque'] => 'sint32'],
     # Area of the intersection of two shapes.
     [vesica_area_f64 => ['sint32', 'double[]', 'sint32', 'double[]', 'opaque'] => 'sint32'],
     # Intersection over union (Jaccard index) of two shapes: the area they share over the area they cover together.
     [vesica_iou_f64 => ['sint32', 'double[]', 'sint32', 'double[]', 'opaque'] => 'sint32'],
     # Smallest box of representable numbers that contains a shape.
     [vesica_bounds_f64 => ['sint32', 'double[]', 'opaque'] => 'sint32'],
+    # Is a shape valid, and if not, which rule does it break?
+    [vesica_check_f64 => ['sint32', 'double[]'] => 'sint32'],
+    # What an error code means, as one English phrase without a full stop.
+    [vesica_strerror => ['sint32'] => 'string'],
+    # Where do the outlines of two shapes meet?
+    [vesica_crossings_f64 => ['sint32', 'double[]', 'sint32', 'double[]', 'opaque', 'sint64', 'opaque'] => 'sint64'],
+    # How far apart are the outlines of two shapes, and where do they come closest?
+    [vesica_boundary_distance_f64 => ['sint32', 'double[]', 'sint32', 'double[]', 'opaque'] => 'sint32'],
+    # Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
+    [vesica_shape_area_f64 => ['sint32', 'double[]', 'opaque'] => 'sint32'],
     # Are the two points the same?
     [vesica_overlap_point_point_f64 => ['opaque', 'opaque'] => 'sint32'],
     # Does the point lie on the segment?
@@ -197,6 +183,20 @@ our @FUNCTIONS = (
     # Greedy non-maximum suppression: takes shapes in the order of their scores, highest first, and keeps each one
     # whose vesica_iou_f64 with every shape kept before is at most the threshold.
     [vesica_nms_f64 => ['opaque', 'opaque', 'double', 'opaque', 'sint64', 'opaque', 'opaque'] => 'sint32'],
+    # Version of the loaded library.
+    [vesica_version => [] => 'sint32'],
+    # VESICA_VERSION_MAJOR of the loaded library.
+    [vesica_version_major => [] => 'sint32'],
+    # VESICA_VERSION_MINOR of the loaded library.
+    [vesica_version_minor => [] => 'sint32'],
+    # VESICA_VERSION_PATCH of the loaded library.
+    [vesica_version_patch => [] => 'sint32'],
+    # How many numbers does a shape of this kind have?
+    [vesica_field_count => ['sint32'] => 'sint32'],
+    # Name of a kind.
+    [vesica_kind_name => ['sint32'] => 'string'],
+    # Name of the instruction set that batches use: the best one of this processor.
+    [vesica_isa_name => [] => 'string'],
     # Is a shape valid, and if not, which rule does it break?
     [vesica_check_f32 => ['sint32', 'float[]'] => 'sint32'],
     # Do two shapes share a point?

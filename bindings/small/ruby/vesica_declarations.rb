@@ -61,46 +61,32 @@ module Vesica
 
   # For Fiddle::Importer#extern. A pointer is a string, or what Fiddle makes.
   DECLARATIONS = [
-    # Version of the loaded library.
-    'int vesica_version()',
-    # VESICA_VERSION_MAJOR of the loaded library.
-    'int vesica_version_major()',
-    # VESICA_VERSION_MINOR of the loaded library.
-    'int vesica_version_minor()',
-    # VESICA_VERSION_PATCH of the loaded library.
-    'int vesica_version_patch()',
-    # What an error code means, as one English phrase without a full stop.
-    'const char * vesica_strerror(int)',
-    # How many numbers does a shape of this kind have?
-    'int vesica_field_count(int)',
-    # Name of a kind.
-    'const char * vesica_kind_name(int)',
-    # Name of the instruction set that batches use: the best one of this processor.
-    'const char * vesica_isa_name()',
-    # Is a shape valid, and if not, which rule does it break?
-    'int vesica_check_f64(int, void *)',
     # Do two shapes share a point?
     'int vesica_overlap_f64(int, void *, int, void *)',
-    # How does a relate to b?
-    'int vesica_relation_f64(int, void *, int, void *)',
     # Does a contain all of b?
     'int vesica_contains_f64(int, void *, int, void *)',
-    # Where do the outlines of two shapes meet?
-    'int64_t vesica_crossings_f64(int, void *, int, void *, void *, int64_t, void *)',
+    # How does a relate to b?
+    'int vesica_relation_f64(int, void *, int, void *)',
     # How far apart are two solid shapes, and which of their points are closest?
     'int vesica_nearest_f64(int, void *, int, void *, void *)',
-    # How far apart are the outlines of two shapes, and where do they come closest?
-    'int vesica_boundary_distance_f64(int, void *, int, void *, void *)',
     # Penetration depth: how far and which way must b be moved until the two shapes only touch?
     'int vesica_depth_f64(int, void *, int, void *, void *)',
-    # Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
-    'int vesica_shape_area_f64(int, void *, void *)',
     # Area of the intersection of two shapes.
     'int vesica_area_f64(int, void *, int, void *, void *)',
     # Intersection over union (Jaccard index) of two shapes: the area they share over the area they cover together.
     'int vesica_iou_f64(int, void *, int, void *, void *)',
     # Smallest box of representable numbers that contains a shape.
     'int vesica_bounds_f64(int, void *, void *)',
+    # Is a shape valid, and if not, which rule does it break?
+    'int vesica_check_f64(int, void *)',
+    # What an error code means, as one English phrase without a full stop.
+    'const char * vesica_strerror(int)',
+    # Where do the outlines of two shapes meet?
+    'int64_t vesica_crossings_f64(int, void *, int, void *, void *, int64_t, void *)',
+    # How far apart are the outlines of two shapes, and where do they come closest?
+    'int vesica_boundary_distance_f64(int, void *, int, void *, void *)',
+    # Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
+    'int vesica_shape_area_f64(int, void *, void *)',
     # Are the two points the same?
     'int vesica_overlap_point_point_f64(void *, void *)',
     # Does the point lie on the segment?
@@ -192,6 +178,20 @@ module Vesica
     # Greedy non-maximum suppression: takes shapes in the order of their scores, highest first, and keeps each one
     # whose vesica_iou_f64 with every shape kept before is at most the threshold.
     'int vesica_nms_f64(void *, void *, double, void *, int64_t, void *, void *)',
+    # Version of the loaded library.
+    'int vesica_version()',
+    # VESICA_VERSION_MAJOR of the loaded library.
+    'int vesica_version_major()',
+    # VESICA_VERSION_MINOR of the loaded library.
+    'int vesica_version_minor()',
+    # VESICA_VERSION_PATCH of the loaded library.
+    'int vesica_version_patch()',
+    # How many numbers does a shape of this kind have?
+    'int vesica_field_count(int)',
+    # Name of a kind.
+    'const char * vesica_kind_name(int)',
+    # Name of the instruction set that batches use: the best one of this processor.
+    'const char * vesica_isa_name()',
     # Is a shape valid, and if not, which rule does it break?
     'int vesica_check_f32(int, void *)',
     # Do two shapes share a point?

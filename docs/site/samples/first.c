@@ -9,9 +9,9 @@ int main(void) {
   vesica_closest_points_f64 gap;
   double iou;
 
-  int32_t hit = vesica_overlap_rect_ellipse_f64(&car, &person);
-  int32_t near = vesica_nearest_f64(VESICA_RECT, &car.cx, VESICA_CIRCLE, &post.cx, &gap);
-  int32_t both = vesica_iou_f64(VESICA_RECT, &car.cx, VESICA_ELLIPSE, &person.cx, &iou);
+  int32_t hit = vesica_overlap(&car, &person);
+  int32_t near = vesica_nearest(&car, &post, &gap);
+  int32_t both = vesica_iou(&car, &person, &iou);
   if (hit < 0 || near < 0 || both < 0) return 1; /* vesica_strerror(hit) says why */
 
   printf("overlap %d, distance %.6f, IoU %.6f\n", hit, gap.distance, iou);

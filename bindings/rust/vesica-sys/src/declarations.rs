@@ -87,17 +87,17 @@ pub const VESICA_RATIO_COMPLETE: i32 = 6;
 pub const VESICA_WITHIN_NO: i32 = 0;
 /// they are at most that far apart
 pub const VESICA_WITHIN_YES: i32 = 1;
-/// only with an ellipse: their distance is too close to the one asked for to tell
+/// only with an ellipse: their distance is too close to the one asked for to decide
 pub const VESICA_WITHIN_NEARLY: i32 = 2;
 /// score \* (1 - r) if r exceeds the parameter, a threshold from 0 to 1
 pub const VESICA_DECAY_LINEAR: i32 = 0;
-/// score \* exp(-r^2 / parameter) if r \> 0; the parameter is at least 2^-100
+/// score \* exp(-r^2 / parameter) if r \> 0; parameter from 2^-100, finite
 pub const VESICA_DECAY_GAUSSIAN: i32 = 1;
 /// no contact from 0 to t_end
 pub const VESICA_CAST_MISS: i32 = 0;
 /// contact, the first after t = 0
 pub const VESICA_CAST_HIT: i32 = 1;
-/// the shapes overlap at t = 0, as vesica_overlap_f64 tells
+/// the shapes overlap at t = 0, as vesica_overlap_f64 says
 pub const VESICA_CAST_START: i32 = 2;
 /// only from vesica_impact_time_f64: none before t, and perhaps none later
 pub const VESICA_CAST_NEAR: i32 = 3;
@@ -284,62 +284,6 @@ pub type vesica_turn_f64 = Turn<f64>;
 pub type vesica_turn_f32 = Turn<f32>;
 
 extern "C" {
-    /// Version of the loaded library. If it is below VESICA_VERSION, the library is older than the header.
-    ///
-    /// Since: 0.1.
-    pub fn vesica_version() -> i32;
-    /// VESICA_VERSION_MAJOR of the loaded library.
-    ///
-    /// Since: 0.1.
-    pub fn vesica_version_major() -> i32;
-    /// VESICA_VERSION_MINOR of the loaded library.
-    ///
-    /// Since: 0.1.
-    pub fn vesica_version_minor() -> i32;
-    /// VESICA_VERSION_PATCH of the loaded library.
-    ///
-    /// Since: 0.1.
-    pub fn vesica_version_patch() -> i32;
-    /// What an error code means, as one English phrase without a full stop.
-    ///
-    /// Returns: static text, never NULL: "success" for answers (\>= 0), "unknown error" for unknown codes.
-    ///
-    /// Since: 0.1.
-    pub fn vesica_strerror(code: i32) -> *const u8;
-    /// How many numbers does a shape of this kind have?
-    ///
-    /// Returns: 2, 4, 3, 4, 6, 6 for VESICA_POINT ... VESICA_ELLIPSE.
-    ///
-    /// Errors: VESICA_E_KIND.
-    ///
-    /// Since: 0.1.
-    pub fn vesica_field_count(kind: i32) -> i32;
-    /// Name of a kind.
-    ///
-    /// Returns: static text: "point", "segment", "circle", "aabb", "rect" or "ellipse"; NULL for an unknown kind.
-    ///
-    /// Since: 0.1.
-    pub fn vesica_kind_name(kind: i32) -> *const u8;
-    /// Name of the instruction set that batches use: the best one of this processor. Answers never depend on it.
-    ///
-    /// The environment variable VESICA_ISA selects another one. It is read once, when the library is loaded. An unknown
-    /// name is ignored, and so is a set that the processor, or this build of the library, lacks.
-    ///
-    /// Returns: static text: "sse2", "avx2", "avx512", "neon", "simd128" or "portable".
-    ///
-    /// Since: 0.1.
-    pub fn vesica_isa_name() -> *const u8;
-    /// Is a shape valid, and if not, which rule does it break?
-    ///
-    /// Returns: 0 for a valid shape, else the first rule broken: VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE,
-    /// VESICA_E_ZERO_AXIS or VESICA_E_INVERTED.
-    ///
-    /// Errors: VESICA_E_NULL, VESICA_E_KIND.
-    ///
-    /// Cost: a few ns.
-    ///
-    /// Since: 0.1.
-    pub fn vesica_check_f64(kind: i32, shape: *const c_void) -> i32;
     /// Do two shapes share a point? Touching counts.
     ///
     /// Returns: 1 if they do, 0 if not.
@@ -348,10 +292,22 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: about 2 ns more than the function named after the two kinds.
+    /// Cost: that of the function named after the two kinds, and a dispatch.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32;
+    /// Does a contain all of b? A shape contains itself, and whatever touches its outline from inside.
+    ///
+    /// Returns: 1 if vesica_relation_f64 is VESICA_CONTAINS, VESICA_CONTAINS_TOUCH or VESICA_EQUAL, else 0.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
+    ///
+    /// Accuracy: exact.
+    ///
+    /// Cost: that of vesica_relation_f64.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_contains_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32;
     /// How does a relate to b? The answer is one of the eight relations of the region connection calculus (RCC-8).
     ///
     /// The outline of a shape with area is the curve around it. The outline of a segment, or of a shape with one size
@@ -368,52 +324,13 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 30 us.
+    /// Cost: up to twice that of vesica_overlap_f64; more if shapes touch or are equal.
     ///
     /// Since: 0.1.
     pub fn vesica_relation_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32;
-    /// Does a contain all of b? A shape contains itself, and whatever touches its outline from inside.
-    ///
-    /// Returns: 1 if vesica_relation_f64 is VESICA_CONTAINS, VESICA_CONTAINS_TOUCH or VESICA_EQUAL, else 0.
-    ///
-    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
-    ///
-    /// Accuracy: exact.
-    ///
-    /// Cost: that of vesica_relation_f64.
-    ///
-    /// Since: 0.1.
-    pub fn vesica_contains_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32;
-    /// Where do the outlines of two shapes meet? Touching counts.
-    ///
-    /// The outline of a shape with area is the curve around it. A segment, a point and a shape without area are their
-    /// own outlines. A contact is one place, however closely the curves touch there. If straight outlines share a
-    /// stretch, its two end points are places, and \*shared is 1; so equal boxes meet at their four corners. Two equal
-    /// curves meet everywhere: then the count is 0 and \*shared is 1. Places come in order along a's outline,
-    /// counter-clockwise in the frame of its axis. The start is a box's corner C - hx u - hy perp(u), an ellipse's
-    /// point C + a u (one without area begins as a box), a circle's point C + (r, 0), or a segment's first end.
-    ///
-    /// Requires: capacity, how many places out has room for. It may be 0, and out then NULL. shared may be NULL.
-    ///
-    /// Returns: how many places there are, even if that exceeds the capacity: at most 8 for these kinds. The first
-    /// `capacity` are written, and \*shared is set to 1 or 0.
-    ///
-    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a negative capacity), VESICA_E_SHAPE, VESICA_E_RANGE.
-    ///
-    /// Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape,
-    /// even where the outlines nearly coincide. Places closer to one another than that may come in either order or be
-    /// equal. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the
-    /// largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of
-    /// at most 4 u times the scale. An aspect ratio is longer over shorter size.
-    ///
-    /// Cost: 1 to 10 us; at worst 30 us.
-    ///
-    /// Since: 0.1.
-    pub fn vesica_crossings_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Point<f64>,
-        capacity: i64, shared: *mut i32) -> i64;
     /// How far apart are two solid shapes, and which of their points are closest?
     ///
-    /// If the shapes overlap (as vesica_overlap_f64 tells), the distance is 0 and both points are one common point. If
+    /// If the shapes overlap (as vesica_overlap_f64 says), the distance is 0 and both points are one common point. If
     /// not, the distance is \> 0. Exchanging the shapes exchanges the points and changes no bit. Moving both shapes
     /// alike changes no bit of the distance if no coordinate is rounded.
     ///
@@ -428,37 +345,10 @@ extern "C" {
     /// shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
     /// means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
-    /// Cost: 100 to 250 ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest ellipses; 50
-    /// ns if a shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40
-    /// or below 2^-40; at worst 25 us.
+    /// Cost: ten to thirty times that of vesica_overlap_f64; more for shapes that cross and near-ties.
     ///
     /// Since: 0.1.
     pub fn vesica_nearest_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
-        out: *mut ClosestPoints<f64>) -> i32;
-    /// How far apart are the outlines of two shapes, and where do they come closest?
-    ///
-    /// The outline of a shape with area is the curve around it. A point, a segment and a shape with a zero size are
-    /// their own outlines. If outlines meet, the distance is 0 and (ax, ay) = (bx, by) is a point of both. If shapes
-    /// are disjoint, the result is that of vesica_nearest_f64. If one is strictly inside the other, the distance is the
-    /// least over the whole outline, never a local minimum. Which case holds is decided exactly. Exchanging the shapes
-    /// exchanges the points and changes no bit. Moving both shapes alike changes no bit of the distance if no
-    /// coordinate is rounded.
-    ///
-    /// Returns: 0.
-    ///
-    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
-    ///
-    /// Accuracy: at aspect ratios up to 1e6 the distance is right to 4 u scale, and the points are that far apart to 16
-    /// u scale. At any ratio it is above 0 unless outlines meet, and points are on them to 12 u scale before they are
-    /// rounded. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the
-    /// largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of
-    /// at most 4 u times the scale. An aspect ratio is longer over shorter size.
-    ///
-    /// Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.4 to
-    /// 0.8 us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for near-ties; at worst 30 us.
-    ///
-    /// Since: 0.1.
-    pub fn vesica_boundary_distance_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
         out: *mut ClosestPoints<f64>) -> i32;
     /// Penetration depth: how far and which way must b be moved until the two shapes only touch?
     ///
@@ -480,25 +370,11 @@ extern "C" {
     /// half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over
     /// shorter size.
     ///
-    /// Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to 5 us if
-    /// only exact arithmetic can tell the depth from 0; at worst 25 us.
+    /// Cost: about that of vesica_nearest_f64; three times that with an ellipse.
     ///
     /// Since: 0.1.
     pub fn vesica_depth_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
         out: *mut Penetration<f64>) -> i32;
-    /// Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
-    ///
-    /// Returns: 0.
-    ///
-    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
-    ///
-    /// Accuracy: the double nearest to the true area; a tiny area becomes subnormal or 0. So a shape inside another
-    /// never has the greater area, and equal shapes have equal areas, whatever kinds and numbers describe them.
-    ///
-    /// Cost: about 20 ns.
-    ///
-    /// Since: 0.1.
-    pub fn vesica_shape_area_f64(kind: i32, shape: *const c_void, out: *mut f64) -> i32;
     /// Area of the intersection of two shapes.
     ///
     /// It is exactly 0 if shapes are disjoint, if they only touch, or if one has no area. If one contains the other, it
@@ -516,8 +392,8 @@ extern "C" {
     /// scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4
     /// u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
-    /// Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if
-    /// outlines nearly touch or coincide, or if one shape is far larger; at worst 30 us.
+    /// Cost: six times that of vesica_overlap_f64 for boxes, fifty times for two ellipses; more if outlines nearly
+    /// touch or coincide, or if one shape is far larger.
     ///
     /// Since: 0.1.
     pub fn vesica_area_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut f64) -> i32;
@@ -544,11 +420,89 @@ extern "C" {
     ///
     /// Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is exact.
     ///
-    /// Cost: up to 80 ns; 1 to 3 us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis
-    /// and representable sides; at worst 6 us.
+    /// Cost: up to ten times that of vesica_overlap_f64; more for magnitudes above 2^400 or below 2^-400.
     ///
     /// Since: 0.1.
     pub fn vesica_bounds_f64(kind: i32, shape: *const c_void, out: *mut Aabb<f64>) -> i32;
+    /// Is a shape valid, and if not, which rule does it break?
+    ///
+    /// Returns: 0 for a valid shape, else the first rule broken: VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE,
+    /// VESICA_E_ZERO_AXIS or VESICA_E_INVERTED.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_check_f64(kind: i32, shape: *const c_void) -> i32;
+    /// What an error code means, as one English phrase without a full stop.
+    ///
+    /// Returns: static text, never NULL: "success" for answers (\>= 0), "unknown error" for unknown codes.
+    ///
+    /// Errors: none.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_strerror(code: i32) -> *const u8;
+    /// Where do the outlines of two shapes meet? Touching counts.
+    ///
+    /// The outline of a shape with area is the curve around it. A segment, a point and a shape without area are their
+    /// own outlines. A contact is one place, however closely the curves touch there. If straight outlines share a
+    /// stretch, its two end points are places, and \*shared is 1; so equal boxes meet at their four corners. Two equal
+    /// curves meet everywhere: then the count is 0 and \*shared is 1. Places come in order along a's outline,
+    /// counter-clockwise in the frame of its axis. The start is a box's corner C - hx u - hy perp(u), an ellipse's
+    /// point C + a u (one without area begins as a box), a circle's point C + (r, 0), or a segment's first end.
+    ///
+    /// Requires: capacity, how many places out has room for. It may be 0, and out then NULL. shared may be NULL.
+    ///
+    /// Returns: how many places there are, even if that exceeds the capacity: at most 8 for these kinds. The first
+    /// `capacity` are written, and \*shared is set to 1 or 0.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a negative capacity), VESICA_E_SHAPE, VESICA_E_RANGE.
+    ///
+    /// Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape,
+    /// even where the outlines nearly coincide. Places closer to one another than that may come in either order or be
+    /// equal. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the
+    /// largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of
+    /// at most 4 u times the scale. An aspect ratio is longer over shorter size.
+    ///
+    /// Cost: several times that of vesica_nearest_f64.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_crossings_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Point<f64>,
+        capacity: i64, shared: *mut i32) -> i64;
+    /// How far apart are the outlines of two shapes, and where do they come closest?
+    ///
+    /// The outline of a shape with area is the curve around it. A point, a segment and a shape with a zero size are
+    /// their own outlines. If outlines meet, the distance is 0 and (ax, ay) = (bx, by) is a point of both. If shapes
+    /// are disjoint, the result is that of vesica_nearest_f64. If one is strictly inside the other, the distance is the
+    /// least over the whole outline, never a local minimum. Which case holds is decided exactly. Exchanging the shapes
+    /// exchanges the points and changes no bit. Moving both shapes alike changes no bit of the distance if no
+    /// coordinate is rounded.
+    ///
+    /// Returns: 0.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+    ///
+    /// Accuracy: at aspect ratios up to 1e6 the distance is right to 4 u scale, and the points are that far apart to 16
+    /// u scale. At any ratio it is above 0 unless outlines meet, and points are on them to 12 u scale before they are
+    /// rounded. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the
+    /// largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of
+    /// at most 4 u times the scale. An aspect ratio is longer over shorter size.
+    ///
+    /// Cost: that of vesica_nearest_f64 for disjoint shapes; up to three times that if outlines meet or are nested.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_boundary_distance_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
+        out: *mut ClosestPoints<f64>) -> i32;
+    /// Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
+    ///
+    /// Returns: 0.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+    ///
+    /// Accuracy: the double nearest to the true area; a tiny area becomes subnormal or 0. So a shape inside another
+    /// never has the greater area, and equal shapes have equal areas, whatever kinds and numbers describe them.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_shape_area_f64(kind: i32, shape: *const c_void, out: *mut f64) -> i32;
     /// Are the two points the same?
     ///
     /// Returns: 1 if the shapes share a point (touching counts), 0 if not.
@@ -557,7 +511,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_point_f64(a: *const Point<f64>, b: *const Point<f64>) -> i32;
@@ -569,7 +524,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_segment_f64(a: *const Point<f64>, b: *const Segment<f64>) -> i32;
@@ -581,7 +537,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_circle_f64(a: *const Point<f64>, b: *const Circle<f64>) -> i32;
@@ -593,7 +550,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_aabb_f64(a: *const Point<f64>, b: *const Aabb<f64>) -> i32;
@@ -605,7 +563,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_rect_f64(a: *const Point<f64>, b: *const Rect<f64>) -> i32;
@@ -617,7 +576,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_ellipse_f64(a: *const Point<f64>, b: *const Ellipse<f64>) -> i32;
@@ -629,7 +589,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_segment_f64(a: *const Segment<f64>, b: *const Segment<f64>) -> i32;
@@ -641,7 +602,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_circle_f64(a: *const Segment<f64>, b: *const Circle<f64>) -> i32;
@@ -653,7 +615,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_aabb_f64(a: *const Segment<f64>, b: *const Aabb<f64>) -> i32;
@@ -665,7 +628,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_rect_f64(a: *const Segment<f64>, b: *const Rect<f64>) -> i32;
@@ -677,7 +641,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_ellipse_f64(a: *const Segment<f64>, b: *const Ellipse<f64>) -> i32;
@@ -689,7 +654,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_circle_circle_f64(a: *const Circle<f64>, b: *const Circle<f64>) -> i32;
@@ -701,7 +667,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_circle_aabb_f64(a: *const Circle<f64>, b: *const Aabb<f64>) -> i32;
@@ -713,7 +680,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_circle_rect_f64(a: *const Circle<f64>, b: *const Rect<f64>) -> i32;
@@ -725,7 +693,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_circle_ellipse_f64(a: *const Circle<f64>, b: *const Ellipse<f64>) -> i32;
@@ -737,7 +706,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_aabb_aabb_f64(a: *const Aabb<f64>, b: *const Aabb<f64>) -> i32;
@@ -749,7 +719,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_aabb_rect_f64(a: *const Aabb<f64>, b: *const Rect<f64>) -> i32;
@@ -761,7 +732,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_aabb_ellipse_f64(a: *const Aabb<f64>, b: *const Ellipse<f64>) -> i32;
@@ -773,7 +745,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_rect_rect_f64(a: *const Rect<f64>, b: *const Rect<f64>) -> i32;
@@ -785,7 +758,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_rect_ellipse_f64(a: *const Rect<f64>, b: *const Ellipse<f64>) -> i32;
@@ -797,7 +771,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_ellipse_ellipse_f64(a: *const Ellipse<f64>, b: *const Ellipse<f64>) -> i32;
@@ -824,8 +799,6 @@ extern "C" {
     /// vesica_rects_from_boxes_f64, which takes degrees too. Sizes are exact: if halving one would round (an odd
     /// multiple of the smallest subnormal number), the axis is halved instead.
     ///
-    /// Cost: about 40 ns.
-    ///
     /// Since: 0.1.
     pub fn vesica_rect_from_angle_f64(cx: f64, cy: f64, angle: f64, width: f64, height: f64,
         out: *mut Rect<f64>) -> i32;
@@ -844,8 +817,6 @@ extern "C" {
     /// one; the centre is right to 1 unit in its own. Both errors may grow by 2^-98 times the largest coordinate. A
     /// rectangle along the coordinate axes is found exactly if its centre and half extents are representable.
     ///
-    /// Cost: about 110 ns.
-    ///
     /// Since: 0.1.
     pub fn vesica_rect_from_corners_f64(corners: *const f64, out: *mut Rect<f64>) -> i32;
     /// Ellipse from centre, angle and half lengths: a along the angle, b across it.
@@ -857,8 +828,6 @@ extern "C" {
     /// Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.
     ///
     /// Accuracy: the axis is that of vesica_rect_from_angle_f64; half lengths are exact.
-    ///
-    /// Cost: about 40 ns.
     ///
     /// Since: 0.1.
     pub fn vesica_ellipse_from_angle_f64(cx: f64, cy: f64, angle: f64, a: f64, b: f64, out: *mut Ellipse<f64>) -> i32;
@@ -894,8 +863,6 @@ extern "C" {
     /// matrix is nearly singular or nearly a circle's. Exchanging cxx and cyy exchanges the components, but for their
     /// signs.
     ///
-    /// Cost: about 90 ns.
-    ///
     /// Since: 0.1.
     pub fn vesica_ellipse_from_covariance_f64(mean_x: f64, mean_y: f64, cxx: f64, cxy: f64, cyy: f64, k: f64,
         out: *mut Ellipse<f64>) -> i32;
@@ -910,8 +877,6 @@ extern "C" {
     /// Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_ARGUMENT (not positive definite).
     ///
     /// Accuracy: that of vesica_ellipse_from_covariance_f64. No half length overflows.
-    ///
-    /// Cost: about 90 ns.
     ///
     /// Since: 0.1.
     pub fn vesica_ellipse_from_matrix_f64(cx: f64, cy: f64, mxx: f64, mxy: f64, myy: f64,
@@ -938,14 +903,13 @@ extern "C" {
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
     /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
-    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, or an array that exceeds the
+    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, an array that exceeds the
     /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: in cache, from columns, with AVX-512: 0.5 to 2 ns a pair in double, 0.3 to 0.8 ns in float; about half of
-    /// that if one array is a single shape.
+    /// Cost: a fifth to a tenth of vesica_overlap_f64 a pair; about half of that if one array is a single shape.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_many_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut u8) -> i64;
@@ -959,14 +923,14 @@ extern "C" {
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
     /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
-    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, or an array that exceeds the
+    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, an array that exceeds the
     /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
-    /// where numbers are copied first (docs/benchmarks.md).
+    /// Cost: a pair takes from a fifth of the time of the function for two shapes to about as much
+    /// (docs/benchmarks.md).
     ///
     /// Since: 0.1.
     pub fn vesica_relation_many_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut u8) -> i64;
@@ -980,14 +944,14 @@ extern "C" {
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
     /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
-    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, or an array that exceeds the
+    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, an array that exceeds the
     /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
-    /// where numbers are copied first (docs/benchmarks.md).
+    /// Cost: a pair takes from a fifth of the time of the function for two shapes to about as much
+    /// (docs/benchmarks.md).
     ///
     /// Since: 0.1.
     pub fn vesica_contains_many_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut u8) -> i64;
@@ -1001,14 +965,14 @@ extern "C" {
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
     /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
-    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, or an array that exceeds the
+    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, an array that exceeds the
     /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
-    /// where numbers are copied first (docs/benchmarks.md).
+    /// Cost: a pair takes from a fifth of the time of the function for two shapes to about as much
+    /// (docs/benchmarks.md).
     ///
     /// Since: 0.1.
     pub fn vesica_nearest_many_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, distance: *mut f64, ax: *mut f64,
@@ -1024,14 +988,14 @@ extern "C" {
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
     /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
-    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, or an array that exceeds the
+    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, an array that exceeds the
     /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
-    /// where numbers are copied first (docs/benchmarks.md).
+    /// Cost: a pair takes from a fifth of the time of the function for two shapes to about as much
+    /// (docs/benchmarks.md).
     ///
     /// Since: 0.1.
     pub fn vesica_boundary_distance_many_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, distance: *mut f64,
@@ -1046,14 +1010,14 @@ extern "C" {
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
     /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
-    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, or an array that exceeds the
+    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, an array that exceeds the
     /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
-    /// where numbers are copied first (docs/benchmarks.md).
+    /// Cost: a pair takes from a fifth of the time of the function for two shapes to about as much
+    /// (docs/benchmarks.md).
     ///
     /// Since: 0.1.
     pub fn vesica_depth_many_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, depth: *mut f64, x: *mut f64,
@@ -1068,14 +1032,14 @@ extern "C" {
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
     /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
-    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, or an array that exceeds the
+    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, an array that exceeds the
     /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
-    /// where numbers are copied first (docs/benchmarks.md).
+    /// Cost: a pair takes from a fifth of the time of the function for two shapes to about as much
+    /// (docs/benchmarks.md).
     ///
     /// Since: 0.1.
     pub fn vesica_area_many_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut f64) -> i64;
@@ -1092,19 +1056,19 @@ extern "C" {
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
     /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
-    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, or an array that exceeds the
+    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, an array that exceeds the
     /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
-    /// where numbers are copied first (docs/benchmarks.md).
+    /// Cost: a pair takes from a fifth of the time of the function for two shapes to about as much
+    /// (docs/benchmarks.md).
     ///
     /// Since: 0.1.
     pub fn vesica_iou_many_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut f64) -> i64;
-    /// Do a\[i\] and b\[j\] share a point? Answers as of vesica_overlap_f64; much quicker if both arrays are in spatial
-    /// order.
+    /// Do a\[i\] and b\[j\] share a point? The elements of out are answers of vesica_overlap_f64. Arrays in spatial
+    /// order are much faster.
     ///
     /// Requires: room for a matrix: out\[i \* row_stride + j\] is the result for a\[i\] and b\[j\]. row_stride counts
     /// elements of out. With two or more rows its magnitude is at least b's count; if it is negative, rows run
@@ -1258,20 +1222,58 @@ extern "C" {
     /// VESICA_E_KIND (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f64, threshold, too
     /// little scratch).
     ///
-    /// Cost: 0.3 to 1.2 us a shape; in a crowd, that of vesica_iou_many_f64 for each pair of a shape and one that is
-    /// kept near it: 20,000 in one place, nearly all kept, took 0.5 to 1 ms a shape.
+    /// Accuracy: the ratio that is compared is that of vesica_iou_f64; in float, the ratio rounded to float.
+    ///
+    /// Cost: that of vesica_iou_many_f64 for each pair of a shape and one that is kept near it.
     ///
     /// Since: 0.1.
     pub fn vesica_nms_f64(shapes: *const Shapes<f64>, scores: *const f64, threshold: f64, scratch: *mut c_void,
         scratch_size: i64, keep: *mut i64, kept: *mut i64) -> i32;
+    /// Version of the loaded library. If it is below VESICA_VERSION, the library is older than the header.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_version() -> i32;
+    /// VESICA_VERSION_MAJOR of the loaded library.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_version_major() -> i32;
+    /// VESICA_VERSION_MINOR of the loaded library.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_version_minor() -> i32;
+    /// VESICA_VERSION_PATCH of the loaded library.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_version_patch() -> i32;
+    /// How many numbers does a shape of this kind have?
+    ///
+    /// Returns: 2, 4, 3, 4, 6, 6 for VESICA_POINT ... VESICA_ELLIPSE.
+    ///
+    /// Errors: VESICA_E_KIND.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_field_count(kind: i32) -> i32;
+    /// Name of a kind.
+    ///
+    /// Returns: static text: "point", "segment", "circle", "aabb", "rect" or "ellipse"; NULL for an unknown kind.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_kind_name(kind: i32) -> *const u8;
+    /// Name of the instruction set that batches use: the best one of this processor. Answers never depend on it.
+    ///
+    /// The environment variable VESICA_ISA selects another one. It is read once, when the library is loaded. Unknown
+    /// names are ignored, and so are sets that this processor or this build does not have.
+    ///
+    /// Returns: static text: "sse2", "avx2", "avx512", "neon", "simd128" or "portable".
+    ///
+    /// Since: 0.1.
+    pub fn vesica_isa_name() -> *const u8;
     /// Is a shape valid, and if not, which rule does it break?
     ///
     /// Returns: 0 for a valid shape, else the first rule broken: VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE,
     /// VESICA_E_ZERO_AXIS or VESICA_E_INVERTED.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND.
-    ///
-    /// Cost: a few ns.
     ///
     /// Since: 0.1.
     pub fn vesica_check_f32(kind: i32, shape: *const c_void) -> i32;
@@ -1283,7 +1285,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: about 2 ns more than the function named after the two kinds.
+    /// Cost: that of the function named after the two kinds, and a dispatch.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32;
@@ -1303,7 +1305,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 30 us.
+    /// Cost: up to twice that of vesica_overlap_f32; more if shapes touch or are equal.
     ///
     /// Since: 0.1.
     pub fn vesica_relation_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32;
@@ -1342,14 +1344,14 @@ extern "C" {
     /// between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the
     /// scale. An aspect ratio is longer over shorter size.
     ///
-    /// Cost: 1 to 10 us; at worst 30 us.
+    /// Cost: several times that of vesica_nearest_f32.
     ///
     /// Since: 0.1.
     pub fn vesica_crossings_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Point<f32>,
         capacity: i64, shared: *mut i32) -> i64;
     /// How far apart are two solid shapes, and which of their points are closest?
     ///
-    /// If the shapes overlap (as vesica_overlap_f32 tells), the distance is 0 and both points are one common point. If
+    /// If the shapes overlap (as vesica_overlap_f32 says), the distance is 0 and both points are one common point. If
     /// not, the distance is \> 0. Exchanging the shapes exchanges the points and changes no bit. Moving both shapes
     /// alike changes no bit of the distance if no coordinate is rounded.
     ///
@@ -1365,9 +1367,7 @@ extern "C" {
     /// |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4
     /// u times the scale. An aspect ratio is longer over shorter size.
     ///
-    /// Cost: 100 to 250 ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest ellipses; 50
-    /// ns if a shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40
-    /// or below 2^-40; at worst 25 us.
+    /// Cost: ten to thirty times that of vesica_overlap_f32; more for shapes that cross and near-ties.
     ///
     /// Since: 0.1.
     pub fn vesica_nearest_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
@@ -1392,8 +1392,7 @@ extern "C" {
     /// between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the
     /// scale. An aspect ratio is longer over shorter size.
     ///
-    /// Cost: that of vesica_nearest_f32 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.4 to
-    /// 0.8 us if outlines meet, for thin shapes as vesica_crossings_f32; up to 5 us more for near-ties; at worst 30 us.
+    /// Cost: that of vesica_nearest_f32 for disjoint shapes; up to three times that if outlines meet or are nested.
     ///
     /// Since: 0.1.
     pub fn vesica_boundary_distance_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
@@ -1418,8 +1417,7 @@ extern "C" {
     /// scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4
     /// u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
-    /// Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to 5 us if
-    /// only exact arithmetic can tell the depth from 0; at worst 25 us.
+    /// Cost: about that of vesica_nearest_f32; three times that with an ellipse.
     ///
     /// Since: 0.1.
     pub fn vesica_depth_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
@@ -1433,8 +1431,6 @@ extern "C" {
     /// Accuracy: the double nearest to the true area; a tiny area becomes subnormal or 0. So a shape inside another
     /// never has the greater area, and equal shapes have equal areas, whatever kinds and numbers describe them. Each
     /// number is computed in double, within these bounds, and then rounded to float once.
-    ///
-    /// Cost: about 20 ns.
     ///
     /// Since: 0.1.
     pub fn vesica_shape_area_f32(kind: i32, shape: *const c_void, out: *mut f32) -> i32;
@@ -1456,8 +1452,8 @@ extern "C" {
     /// the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an
     /// error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
-    /// Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if
-    /// outlines nearly touch or coincide, or if one shape is far larger; at worst 30 us.
+    /// Cost: six times that of vesica_overlap_f32 for boxes, fifty times for two ellipses; more if outlines nearly
+    /// touch or coincide, or if one shape is far larger.
     ///
     /// Since: 0.1.
     pub fn vesica_area_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut f32) -> i32;
@@ -1485,8 +1481,7 @@ extern "C" {
     ///
     /// Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is exact.
     ///
-    /// Cost: up to 80 ns; 1 to 3 us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis
-    /// and representable sides; at worst 6 us.
+    /// Cost: up to ten times that of vesica_overlap_f32; more for magnitudes above 2^400 or below 2^-400.
     ///
     /// Since: 0.1.
     pub fn vesica_bounds_f32(kind: i32, shape: *const c_void, out: *mut Aabb<f32>) -> i32;
@@ -1498,7 +1493,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_point_f32(a: *const Point<f32>, b: *const Point<f32>) -> i32;
@@ -1510,7 +1506,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_segment_f32(a: *const Point<f32>, b: *const Segment<f32>) -> i32;
@@ -1522,7 +1519,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_circle_f32(a: *const Point<f32>, b: *const Circle<f32>) -> i32;
@@ -1534,7 +1532,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_aabb_f32(a: *const Point<f32>, b: *const Aabb<f32>) -> i32;
@@ -1546,7 +1545,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_rect_f32(a: *const Point<f32>, b: *const Rect<f32>) -> i32;
@@ -1558,7 +1558,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_ellipse_f32(a: *const Point<f32>, b: *const Ellipse<f32>) -> i32;
@@ -1570,7 +1571,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_segment_f32(a: *const Segment<f32>, b: *const Segment<f32>) -> i32;
@@ -1582,7 +1584,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_circle_f32(a: *const Segment<f32>, b: *const Circle<f32>) -> i32;
@@ -1594,7 +1597,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_aabb_f32(a: *const Segment<f32>, b: *const Aabb<f32>) -> i32;
@@ -1606,7 +1610,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_rect_f32(a: *const Segment<f32>, b: *const Rect<f32>) -> i32;
@@ -1618,7 +1623,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_ellipse_f32(a: *const Segment<f32>, b: *const Ellipse<f32>) -> i32;
@@ -1630,7 +1636,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_circle_circle_f32(a: *const Circle<f32>, b: *const Circle<f32>) -> i32;
@@ -1642,7 +1649,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_circle_aabb_f32(a: *const Circle<f32>, b: *const Aabb<f32>) -> i32;
@@ -1654,7 +1662,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_circle_rect_f32(a: *const Circle<f32>, b: *const Rect<f32>) -> i32;
@@ -1666,7 +1675,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_circle_ellipse_f32(a: *const Circle<f32>, b: *const Ellipse<f32>) -> i32;
@@ -1678,7 +1688,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_aabb_aabb_f32(a: *const Aabb<f32>, b: *const Aabb<f32>) -> i32;
@@ -1690,7 +1701,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_aabb_rect_f32(a: *const Aabb<f32>, b: *const Rect<f32>) -> i32;
@@ -1702,7 +1714,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_aabb_ellipse_f32(a: *const Aabb<f32>, b: *const Ellipse<f32>) -> i32;
@@ -1714,7 +1727,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_rect_rect_f32(a: *const Rect<f32>, b: *const Rect<f32>) -> i32;
@@ -1726,7 +1740,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_rect_ellipse_f32(a: *const Rect<f32>, b: *const Ellipse<f32>) -> i32;
@@ -1738,7 +1753,8 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+    /// Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times
+    /// that.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_ellipse_ellipse_f32(a: *const Ellipse<f32>, b: *const Ellipse<f32>) -> i32;
@@ -1765,8 +1781,6 @@ extern "C" {
     /// vesica_rects_from_boxes_f32, which takes degrees too. Sizes are exact: if halving one would round (an odd
     /// multiple of the smallest subnormal number), the axis is halved instead.
     ///
-    /// Cost: about 40 ns.
-    ///
     /// Since: 0.1.
     pub fn vesica_rect_from_angle_f32(cx: f32, cy: f32, angle: f32, width: f32, height: f32,
         out: *mut Rect<f32>) -> i32;
@@ -1785,8 +1799,6 @@ extern "C" {
     /// one; the centre is right to 1 unit in its own. Both errors may grow by 2^-98 times the largest coordinate. A
     /// rectangle along the coordinate axes is found exactly if its centre and half extents are representable.
     ///
-    /// Cost: about 110 ns.
-    ///
     /// Since: 0.1.
     pub fn vesica_rect_from_corners_f32(corners: *const f32, out: *mut Rect<f32>) -> i32;
     /// Ellipse from centre, angle and half lengths: a along the angle, b across it.
@@ -1798,8 +1810,6 @@ extern "C" {
     /// Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.
     ///
     /// Accuracy: the axis is that of vesica_rect_from_angle_f32; half lengths are exact.
-    ///
-    /// Cost: about 40 ns.
     ///
     /// Since: 0.1.
     pub fn vesica_ellipse_from_angle_f32(cx: f32, cy: f32, angle: f32, a: f32, b: f32, out: *mut Ellipse<f32>) -> i32;
@@ -1835,8 +1845,6 @@ extern "C" {
     /// matrix is nearly singular or nearly a circle's. Exchanging cxx and cyy exchanges the components, but for their
     /// signs.
     ///
-    /// Cost: about 90 ns.
-    ///
     /// Since: 0.1.
     pub fn vesica_ellipse_from_covariance_f32(mean_x: f32, mean_y: f32, cxx: f32, cxy: f32, cyy: f32, k: f32,
         out: *mut Ellipse<f32>) -> i32;
@@ -1851,8 +1859,6 @@ extern "C" {
     /// Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_ARGUMENT (not positive definite).
     ///
     /// Accuracy: that of vesica_ellipse_from_covariance_f32. No half length overflows.
-    ///
-    /// Cost: about 90 ns.
     ///
     /// Since: 0.1.
     pub fn vesica_ellipse_from_matrix_f32(cx: f32, cy: f32, mxx: f32, mxy: f32, myy: f32,
@@ -1879,14 +1885,13 @@ extern "C" {
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
     /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
-    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, or an array that exceeds the
+    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, an array that exceeds the
     /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: in cache, from columns, with AVX-512: 0.5 to 2 ns a pair in double, 0.3 to 0.8 ns in float; about half of
-    /// that if one array is a single shape.
+    /// Cost: a fifth to a tenth of vesica_overlap_f32 a pair; about half of that if one array is a single shape.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_many_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut u8) -> i64;
@@ -1900,14 +1905,14 @@ extern "C" {
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
     /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
-    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, or an array that exceeds the
+    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, an array that exceeds the
     /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
-    /// where numbers are copied first (docs/benchmarks.md).
+    /// Cost: a pair takes from a fifth of the time of the function for two shapes to about as much
+    /// (docs/benchmarks.md).
     ///
     /// Since: 0.1.
     pub fn vesica_relation_many_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut u8) -> i64;
@@ -1921,14 +1926,14 @@ extern "C" {
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
     /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
-    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, or an array that exceeds the
+    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, an array that exceeds the
     /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
-    /// where numbers are copied first (docs/benchmarks.md).
+    /// Cost: a pair takes from a fifth of the time of the function for two shapes to about as much
+    /// (docs/benchmarks.md).
     ///
     /// Since: 0.1.
     pub fn vesica_contains_many_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut u8) -> i64;
@@ -1942,14 +1947,14 @@ extern "C" {
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
     /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
-    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, or an array that exceeds the
+    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, an array that exceeds the
     /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
-    /// where numbers are copied first (docs/benchmarks.md).
+    /// Cost: a pair takes from a fifth of the time of the function for two shapes to about as much
+    /// (docs/benchmarks.md).
     ///
     /// Since: 0.1.
     pub fn vesica_nearest_many_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, distance: *mut f32, ax: *mut f32,
@@ -1965,14 +1970,14 @@ extern "C" {
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
     /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
-    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, or an array that exceeds the
+    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, an array that exceeds the
     /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
-    /// where numbers are copied first (docs/benchmarks.md).
+    /// Cost: a pair takes from a fifth of the time of the function for two shapes to about as much
+    /// (docs/benchmarks.md).
     ///
     /// Since: 0.1.
     pub fn vesica_boundary_distance_many_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, distance: *mut f32,
@@ -1987,14 +1992,14 @@ extern "C" {
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
     /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
-    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, or an array that exceeds the
+    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, an array that exceeds the
     /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
-    /// where numbers are copied first (docs/benchmarks.md).
+    /// Cost: a pair takes from a fifth of the time of the function for two shapes to about as much
+    /// (docs/benchmarks.md).
     ///
     /// Since: 0.1.
     pub fn vesica_depth_many_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, depth: *mut f32, x: *mut f32,
@@ -2009,14 +2014,14 @@ extern "C" {
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
     /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
-    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, or an array that exceeds the
+    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, an array that exceeds the
     /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
-    /// where numbers are copied first (docs/benchmarks.md).
+    /// Cost: a pair takes from a fifth of the time of the function for two shapes to about as much
+    /// (docs/benchmarks.md).
     ///
     /// Since: 0.1.
     pub fn vesica_area_many_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut f32) -> i64;
@@ -2033,19 +2038,19 @@ extern "C" {
     /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
     /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
     /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
-    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, or an array that exceeds the
+    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, an array that exceeds the
     /// address space).
     ///
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more
-    /// where numbers are copied first (docs/benchmarks.md).
+    /// Cost: a pair takes from a fifth of the time of the function for two shapes to about as much
+    /// (docs/benchmarks.md).
     ///
     /// Since: 0.1.
     pub fn vesica_iou_many_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut f32) -> i64;
-    /// Do a\[i\] and b\[j\] share a point? Answers as of vesica_overlap_f32; much quicker if both arrays are in spatial
-    /// order.
+    /// Do a\[i\] and b\[j\] share a point? The elements of out are answers of vesica_overlap_f32. Arrays in spatial
+    /// order are much faster.
     ///
     /// Requires: room for a matrix: out\[i \* row_stride + j\] is the result for a\[i\] and b\[j\]. row_stride counts
     /// elements of out. With two or more rows its magnitude is at least b's count; if it is negative, rows run
@@ -2191,8 +2196,9 @@ extern "C" {
     /// VESICA_E_KIND (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f32, threshold, too
     /// little scratch).
     ///
-    /// Cost: 0.3 to 1.2 us a shape; in a crowd, that of vesica_iou_many_f32 for each pair of a shape and one that is
-    /// kept near it: 20,000 in one place, nearly all kept, took 0.5 to 1 ms a shape.
+    /// Accuracy: the ratio that is compared is that of vesica_iou_f32; in float, the ratio rounded to float.
+    ///
+    /// Cost: that of vesica_iou_many_f32 for each pair of a shape and one that is kept near it.
     ///
     /// Since: 0.1.
     pub fn vesica_nms_f32(shapes: *const Shapes<f32>, scores: *const f32, threshold: f32, scratch: *mut c_void,
@@ -2214,8 +2220,6 @@ extern "C" {
     /// exchanged: a rectangle and the same one turned by a quarter, its width and height exchanged, are VESICA_EQUAL.
     /// In radians, as in vesica_rect_from_angle_f64. Sizes are those of vesica_rect_from_angle_f64.
     ///
-    /// Cost: about 30 ns a box.
-    ///
     /// Since: 0.1.
     pub fn vesica_rects_from_boxes_f64(boxes: *const f64, count: i64, stride: isize, angle: i32,
         out: *mut Rect<f64>) -> i64;
@@ -2231,8 +2235,6 @@ extern "C" {
     /// that exceeds the address space, an unknown unit of angles).
     ///
     /// Accuracy: as vesica_rects_from_boxes_f64. Half lengths are halves of width and height.
-    ///
-    /// Cost: about 30 ns a box.
     ///
     /// Since: 0.1.
     pub fn vesica_ellipses_from_boxes_f64(boxes: *const f64, count: i64, stride: isize, angle: i32,
@@ -2254,8 +2256,6 @@ extern "C" {
     /// Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of
     /// a quarter turn. If an axis lies exactly along a coordinate axis, degrees and quarter turns are exact.
     ///
-    /// Cost: about 70 ns a shape.
-    ///
     /// Since: 0.1.
     pub fn vesica_boxes_from_shapes_f64(shapes: *const Shapes<f64>, angle: i32, boxes: *mut f64) -> i64;
     /// The four corners of rectangles, or of the turned boxes that bound ellipses: x0 y0 ... x3 y3.
@@ -2273,8 +2273,6 @@ extern "C" {
     ///
     /// Accuracy: a coordinate is right to 1 unit in its last place plus 2^-98 times the largest of its three terms.
     ///
-    /// Cost: about 50 ns a shape; 20 ns with AVX2 or AVX-512.
-    ///
     /// Since: 0.1.
     pub fn vesica_corners_of_shapes_f64(shapes: *const Shapes<f64>, corners: *mut f64) -> i64;
     /// Bounding boxes of an array of any kind: out\[i\] is the result of vesica_bounds_f64.
@@ -2290,7 +2288,7 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_bounds_f64.
     ///
-    /// Cost: that of vesica_bounds_f64; with AVX2 or AVX-512 about 10 ns for shapes of which that takes up to 80.
+    /// Cost: that of vesica_bounds_f64; up to eight times less with AVX2 or AVX-512.
     ///
     /// Since: 0.1.
     pub fn vesica_bounds_many_f64(shapes: *const Shapes<f64>, out: *mut Aabb<f64>) -> i64;
@@ -2312,8 +2310,6 @@ extern "C" {
     /// In radians, as in vesica_rect_from_angle_f32. Sizes are those of vesica_rect_from_angle_f32. Each number is
     /// computed in double, within these bounds, and then rounded to float once.
     ///
-    /// Cost: about 30 ns a box.
-    ///
     /// Since: 0.1.
     pub fn vesica_rects_from_boxes_f32(boxes: *const f32, count: i64, stride: isize, angle: i32,
         out: *mut Rect<f32>) -> i64;
@@ -2330,8 +2326,6 @@ extern "C" {
     ///
     /// Accuracy: as vesica_rects_from_boxes_f32. Half lengths are halves of width and height.
     /// Each number is computed in double, within these bounds, and then rounded to float once.
-    ///
-    /// Cost: about 30 ns a box.
     ///
     /// Since: 0.1.
     pub fn vesica_ellipses_from_boxes_f32(boxes: *const f32, count: i64, stride: isize, angle: i32,
@@ -2354,8 +2348,6 @@ extern "C" {
     /// a quarter turn. If an axis lies exactly along a coordinate axis, degrees and quarter turns are exact. Each
     /// number is computed in double, within these bounds, and then rounded to float once.
     ///
-    /// Cost: about 70 ns a shape.
-    ///
     /// Since: 0.1.
     pub fn vesica_boxes_from_shapes_f32(shapes: *const Shapes<f32>, angle: i32, boxes: *mut f32) -> i64;
     /// The four corners of rectangles, or of the turned boxes that bound ellipses: x0 y0 ... x3 y3.
@@ -2374,8 +2366,6 @@ extern "C" {
     /// Accuracy: a coordinate is right to 1 unit in its last place plus 2^-98 times the largest of its three terms.
     /// Each number is computed in double, within these bounds, and then rounded to float once.
     ///
-    /// Cost: about 50 ns a shape; 20 ns with AVX2 or AVX-512.
-    ///
     /// Since: 0.1.
     pub fn vesica_corners_of_shapes_f32(shapes: *const Shapes<f32>, corners: *mut f32) -> i64;
     /// Bounding boxes of an array of any kind: out\[i\] is the result of vesica_bounds_f32.
@@ -2391,7 +2381,7 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_bounds_f32.
     ///
-    /// Cost: that of vesica_bounds_f32; with AVX2 or AVX-512 about 10 ns for shapes of which that takes up to 80.
+    /// Cost: that of vesica_bounds_f32; up to eight times less with AVX2 or AVX-512.
     ///
     /// Since: 0.1.
     pub fn vesica_bounds_many_f32(shapes: *const Shapes<f32>, out: *mut Aabb<f32>) -> i64;
@@ -2472,8 +2462,6 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned, capacity \< 0), VESICA_E_INDEX.
     ///
-    /// Cost: a few ns an item.
-    ///
     /// Since: 0.1.
     pub fn vesica_index_order(index: *const c_void, out: *mut i64, capacity: i64) -> i64;
     /// Builds the index of some sets of shapes. There may be none; sets may then be NULL.
@@ -2488,7 +2476,7 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a wrong count, size or alignment), VESICA_E_SHAPE.
     ///
-    /// Cost: 30 to 50 ns a shape.
+    /// Cost: a few times that of vesica_bounds_many_f64.
     ///
     /// Since: 0.1.
     pub fn vesica_index_build_f64(sets: *const Shapes<f64>, set_count: i32, index: *mut c_void, index_size: i64,
@@ -2505,7 +2493,8 @@ extern "C" {
     ///
     /// Errors: those of vesica_index_build_f64. VESICA_E_ARGUMENT also, with nothing done, if step, part or parts is
     /// out of range, if the scratch is not that of step 0 of a build that has not ended, if a part of the step before
-    /// is missing, or if some of this part was done before.
+    /// is missing, or if some of this part was done before. A part without shapes (there may be more parts than shapes)
+    /// has nothing to do: a missing or repeated one is not noticed.
     ///
     /// Cost: in all that of the build: three fifths in step 1; a tenth in step 0, which cannot be divided.
     ///
@@ -2530,7 +2519,7 @@ extern "C" {
     ///
     /// Accuracy: exact, if there are sets.
     ///
-    /// Cost: about 0.5 us for a few shapes that are found, 2 us for 1,000 boxes.
+    /// Cost: that of a search, and that of vesica_overlap_f64 for each item whose bounds meet those of the shape.
     ///
     /// Since: 0.1.
     pub fn vesica_index_select_f64(index: *const c_void, sets: *const Shapes<f64>, set_count: i32,
@@ -2555,7 +2544,7 @@ extern "C" {
     ///
     /// Accuracy: exact for all queries but VESICA_JOIN_BOUNDS.
     ///
-    /// Cost: 10 to 15 ns a shape to find candidates, and 15 to 25 ns a candidate to decide.
+    /// Cost: about twice that of vesica_overlap_f64 for each shape, and the same for each pair whose bounds meet.
     ///
     /// Since: 0.1.
     pub fn vesica_join_f64(query: i32, index_a: *const c_void, sets_a: *const Shapes<f64>, set_count_a: i32,
@@ -2577,8 +2566,7 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_within_f64; pairs that are VESICA_WITHIN_NEARLY are included.
     ///
-    /// Cost: about 1 us a shape of index_a, and that of vesica_within_f64 a candidate: seven times that of
-    /// vesica_join_f64.
+    /// Cost: seven times that of vesica_join_f64.
     ///
     /// Since: 0.1.
     pub fn vesica_join_within_f64(index_a: *const c_void, sets_a: *const Shapes<f64>, set_count_a: i32,
@@ -2600,8 +2588,8 @@ extern "C" {
     ///
     /// Accuracy: distances are those of vesica_nearest_f64, bit for bit.
     ///
-    /// Cost: 3 to 5 us for 10 of a million AABBs near a point; mostly that of vesica_nearest_f64 for some 10 more than
-    /// k. Of items that overlap the shape all are asked, as the lowest come first.
+    /// Cost: that of a search, and that of vesica_nearest_f64 for some 10 items more than k, and for all items that
+    /// overlap the shape, as the lowest come first.
     ///
     /// Since: 0.1.
     pub fn vesica_index_nearest_f64(index: *const c_void, sets: *const Shapes<f64>, set_count: i32,
@@ -2643,7 +2631,7 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a wrong count, size or alignment), VESICA_E_SHAPE.
     ///
-    /// Cost: 30 to 50 ns a shape.
+    /// Cost: a few times that of vesica_bounds_many_f32.
     ///
     /// Since: 0.1.
     pub fn vesica_index_build_f32(sets: *const Shapes<f32>, set_count: i32, index: *mut c_void, index_size: i64,
@@ -2660,7 +2648,8 @@ extern "C" {
     ///
     /// Errors: those of vesica_index_build_f32. VESICA_E_ARGUMENT also, with nothing done, if step, part or parts is
     /// out of range, if the scratch is not that of step 0 of a build that has not ended, if a part of the step before
-    /// is missing, or if some of this part was done before.
+    /// is missing, or if some of this part was done before. A part without shapes (there may be more parts than shapes)
+    /// has nothing to do: a missing or repeated one is not noticed.
     ///
     /// Cost: in all that of the build: three fifths in step 1; a tenth in step 0, which cannot be divided.
     ///
@@ -2685,7 +2674,7 @@ extern "C" {
     ///
     /// Accuracy: exact, if there are sets.
     ///
-    /// Cost: about 0.5 us for a few shapes that are found, 2 us for 1,000 boxes.
+    /// Cost: that of a search, and that of vesica_overlap_f32 for each item whose bounds meet those of the shape.
     ///
     /// Since: 0.1.
     pub fn vesica_index_select_f32(index: *const c_void, sets: *const Shapes<f32>, set_count: i32,
@@ -2710,7 +2699,7 @@ extern "C" {
     ///
     /// Accuracy: exact for all queries but VESICA_JOIN_BOUNDS.
     ///
-    /// Cost: 10 to 15 ns a shape to find candidates, and 15 to 25 ns a candidate to decide.
+    /// Cost: about twice that of vesica_overlap_f32 for each shape, and the same for each pair whose bounds meet.
     ///
     /// Since: 0.1.
     pub fn vesica_join_f32(query: i32, index_a: *const c_void, sets_a: *const Shapes<f32>, set_count_a: i32,
@@ -2732,8 +2721,7 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_within_f32; pairs that are VESICA_WITHIN_NEARLY are included.
     ///
-    /// Cost: about 1 us a shape of index_a, and that of vesica_within_f32 a candidate: seven times that of
-    /// vesica_join_f32.
+    /// Cost: seven times that of vesica_join_f32.
     ///
     /// Since: 0.1.
     pub fn vesica_join_within_f32(index_a: *const c_void, sets_a: *const Shapes<f32>, set_count_a: i32,
@@ -2755,8 +2743,8 @@ extern "C" {
     ///
     /// Accuracy: distances are those of vesica_nearest_f32, bit for bit.
     ///
-    /// Cost: 3 to 5 us for 10 of a million AABBs near a point; mostly that of vesica_nearest_f32 for some 10 more than
-    /// k. Of items that overlap the shape all are asked, as the lowest come first.
+    /// Cost: that of a search, and that of vesica_nearest_f32 for some 10 items more than k, and for all items that
+    /// overlap the shape, as the lowest come first.
     ///
     /// Since: 0.1.
     pub fn vesica_index_nearest_f32(index: *const c_void, sets: *const Shapes<f32>, set_count: i32,
@@ -2805,7 +2793,7 @@ extern "C" {
     /// of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u
     /// scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
-    /// Cost: that of vesica_area_f64 or vesica_iou_f64, and 100 to 150 ns more; in arrays 40 to 100 ns more.
+    /// Cost: up to four times that of vesica_area_f64 or vesica_iou_f64 for boxes; little more than that for ellipses.
     ///
     /// Since: 0.1.
     pub fn vesica_ratio_f64(ratio: i32, kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
@@ -2821,8 +2809,6 @@ extern "C" {
     ///
     /// Accuracy: every result has the same bits as vesica_ratio_f64, on every instruction set and in every layout.
     ///
-    /// Cost: that of vesica_iou_many_f64, and 40 to 100 ns a pair.
-    ///
     /// Since: 0.1.
     pub fn vesica_ratio_many_f64(ratio: i32, a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut f64) -> i64;
     /// A ratio of a\[i\] and b\[j\]: out\[i \* row_stride + j\] is the result of vesica_ratio_f64.
@@ -2835,8 +2821,6 @@ extern "C" {
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT.
     ///
     /// Accuracy: every result has the same bits as vesica_ratio_f64, on every instruction set and in every layout.
-    ///
-    /// Cost: that of vesica_iou_many_f64, and 40 to 100 ns a pair.
     ///
     /// Since: 0.1.
     pub fn vesica_ratio_matrix_f64(ratio: i32, a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut f64,
@@ -2939,8 +2923,7 @@ extern "C" {
     /// centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect
     /// ratio is longer over shorter size.
     ///
-    /// Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can decide,
-    /// as when the distance is met exactly. At worst 25 us.
+    /// Cost: one to six times that of vesica_overlap_f64; that of vesica_nearest_f64 for ellipses.
     ///
     /// Since: 0.1.
     pub fn vesica_within_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, distance: f64) -> i32;
@@ -2996,7 +2979,9 @@ extern "C" {
     ///
     /// Errors: as vesica_nms_f64; VESICA_E_ARGUMENT also for ratio, a least_score that is NaN, and a negative most.
     ///
-    /// Cost: that of vesica_nms_f64; ratios other than IoU take 0.1 us more a comparison.
+    /// Accuracy: the ratio that is compared is that of vesica_ratio_f64; in float, the ratio rounded to float.
+    ///
+    /// Cost: that of vesica_nms_f64; ratios other than IoU take longer for each comparison.
     ///
     /// Since: 0.1.
     pub fn vesica_suppress_f64(shapes: *const Shapes<f64>, scores: *const f64, labels: *const i32, ratio: i32,
@@ -3014,7 +2999,8 @@ extern "C" {
     ///
     /// Repeats these steps: take the shape with the highest score, of equal ones the first; keep it; lower the score of
     /// each shape not yet kept, of the same label, by `decay` of their ratio. Ends when `most` are kept or every score
-    /// left is below least_score. keep\[k\] is the shape kept in step k, and decayed\[k\] the score that it had then.
+    /// left is below least_score. So a shape whose own score is below least_score, such as -infinity, is never kept.
+    /// keep\[k\] is the shape kept in step k, and decayed\[k\] the score that it had then.
     ///
     /// Requires: shapes, scores and labels as vesica_suppress_f64; ratio, any but VESICA_RATIO_OVER_FIRST and
     /// _OVER_SECOND; decay, VESICA_DECAY_LINEAR or _GAUSSIAN, with its parameter; least_score \>= 0; scratch of at
@@ -3056,7 +3042,7 @@ extern "C" {
     /// largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of
     /// at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
-    /// Cost: that of vesica_area_f32 or vesica_iou_f32, and 100 to 150 ns more; in arrays 40 to 100 ns more.
+    /// Cost: up to four times that of vesica_area_f32 or vesica_iou_f32 for boxes; little more than that for ellipses.
     ///
     /// Since: 0.1.
     pub fn vesica_ratio_f32(ratio: i32, kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
@@ -3073,8 +3059,6 @@ extern "C" {
     /// Accuracy: every result has the same bits as vesica_ratio_f32, on every instruction set and in every layout.
     /// Each number is computed in double, within these bounds, and then rounded to float once.
     ///
-    /// Cost: that of vesica_iou_many_f32, and 40 to 100 ns a pair.
-    ///
     /// Since: 0.1.
     pub fn vesica_ratio_many_f32(ratio: i32, a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut f32) -> i64;
     /// A ratio of a\[i\] and b\[j\]: out\[i \* row_stride + j\] is the result of vesica_ratio_f32.
@@ -3088,8 +3072,6 @@ extern "C" {
     ///
     /// Accuracy: every result has the same bits as vesica_ratio_f32, on every instruction set and in every layout.
     /// Each number is computed in double, within these bounds, and then rounded to float once.
-    ///
-    /// Cost: that of vesica_iou_many_f32, and 40 to 100 ns a pair.
     ///
     /// Since: 0.1.
     pub fn vesica_ratio_matrix_f32(ratio: i32, a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut f32,
@@ -3150,7 +3132,9 @@ extern "C" {
     ///
     /// Errors: as vesica_nms_f32; VESICA_E_ARGUMENT also for ratio, a least_score that is NaN, and a negative most.
     ///
-    /// Cost: that of vesica_nms_f32; ratios other than IoU take 0.1 us more a comparison.
+    /// Accuracy: the ratio that is compared is that of vesica_ratio_f32; in float, the ratio rounded to float.
+    ///
+    /// Cost: that of vesica_nms_f32; ratios other than IoU take longer for each comparison.
     ///
     /// Since: 0.1.
     pub fn vesica_suppress_f32(shapes: *const Shapes<f32>, scores: *const f32, labels: *const i32, ratio: i32,
@@ -3214,8 +3198,7 @@ extern "C" {
     /// centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect
     /// ratio is longer over shorter size.
     ///
-    /// Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can decide,
-    /// as when the distance is met exactly. At worst 25 us.
+    /// Cost: one to six times that of vesica_overlap_f32; that of vesica_nearest_f32 for ellipses.
     ///
     /// Since: 0.1.
     pub fn vesica_within_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, distance: f32) -> i32;
@@ -3262,7 +3245,8 @@ extern "C" {
     ///
     /// Repeats these steps: take the shape with the highest score, of equal ones the first; keep it; lower the score of
     /// each shape not yet kept, of the same label, by `decay` of their ratio. Ends when `most` are kept or every score
-    /// left is below least_score. keep\[k\] is the shape kept in step k, and decayed\[k\] the score that it had then.
+    /// left is below least_score. So a shape whose own score is below least_score, such as -infinity, is never kept.
+    /// keep\[k\] is the shape kept in step k, and decayed\[k\] the score that it had then.
     ///
     /// Requires: shapes, scores and labels as vesica_suppress_f32; ratio, any but VESICA_RATIO_OVER_FIRST and
     /// _OVER_SECOND; decay, VESICA_DECAY_LINEAR or _GAUSSIAN, with its parameter; least_score \>= 0; scratch of at
@@ -3286,14 +3270,14 @@ extern "C" {
         keep: *mut i64, decayed: *mut f32, kept: *mut i64) -> i32;
     /// Does b touch a while it moves, when first, and where?
     ///
-    /// The normal is that of the face or the round outline that is met; if a corner meets a corner, that of an edge
-    /// there; if b only slides along a, it is perpendicular to the velocity. For a face that is met at an angle below
-    /// 2^-80 it may be that of the face beside it, and the point their corner. If two faces meet, the point is the
+    /// The normal is that of the face or the round outline that is hit. If a corner hits a corner, it is that of an
+    /// edge there. If b only slides along a, it is perpendicular to the velocity. At an angle below 2^-80 to a face,
+    /// the normal may be that of the face beside it, and the point their corner. If two faces meet, the point is the
     /// middle of what they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f64 and
     /// the point of vesica_nearest_f64. Shapes that only touch at the start move apart or slide if (nx, ny).(vx, vy)
-    /// \>= 0. Else they may press together; where corners meet, or a shape has no area, they may also part. Exchanging
-    /// the shapes and reversing the velocity changes neither the answer nor the time; it reverses the normal, up to
-    /// rounding.
+    /// \>= 0. Otherwise they approach, but where corners meet, or a shape has no area, they may also separate.
+    /// Exchanging the shapes and reversing the velocity changes neither the answer nor the time. It reverses the
+    /// normal, up to rounding.
     ///
     /// Requires: vx and vy finite; both may be 0. t_end \>= 0, or infinity.
     ///
@@ -3311,9 +3295,8 @@ extern "C" {
     /// lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over
     /// shorter size.
     ///
-    /// Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two ellipses,
-    /// see the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly unlike
-    /// exponents most take 10 to 30 us; at worst 0.3 ms.
+    /// Cost: a small multiple of vesica_overlap_f64 for a miss, ten times that for a hit. Rays (b a point), two circles
+    /// and two ellipses take less.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, vx: f64, vy: f64, t_end: f64,
@@ -3352,7 +3335,7 @@ extern "C" {
     /// Errors: those of vesica_cast_f64. VESICA_E_SHAPE if any shape is invalid. VESICA_E_RANGE only if vesica_cast_f64
     /// returns it for a shape that might be touched first.
     ///
-    /// Cost: 5 to 20 ns a shape that is missed.
+    /// Cost: less than that of vesica_cast_f64 for each shape that is missed.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_first_f64(one: *const Shapes<f64>, many: *const Shapes<f64>, vx: f64, vy: f64, t_end: f64,
@@ -3368,8 +3351,6 @@ extern "C" {
     /// Accuracy: a side that does not move is that of vesica_bounds_f64. One that moves is too far out by less than 5.5
     /// units in the last place of the largest of three numbers: the side at rest, the way it moves, and where it ends.
     ///
-    /// Cost: 15 ns more than vesica_bounds_f64.
-    ///
     /// Since: 0.1.
     pub fn vesica_sweep_bounds_f64(kind: i32, shape: *const c_void, vx: f64, vy: f64, t_end: f64,
         out: *mut Aabb<f64>) -> i32;
@@ -3383,14 +3364,13 @@ extern "C" {
     ///
     /// Errors: those of vesica_cast_f64, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets of another number of items
     /// than the index, a pointer that is not aligned, or a state from another function (vesica_index.h). VESICA_E_RANGE
-    /// only if it cannot be told whether an item is touched, as its exact position at t_end would take more than 2000
-    /// bits. Then nothing is written, the state is behind that item, and the same call continues; with capacity 0 there
-    /// is no count. Invalid items are never touched.
+    /// only if an item is undecided, because its exact position at t_end would take more than 2000 bits. Then nothing
+    /// is written, the state is behind that item, and the same call continues; with capacity 0 there is no count.
+    /// Invalid items are never touched.
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few us, and about 150 ns for each item whose box the swept box meets, for a million circles in any
-    /// order. If only exact arithmetic can decide an item, that of vesica_cast_f64.
+    /// Cost: that of a search, and that of vesica_cast_f64 for each item whose box the swept box meets.
     ///
     /// Since: 0.1.
     pub fn vesica_index_cast_f64(index: *const c_void, sets: *const Shapes<f64>, set_count: i32,
@@ -3403,7 +3383,7 @@ extern "C" {
     ///
     /// Errors: those of vesica_index_cast_f64; VESICA_E_RANGE only as for vesica_cast_first_f64.
     ///
-    /// Cost: about 2 us for a ray at a million shapes.
+    /// Cost: that of a search, and that of vesica_cast_f64 for the few items near the ray.
     ///
     /// Since: 0.1.
     pub fn vesica_index_cast_first_f64(index: *const c_void, sets: *const Shapes<f64>, set_count: i32,
@@ -3429,10 +3409,10 @@ extern "C" {
     ///
     /// Accuracy: what is said to be proved is certain. The gap is at most the tolerance, except in two cases: the
     /// tolerance is below (300 + 10 |angles|) u times the sum of all lengths, the motion's included, u = 2^-53; or the
-    /// search stopped after 256 directions or 4096 poses.
+    /// search stopped after 256 directions or 4096 poses. Angles above 10^5 often stop it: then only the gap says that
+    /// it exceeds the tolerance, so compare them.
     ///
-    /// Cost: 0.2 to 0.9 us for boxes, 0.4 to 3 us if one shape is round; 0.14 ms was seen at spins of 10^6 radians; at
-    /// worst 1.4 ms.
+    /// Cost: a small multiple of vesica_cast_f64; a thousand times that at angles of 10^6 radians.
     ///
     /// Since: 0.1.
     pub fn vesica_impact_time_f64(kind_a: i32, a: *const c_void, turn_a: *const Turn<f64>, kind_b: i32,
@@ -3447,8 +3427,8 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_cast_f64.
     ///
-    /// Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
-    /// what vesica_cast_f64 does for other kinds.
+    /// Cost: that of vesica_overlap_f64 for a miss, ten times that for a hit; for two rectangles that of
+    /// vesica_cast_f64.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_point_point_f64(a: *const Point<f64>, b: *const Point<f64>, vx: f64, vy: f64, t_end: f64,
@@ -3463,8 +3443,8 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_cast_f64.
     ///
-    /// Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
-    /// what vesica_cast_f64 does for other kinds.
+    /// Cost: that of vesica_overlap_f64 for a miss, ten times that for a hit; for two rectangles that of
+    /// vesica_cast_f64.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_segment_point_f64(a: *const Segment<f64>, b: *const Point<f64>, vx: f64, vy: f64, t_end: f64,
@@ -3479,8 +3459,8 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_cast_f64.
     ///
-    /// Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
-    /// what vesica_cast_f64 does for other kinds.
+    /// Cost: that of vesica_overlap_f64 for a miss, ten times that for a hit; for two rectangles that of
+    /// vesica_cast_f64.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_circle_point_f64(a: *const Circle<f64>, b: *const Point<f64>, vx: f64, vy: f64, t_end: f64,
@@ -3495,8 +3475,8 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_cast_f64.
     ///
-    /// Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
-    /// what vesica_cast_f64 does for other kinds.
+    /// Cost: that of vesica_overlap_f64 for a miss, ten times that for a hit; for two rectangles that of
+    /// vesica_cast_f64.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_aabb_point_f64(a: *const Aabb<f64>, b: *const Point<f64>, vx: f64, vy: f64, t_end: f64,
@@ -3511,8 +3491,8 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_cast_f64.
     ///
-    /// Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
-    /// what vesica_cast_f64 does for other kinds.
+    /// Cost: that of vesica_overlap_f64 for a miss, ten times that for a hit; for two rectangles that of
+    /// vesica_cast_f64.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_rect_point_f64(a: *const Rect<f64>, b: *const Point<f64>, vx: f64, vy: f64, t_end: f64,
@@ -3527,8 +3507,8 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_cast_f64.
     ///
-    /// Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
-    /// what vesica_cast_f64 does for other kinds.
+    /// Cost: that of vesica_overlap_f64 for a miss, ten times that for a hit; for two rectangles that of
+    /// vesica_cast_f64.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_ellipse_point_f64(a: *const Ellipse<f64>, b: *const Point<f64>, vx: f64, vy: f64, t_end: f64,
@@ -3543,8 +3523,8 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_cast_f64.
     ///
-    /// Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
-    /// what vesica_cast_f64 does for other kinds.
+    /// Cost: that of vesica_overlap_f64 for a miss, ten times that for a hit; for two rectangles that of
+    /// vesica_cast_f64.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_circle_circle_f64(a: *const Circle<f64>, b: *const Circle<f64>, vx: f64, vy: f64, t_end: f64,
@@ -3559,22 +3539,22 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_cast_f64.
     ///
-    /// Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
-    /// what vesica_cast_f64 does for other kinds.
+    /// Cost: that of vesica_overlap_f64 for a miss, ten times that for a hit; for two rectangles that of
+    /// vesica_cast_f64.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_rect_rect_f64(a: *const Rect<f64>, b: *const Rect<f64>, vx: f64, vy: f64, t_end: f64,
         out: *mut Impact<f64>) -> i32;
     /// Does b touch a while it moves, when first, and where?
     ///
-    /// The normal is that of the face or the round outline that is met; if a corner meets a corner, that of an edge
-    /// there; if b only slides along a, it is perpendicular to the velocity. For a face that is met at an angle below
-    /// 2^-80 it may be that of the face beside it, and the point their corner. If two faces meet, the point is the
+    /// The normal is that of the face or the round outline that is hit. If a corner hits a corner, it is that of an
+    /// edge there. If b only slides along a, it is perpendicular to the velocity. At an angle below 2^-80 to a face,
+    /// the normal may be that of the face beside it, and the point their corner. If two faces meet, the point is the
     /// middle of what they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f32 and
     /// the point of vesica_nearest_f32. Shapes that only touch at the start move apart or slide if (nx, ny).(vx, vy)
-    /// \>= 0. Else they may press together; where corners meet, or a shape has no area, they may also part. Exchanging
-    /// the shapes and reversing the velocity changes neither the answer nor the time; it reverses the normal, up to
-    /// rounding.
+    /// \>= 0. Otherwise they approach, but where corners meet, or a shape has no area, they may also separate.
+    /// Exchanging the shapes and reversing the velocity changes neither the answer nor the time. It reverses the
+    /// normal, up to rounding.
     ///
     /// Requires: vx and vy finite; both may be 0. t_end \>= 0, or infinity.
     ///
@@ -3592,9 +3572,8 @@ extern "C" {
     /// lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over
     /// shorter size.
     ///
-    /// Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two ellipses,
-    /// see the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly unlike
-    /// exponents most take 10 to 30 us; at worst 0.3 ms.
+    /// Cost: a small multiple of vesica_overlap_f32 for a miss, ten times that for a hit. Rays (b a point), two circles
+    /// and two ellipses take less.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, vx: f32, vy: f32, t_end: f32,
@@ -3633,7 +3612,7 @@ extern "C" {
     /// Errors: those of vesica_cast_f32. VESICA_E_SHAPE if any shape is invalid. VESICA_E_RANGE only if vesica_cast_f32
     /// returns it for a shape that might be touched first.
     ///
-    /// Cost: 5 to 20 ns a shape that is missed.
+    /// Cost: less than that of vesica_cast_f32 for each shape that is missed.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_first_f32(one: *const Shapes<f32>, many: *const Shapes<f32>, vx: f32, vy: f32, t_end: f32,
@@ -3649,8 +3628,6 @@ extern "C" {
     /// Accuracy: a side that does not move is that of vesica_bounds_f32. One that moves is too far out by less than 5.5
     /// units in the last place of the largest of three numbers: the side at rest, the way it moves, and where it ends.
     ///
-    /// Cost: 15 ns more than vesica_bounds_f32.
-    ///
     /// Since: 0.1.
     pub fn vesica_sweep_bounds_f32(kind: i32, shape: *const c_void, vx: f32, vy: f32, t_end: f32,
         out: *mut Aabb<f32>) -> i32;
@@ -3664,14 +3641,13 @@ extern "C" {
     ///
     /// Errors: those of vesica_cast_f32, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets of another number of items
     /// than the index, a pointer that is not aligned, or a state from another function (vesica_index.h). VESICA_E_RANGE
-    /// only if it cannot be told whether an item is touched, as its exact position at t_end would take more than 2000
-    /// bits. Then nothing is written, the state is behind that item, and the same call continues; with capacity 0 there
-    /// is no count. Invalid items are never touched.
+    /// only if an item is undecided, because its exact position at t_end would take more than 2000 bits. Then nothing
+    /// is written, the state is behind that item, and the same call continues; with capacity 0 there is no count.
+    /// Invalid items are never touched.
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few us, and about 150 ns for each item whose box the swept box meets, for a million circles in any
-    /// order. If only exact arithmetic can decide an item, that of vesica_cast_f32.
+    /// Cost: that of a search, and that of vesica_cast_f32 for each item whose box the swept box meets.
     ///
     /// Since: 0.1.
     pub fn vesica_index_cast_f32(index: *const c_void, sets: *const Shapes<f32>, set_count: i32,
@@ -3684,13 +3660,14 @@ extern "C" {
     ///
     /// Errors: those of vesica_index_cast_f32; VESICA_E_RANGE only as for vesica_cast_first_f32.
     ///
-    /// Cost: about 2 us for a ray at a million shapes.
+    /// Cost: that of a search, and that of vesica_cast_f32 for the few items near the ray.
     ///
     /// Since: 0.1.
     pub fn vesica_index_cast_first_f32(index: *const c_void, sets: *const Shapes<f32>, set_count: i32,
         one: *const Shapes<f32>, vx: f32, vy: f32, t_end: f32, out: *mut Impact<f32>) -> i64;
     /// As vesica_impact_time_f64. The gap is that at the rounded time, and rounded up: it may exceed the tolerance by
-    /// 2^-24 of the way that the shapes move relative to each other.
+    /// 2^-24 of the way that the shapes move relative to each other. Where the double function returns VESICA_CAST_HIT,
+    /// this one may return VESICA_CAST_NEAR.
     ///
     /// Errors: those of the double functions.
     ///
@@ -3707,8 +3684,8 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_cast_f32.
     ///
-    /// Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
-    /// what vesica_cast_f32 does for other kinds.
+    /// Cost: that of vesica_overlap_f32 for a miss, ten times that for a hit; for two rectangles that of
+    /// vesica_cast_f32.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_point_point_f32(a: *const Point<f32>, b: *const Point<f32>, vx: f32, vy: f32, t_end: f32,
@@ -3723,8 +3700,8 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_cast_f32.
     ///
-    /// Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
-    /// what vesica_cast_f32 does for other kinds.
+    /// Cost: that of vesica_overlap_f32 for a miss, ten times that for a hit; for two rectangles that of
+    /// vesica_cast_f32.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_segment_point_f32(a: *const Segment<f32>, b: *const Point<f32>, vx: f32, vy: f32, t_end: f32,
@@ -3739,8 +3716,8 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_cast_f32.
     ///
-    /// Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
-    /// what vesica_cast_f32 does for other kinds.
+    /// Cost: that of vesica_overlap_f32 for a miss, ten times that for a hit; for two rectangles that of
+    /// vesica_cast_f32.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_circle_point_f32(a: *const Circle<f32>, b: *const Point<f32>, vx: f32, vy: f32, t_end: f32,
@@ -3755,8 +3732,8 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_cast_f32.
     ///
-    /// Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
-    /// what vesica_cast_f32 does for other kinds.
+    /// Cost: that of vesica_overlap_f32 for a miss, ten times that for a hit; for two rectangles that of
+    /// vesica_cast_f32.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_aabb_point_f32(a: *const Aabb<f32>, b: *const Point<f32>, vx: f32, vy: f32, t_end: f32,
@@ -3771,8 +3748,8 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_cast_f32.
     ///
-    /// Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
-    /// what vesica_cast_f32 does for other kinds.
+    /// Cost: that of vesica_overlap_f32 for a miss, ten times that for a hit; for two rectangles that of
+    /// vesica_cast_f32.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_rect_point_f32(a: *const Rect<f32>, b: *const Point<f32>, vx: f32, vy: f32, t_end: f32,
@@ -3787,8 +3764,8 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_cast_f32.
     ///
-    /// Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
-    /// what vesica_cast_f32 does for other kinds.
+    /// Cost: that of vesica_overlap_f32 for a miss, ten times that for a hit; for two rectangles that of
+    /// vesica_cast_f32.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_ellipse_point_f32(a: *const Ellipse<f32>, b: *const Point<f32>, vx: f32, vy: f32, t_end: f32,
@@ -3803,8 +3780,8 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_cast_f32.
     ///
-    /// Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
-    /// what vesica_cast_f32 does for other kinds.
+    /// Cost: that of vesica_overlap_f32 for a miss, ten times that for a hit; for two rectangles that of
+    /// vesica_cast_f32.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_circle_circle_f32(a: *const Circle<f32>, b: *const Circle<f32>, vx: f32, vy: f32, t_end: f32,
@@ -3819,8 +3796,8 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_cast_f32.
     ///
-    /// Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
-    /// what vesica_cast_f32 does for other kinds.
+    /// Cost: that of vesica_overlap_f32 for a miss, ten times that for a hit; for two rectangles that of
+    /// vesica_cast_f32.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_rect_rect_f32(a: *const Rect<f32>, b: *const Rect<f32>, vx: f32, vy: f32, t_end: f32,
@@ -3842,8 +3819,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: that of vesica_relation_f64; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel.
-    /// At worst 30 us.
+    /// Cost: that of vesica_relation_f64; more for a segment, and for rectangles whose sides are parallel.
     ///
     /// Since: 0.1.
     pub fn vesica_de9im_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, matrix: *mut u8) -> i32;
@@ -3883,8 +3859,7 @@ extern "C" {
     /// their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is
     /// longer over shorter size.
     ///
-    /// Cost: that of vesica_overlap_f64 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6 us for areas; at worst
-    /// 30 us.
+    /// Cost: that of vesica_overlap_f64 for disjoint shapes, else about that of vesica_crossings_f64.
     ///
     /// Since: 0.1.
     pub fn vesica_intersection_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Point<f64>,
@@ -3906,8 +3881,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: that of vesica_relation_f32; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel.
-    /// At worst 30 us.
+    /// Cost: that of vesica_relation_f32; more for a segment, and for rectangles whose sides are parallel.
     ///
     /// Since: 0.1.
     pub fn vesica_de9im_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, matrix: *mut u8) -> i32;
@@ -3933,8 +3907,7 @@ extern "C" {
     /// 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths;
     /// "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
-    /// Cost: that of vesica_overlap_f32 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6 us for areas; at worst
-    /// 30 us.
+    /// Cost: that of vesica_overlap_f32 for disjoint shapes, else about that of vesica_crossings_f32.
     ///
     /// Since: 0.1.
     pub fn vesica_intersection_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Point<f32>,
@@ -3947,21 +3920,21 @@ extern "C" {
 /// Nothing else can be one.
 #[allow(missing_docs, clippy::missing_safety_doc, clippy::too_many_arguments)]
 pub unsafe trait Scalar: Copy + Default + PartialEq + PartialOrd + core::fmt::Debug + 'static {
-    unsafe fn check(kind: i32, shape: *const c_void) -> i32;
     unsafe fn overlap(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32;
-    unsafe fn relation(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32;
     unsafe fn contains(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32;
-    unsafe fn crossings(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Point<Self>,
-        capacity: i64, shared: *mut i32) -> i64;
+    unsafe fn relation(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32;
     unsafe fn nearest(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
         out: *mut ClosestPoints<Self>) -> i32;
-    unsafe fn boundary_distance(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
-        out: *mut ClosestPoints<Self>) -> i32;
     unsafe fn depth(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Penetration<Self>) -> i32;
-    unsafe fn shape_area(kind: i32, shape: *const c_void, out: *mut Self) -> i32;
     unsafe fn area(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Self) -> i32;
     unsafe fn iou(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Self) -> i32;
     unsafe fn bounds(kind: i32, shape: *const c_void, out: *mut Aabb<Self>) -> i32;
+    unsafe fn check(kind: i32, shape: *const c_void) -> i32;
+    unsafe fn crossings(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Point<Self>,
+        capacity: i64, shared: *mut i32) -> i64;
+    unsafe fn boundary_distance(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
+        out: *mut ClosestPoints<Self>) -> i32;
+    unsafe fn shape_area(kind: i32, shape: *const c_void, out: *mut Self) -> i32;
     unsafe fn overlap_point_point(a: *const Point<Self>, b: *const Point<Self>) -> i32;
     unsafe fn overlap_point_segment(a: *const Point<Self>, b: *const Segment<Self>) -> i32;
     unsafe fn overlap_point_circle(a: *const Point<Self>, b: *const Circle<Self>) -> i32;
@@ -4095,25 +4068,16 @@ pub unsafe trait Scalar: Copy + Default + PartialEq + PartialOrd + core::fmt::De
 }
 unsafe impl Scalar for f64 {
     #[inline]
-    unsafe fn check(kind: i32, shape: *const c_void) -> i32 {
-        vesica_check_f64(kind, shape)
-    }
-    #[inline]
     unsafe fn overlap(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32 {
         vesica_overlap_f64(kind_a, a, kind_b, b)
-    }
-    #[inline]
-    unsafe fn relation(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32 {
-        vesica_relation_f64(kind_a, a, kind_b, b)
     }
     #[inline]
     unsafe fn contains(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32 {
         vesica_contains_f64(kind_a, a, kind_b, b)
     }
     #[inline]
-    unsafe fn crossings(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Point<f64>,
-        capacity: i64, shared: *mut i32) -> i64 {
-        vesica_crossings_f64(kind_a, a, kind_b, b, out, capacity, shared)
+    unsafe fn relation(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32 {
+        vesica_relation_f64(kind_a, a, kind_b, b)
     }
     #[inline]
     unsafe fn nearest(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
@@ -4121,17 +4085,8 @@ unsafe impl Scalar for f64 {
         vesica_nearest_f64(kind_a, a, kind_b, b, out)
     }
     #[inline]
-    unsafe fn boundary_distance(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
-        out: *mut ClosestPoints<f64>) -> i32 {
-        vesica_boundary_distance_f64(kind_a, a, kind_b, b, out)
-    }
-    #[inline]
     unsafe fn depth(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Penetration<f64>) -> i32 {
         vesica_depth_f64(kind_a, a, kind_b, b, out)
-    }
-    #[inline]
-    unsafe fn shape_area(kind: i32, shape: *const c_void, out: *mut f64) -> i32 {
-        vesica_shape_area_f64(kind, shape, out)
     }
     #[inline]
     unsafe fn area(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut f64) -> i32 {
@@ -4144,6 +4099,24 @@ unsafe impl Scalar for f64 {
     #[inline]
     unsafe fn bounds(kind: i32, shape: *const c_void, out: *mut Aabb<f64>) -> i32 {
         vesica_bounds_f64(kind, shape, out)
+    }
+    #[inline]
+    unsafe fn check(kind: i32, shape: *const c_void) -> i32 {
+        vesica_check_f64(kind, shape)
+    }
+    #[inline]
+    unsafe fn crossings(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Point<f64>,
+        capacity: i64, shared: *mut i32) -> i64 {
+        vesica_crossings_f64(kind_a, a, kind_b, b, out, capacity, shared)
+    }
+    #[inline]
+    unsafe fn boundary_distance(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
+        out: *mut ClosestPoints<f64>) -> i32 {
+        vesica_boundary_distance_f64(kind_a, a, kind_b, b, out)
+    }
+    #[inline]
+    unsafe fn shape_area(kind: i32, shape: *const c_void, out: *mut f64) -> i32 {
+        vesica_shape_area_f64(kind, shape, out)
     }
     #[inline]
     unsafe fn overlap_point_point(a: *const Point<f64>, b: *const Point<f64>) -> i32 {
@@ -4542,25 +4515,16 @@ unsafe impl Scalar for f64 {
 }
 unsafe impl Scalar for f32 {
     #[inline]
-    unsafe fn check(kind: i32, shape: *const c_void) -> i32 {
-        vesica_check_f32(kind, shape)
-    }
-    #[inline]
     unsafe fn overlap(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32 {
         vesica_overlap_f32(kind_a, a, kind_b, b)
-    }
-    #[inline]
-    unsafe fn relation(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32 {
-        vesica_relation_f32(kind_a, a, kind_b, b)
     }
     #[inline]
     unsafe fn contains(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32 {
         vesica_contains_f32(kind_a, a, kind_b, b)
     }
     #[inline]
-    unsafe fn crossings(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Point<f32>,
-        capacity: i64, shared: *mut i32) -> i64 {
-        vesica_crossings_f32(kind_a, a, kind_b, b, out, capacity, shared)
+    unsafe fn relation(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32 {
+        vesica_relation_f32(kind_a, a, kind_b, b)
     }
     #[inline]
     unsafe fn nearest(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
@@ -4568,17 +4532,8 @@ unsafe impl Scalar for f32 {
         vesica_nearest_f32(kind_a, a, kind_b, b, out)
     }
     #[inline]
-    unsafe fn boundary_distance(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
-        out: *mut ClosestPoints<f32>) -> i32 {
-        vesica_boundary_distance_f32(kind_a, a, kind_b, b, out)
-    }
-    #[inline]
     unsafe fn depth(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Penetration<f32>) -> i32 {
         vesica_depth_f32(kind_a, a, kind_b, b, out)
-    }
-    #[inline]
-    unsafe fn shape_area(kind: i32, shape: *const c_void, out: *mut f32) -> i32 {
-        vesica_shape_area_f32(kind, shape, out)
     }
     #[inline]
     unsafe fn area(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut f32) -> i32 {
@@ -4591,6 +4546,24 @@ unsafe impl Scalar for f32 {
     #[inline]
     unsafe fn bounds(kind: i32, shape: *const c_void, out: *mut Aabb<f32>) -> i32 {
         vesica_bounds_f32(kind, shape, out)
+    }
+    #[inline]
+    unsafe fn check(kind: i32, shape: *const c_void) -> i32 {
+        vesica_check_f32(kind, shape)
+    }
+    #[inline]
+    unsafe fn crossings(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Point<f32>,
+        capacity: i64, shared: *mut i32) -> i64 {
+        vesica_crossings_f32(kind_a, a, kind_b, b, out, capacity, shared)
+    }
+    #[inline]
+    unsafe fn boundary_distance(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
+        out: *mut ClosestPoints<f32>) -> i32 {
+        vesica_boundary_distance_f32(kind_a, a, kind_b, b, out)
+    }
+    #[inline]
+    unsafe fn shape_area(kind: i32, shape: *const c_void, out: *mut f32) -> i32 {
+        vesica_shape_area_f32(kind, shape, out)
     }
     #[inline]
     unsafe fn overlap_point_point(a: *const Point<f32>, b: *const Point<f32>) -> i32 {

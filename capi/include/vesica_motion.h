@@ -28,7 +28,7 @@ extern "C" {
 /* What a cast returns. */
 #define VESICA_CAST_MISS 0  /**< no contact from 0 to t_end */
 #define VESICA_CAST_HIT 1   /**< contact, the first after t = 0 */
-#define VESICA_CAST_START 2 /**< the shapes overlap at t = 0, as vesica_overlap_f64 tells */
+#define VESICA_CAST_START 2 /**< the shapes overlap at t = 0, as vesica_overlap_f64 says */
 #define VESICA_CAST_NEAR 3  /**< only from vesica_impact_time_f64: none before t, and perhaps none later */
 
 /* ---- Motion, double ----
@@ -51,21 +51,22 @@ typedef struct {
 /**
  * Does b touch a while it moves, when first, and where?
  *
- * The normal is that of the face or the round outline that is met; if a corner meets a corner, that of an edge there;
- * if b only slides along a, it is perpendicular to the velocity. For a face that is met at an angle below 2^-80 it may
- * be that of the face beside it, and the point their corner. If two faces meet, the point is the middle of what they
- * share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f64 and the point of
- * vesica_nearest_f64. Shapes that only touch at the start move apart or slide if (nx, ny).(vx, vy) >= 0. Else they may
- * press together; where corners meet, or a shape has no area, they may also part. Exchanging the shapes and
- * reversing the velocity changes neither the answer nor the time; it reverses the normal, up to rounding.
+ * The normal is that of the face or the round outline that is hit. If a corner hits a corner, it is that of an edge
+ * there. If b only slides along a, it is perpendicular to the velocity. At an angle below 2^-80 to a face, the normal
+ * may be that of the face beside it, and the point their corner. If two faces meet, the point is the middle of what
+ * they share.
+ * Shapes that overlap at the start have t = 0, the direction of vesica_depth_f64 and the point of vesica_nearest_f64.
+ * Shapes that only touch at the start move apart or slide if (nx, ny).(vx, vy) >= 0. Otherwise they approach, but where
+ * corners meet, or a shape has no area, they may also separate.
+ * Exchanging the shapes and reversing the velocity changes neither the answer nor the time. It reverses the normal, up
+ * to rounding.
  * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
  * Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline
  * before it is rounded; along the outline it may be off by (8 u scale + 4 u R) / |n.v|, n and v of unit length, R the
  * greatest radius of curvature of a: of an ellipse its long half length squared over the short one, far more than its
  * size if it is thin. The normal has length 1 to 4 u.
- * Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two ellipses, see
- * the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly unlike exponents most
- * take 10 to 30 us; at worst 0.3 ms.
+ * Cost: a small multiple of vesica_overlap_f64 for a miss, ten times that for a hit. Rays (b a point), two circles and
+ * two ellipses take less.
  */
 VESICA_API int32_t vesica_cast_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b, double vx, double vy,
                                    double t_end, vesica_impact_f64 *out);
@@ -97,7 +98,7 @@ VESICA_API int64_t vesica_cast_many_f64(const vesica_shapes_f64 *a, const vesica
  * Returns: its index, or the count of `many` if none is touched. *out is its contact, the normal pointing to `one`.
  * Errors: those of vesica_cast_f64. VESICA_E_SHAPE if any shape is invalid. VESICA_E_RANGE only if vesica_cast_f64
  * returns it for a shape that might be touched first.
- * Cost: 5 to 20 ns a shape that is missed.
+ * Cost: less than that of vesica_cast_f64 for each shape that is missed.
  */
 VESICA_API int64_t vesica_cast_first_f64(const vesica_shapes_f64 *one, const vesica_shapes_f64 *many, double vx,
                                          double vy, double t_end, vesica_impact_f64 *out);
@@ -108,7 +109,6 @@ VESICA_API int64_t vesica_cast_first_f64(const vesica_shapes_f64 *one, const ves
  * Errors: those of vesica_cast_f64; VESICA_E_RANGE if a side would overflow.
  * Accuracy: a side that does not move is that of vesica_bounds_f64. One that moves is too far out by less than 5.5
  * units in the last place of the largest of three numbers: the side at rest, the way it moves, and where it ends.
- * Cost: 15 ns more than vesica_bounds_f64.
  */
 VESICA_API int32_t vesica_sweep_bounds_f64(int32_t kind, const void *shape, double vx, double vy, double t_end,
                                            vesica_aabb_f64 *out);
@@ -121,12 +121,11 @@ VESICA_API int32_t vesica_sweep_bounds_f64(int32_t kind, const void *shape, doub
  * more, and the same call continues (vesica_index.h).
  * Errors: those of vesica_cast_f64, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets of another number of items
  * than the index, a pointer that is not aligned, or a state from another function (vesica_index.h). VESICA_E_RANGE only
- * if it cannot be told whether an item is touched, as its exact position at t_end would take more than 2000 bits. Then
- * nothing is written, the state is behind that item, and the same call continues; with capacity 0 there is no count.
+ * if an item is undecided, because its exact position at t_end would take more than 2000 bits. Then nothing is written,
+ * the state is behind that item, and the same call continues; with capacity 0 there is no count.
  * Invalid items are never touched.
  * Accuracy: exact.
- * Cost: a few us, and about 150 ns for each item whose box the swept box meets, for a million circles in any order. If
- * only exact arithmetic can decide an item, that of vesica_cast_f64.
+ * Cost: that of a search, and that of vesica_cast_f64 for each item whose box the swept box meets.
  */
 VESICA_API int64_t vesica_index_cast_f64(const void *index, const vesica_shapes_f64 *sets, int32_t set_count,
                                          const vesica_shapes_f64 *one, double vx, double vy, double t_end, int64_t *out,
@@ -137,7 +136,7 @@ VESICA_API int64_t vesica_index_cast_f64(const void *index, const vesica_shapes_
  * Requires: sets are those of the index. one, an array of count 1; vx, vy and t_end as vesica_cast_f64.
  * Returns: the item, or the index's count if none is touched. *out is its contact, the normal pointing to `one`.
  * Errors: those of vesica_index_cast_f64; VESICA_E_RANGE only as for vesica_cast_first_f64.
- * Cost: about 2 us for a ray at a million shapes.
+ * Cost: that of a search, and that of vesica_cast_f64 for the few items near the ray.
  */
 VESICA_API int64_t vesica_index_cast_first_f64(const void *index, const vesica_shapes_f64 *sets, int32_t set_count,
                                                const vesica_shapes_f64 *one, double vx, double vy, double t_end,
@@ -168,9 +167,9 @@ typedef struct {
  * or the gap, would overflow).
  * Accuracy: what is said to be proved is certain. The gap is at most the tolerance, except in two cases: the tolerance
  * is below (300 + 10 |angles|) u times the sum of all lengths, the motion's included, u = 2^-53; or the search stopped
- * after 256 directions or 4096 poses.
- * Cost: 0.2 to 0.9 us for boxes, 0.4 to 3 us if one shape is round; 0.14 ms was seen at spins of 10^6 radians; at worst
- * 1.4 ms.
+ * after 256 directions or 4096 poses. Angles above 10^5 often stop it: then only the gap says that it exceeds the
+ * tolerance, so compare them.
+ * Cost: a small multiple of vesica_cast_f64; a thousand times that at angles of 10^6 radians.
  * Since: 0.1.
  */
 VESICA_API int32_t vesica_impact_time_f64(int32_t kind_a, const void *a, const vesica_turn_f64 *turn_a, int32_t kind_b,
@@ -182,8 +181,7 @@ VESICA_API int32_t vesica_impact_time_f64(int32_t kind_a, const void *a, const v
  * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
  * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
  * Accuracy: that of vesica_cast_f64.
- * Cost: 7 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what
- * vesica_cast_f64 does for other kinds.
+ * Cost: that of vesica_overlap_f64 for a miss, ten times that for a hit; for two rectangles that of vesica_cast_f64.
  * Since: 0.1.
  */
 
@@ -251,7 +249,8 @@ typedef struct {
 
 /**
  * As vesica_impact_time_f64. The gap is that at the rounded time, and rounded up: it may exceed the tolerance by 2^-24
- * of the way that the shapes move relative to each other.
+ * of the way that the shapes move relative to each other. Where the double function returns VESICA_CAST_HIT, this one
+ * may return VESICA_CAST_NEAR.
  */
 VESICA_API int32_t vesica_impact_time_f32(int32_t kind_a, const void *a, const vesica_turn_f32 *turn_a, int32_t kind_b,
                                           const void *b, const vesica_turn_f32 *turn_b, float tolerance,

@@ -30,11 +30,11 @@ extern "C" {
 /* Are two shapes within a distance of each other? */
 #define VESICA_WITHIN_NO 0     /**< they are farther apart */
 #define VESICA_WITHIN_YES 1    /**< they are at most that far apart */
-#define VESICA_WITHIN_NEARLY 2 /**< only with an ellipse: their distance is too close to the one asked for to tell */
+#define VESICA_WITHIN_NEARLY 2 /**< only with an ellipse: their distance is too close to the one asked for to decide */
 
 /* How soft suppression lowers the score of a shape that has ratio r with a kept one. */
 #define VESICA_DECAY_LINEAR 0   /**< score * (1 - r) if r exceeds the parameter, a threshold from 0 to 1 */
-#define VESICA_DECAY_GAUSSIAN 1 /**< score * exp(-r^2 / parameter) if r > 0; the parameter is at least 2^-100 */
+#define VESICA_DECAY_GAUSSIAN 1 /**< score * exp(-r^2 / parameter) if r > 0; parameter from 2^-100, finite */
 
 /* ---- Ratios of shared area, double ----
  * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT.
@@ -54,7 +54,7 @@ extern "C" {
  * divide by is 0; or, for GIoU, DIoU and CIoU, neither shape has an area).
  * Accuracy: computed from the result of vesica_area_f64 or vesica_iou_f64 with at most 8 u of further error, for half
  * lengths from 2^-200 to 2^200.
- * Cost: that of vesica_area_f64 or vesica_iou_f64, and 100 to 150 ns more; in arrays 40 to 100 ns more.
+ * Cost: up to four times that of vesica_area_f64 or vesica_iou_f64 for boxes; little more than that for ellipses.
  */
 VESICA_API int32_t vesica_ratio_f64(int32_t ratio, int32_t kind_a, const void *a, int32_t kind_b, const void *b,
                                     double *out);
@@ -66,7 +66,6 @@ VESICA_API int32_t vesica_ratio_f64(int32_t ratio, int32_t kind_a, const void *a
  * the call returns VESICA_E_ARGUMENT unless a shape is invalid.
  * Returns: how many are > 0.
  * Accuracy: every result has the same bits as vesica_ratio_f64, on every instruction set and in every layout.
- * Cost: that of vesica_iou_many_f64, and 40 to 100 ns a pair.
  */
 VESICA_API int64_t vesica_ratio_many_f64(int32_t ratio, const vesica_shapes_f64 *a, const vesica_shapes_f64 *b,
                                          double *out);
@@ -78,7 +77,6 @@ VESICA_API int64_t vesica_ratio_many_f64(int32_t ratio, const vesica_shapes_f64 
  * gets NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
  * Returns: how many are > 0.
  * Accuracy: every result has the same bits as vesica_ratio_f64, on every instruction set and in every layout.
- * Cost: that of vesica_iou_many_f64, and 40 to 100 ns a pair.
  */
 VESICA_API int64_t vesica_ratio_matrix_f64(int32_t ratio, const vesica_shapes_f64 *a, const vesica_shapes_f64 *b,
                                            double *out, ptrdiff_t row_stride);
@@ -156,8 +154,7 @@ VESICA_API int64_t vesica_signed_distance_matrix_f64(const vesica_shapes_f64 *a,
  * With distance 0 the answer is that of vesica_overlap_f64, exact for all kinds. Test for > 0 to miss no
  * pair, and for VESICA_WITHIN_YES to accept only what is certain. Exchanging the shapes changes nothing.
  * Returns: VESICA_WITHIN_NO, VESICA_WITHIN_YES or VESICA_WITHIN_NEARLY.
- * Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can decide, as
- * when the distance is met exactly. At worst 25 us.
+ * Cost: one to six times that of vesica_overlap_f64; that of vesica_nearest_f64 for ellipses.
  */
 VESICA_API int32_t vesica_within_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b, double distance);
 
@@ -193,7 +190,8 @@ VESICA_API int64_t vesica_within_matrix_f64(const vesica_shapes_f64 *a, const ve
  * number to keep; keep, with room for that number or for all shapes, whichever is less.
  * Returns: 0, and keep and *kept as vesica_nms_f64.
  * Errors: as vesica_nms_f64; VESICA_E_ARGUMENT also for ratio, a least_score that is NaN, and a negative most.
- * Cost: that of vesica_nms_f64; ratios other than IoU take 0.1 us more a comparison.
+ * Accuracy: the ratio that is compared is that of vesica_ratio_f64; in float, the ratio rounded to float.
+ * Cost: that of vesica_nms_f64; ratios other than IoU take longer for each comparison.
  */
 VESICA_API int32_t vesica_suppress_f64(const vesica_shapes_f64 *shapes, const double *scores, const int32_t *labels,
                                        int32_t ratio, double threshold, double least_score, int64_t most,
@@ -211,7 +209,8 @@ VESICA_API int64_t vesica_suppress_soft_scratch(int64_t count);
  *
  * Repeats these steps: take the shape with the highest score, of equal ones the first; keep it; lower the score of each
  * shape not yet kept, of the same label, by `decay` of their ratio. Ends when `most` are kept or every score left is
- * below least_score. keep[k] is the shape kept in step k, and decayed[k] the score that it had then.
+ * below least_score. So a shape whose own score is below least_score, such as -infinity, is never kept. keep[k] is the
+ * shape kept in step k, and decayed[k] the score that it had then.
  * Requires: shapes, scores and labels as vesica_suppress_f64; ratio, any but VESICA_RATIO_OVER_FIRST and _OVER_SECOND;
  * decay, VESICA_DECAY_LINEAR or _GAUSSIAN, with its parameter; least_score >= 0; scratch of at least
  * vesica_suppress_soft_scratch(count) bytes, aligned to 8; keep and decayed with room for `most` numbers or for

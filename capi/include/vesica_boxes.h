@@ -42,7 +42,6 @@ extern "C" {
  * whole quarter turns, give exact axes. In both units an angle and its complement have the same components, exchanged:
  * a rectangle and the same one turned by a quarter, its width and height exchanged, are VESICA_EQUAL. In radians, as
  * in vesica_rect_from_angle_f64. Sizes are those of vesica_rect_from_angle_f64.
- * Cost: about 30 ns a box.
  */
 VESICA_API int64_t vesica_rects_from_boxes_f64(const double *boxes, int64_t count, ptrdiff_t stride, int32_t angle,
                                                vesica_rect_f64 *out);
@@ -51,7 +50,6 @@ VESICA_API int64_t vesica_rects_from_boxes_f64(const double *boxes, int64_t coun
  * Ellipses from their bounding boxes: each touches the sides of its turned box in the middle.
  * Requires: as vesica_rects_from_boxes_f64.
  * Accuracy: as vesica_rects_from_boxes_f64. Half lengths are halves of width and height.
- * Cost: about 30 ns a box.
  */
 VESICA_API int64_t vesica_ellipses_from_boxes_f64(const double *boxes, int64_t count, ptrdiff_t stride, int32_t angle,
                                                   vesica_ellipse_f64 *out);
@@ -64,7 +62,6 @@ VESICA_API int64_t vesica_ellipses_from_boxes_f64(const double *boxes, int64_t c
  * `count` rows of five numbers, without gaps.
  * Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of a
  * quarter turn. If an axis lies exactly along a coordinate axis, degrees and quarter turns are exact.
- * Cost: about 70 ns a shape.
  */
 VESICA_API int64_t vesica_boxes_from_shapes_f64(const vesica_shapes_f64 *shapes, int32_t angle, double *boxes);
 
@@ -74,7 +71,6 @@ VESICA_API int64_t vesica_boxes_from_shapes_f64(const vesica_shapes_f64 *shapes,
  * The first corner is C - hx u - hy perp(u), the next C + hx u - hy perp(u), and so on round the outline.
  * Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; corners, room for `count` rows of eight numbers.
  * Accuracy: a coordinate is right to 1 unit in its last place plus 2^-98 times the largest of its three terms.
- * Cost: about 50 ns a shape; 20 ns with AVX2 or AVX-512.
  */
 VESICA_API int64_t vesica_corners_of_shapes_f64(const vesica_shapes_f64 *shapes, double *corners);
 
@@ -82,7 +78,7 @@ VESICA_API int64_t vesica_corners_of_shapes_f64(const vesica_shapes_f64 *shapes,
  * Bounding boxes of an array of any kind: out[i] is the result of vesica_bounds_f64.
  * Requires: out, room for `count`.
  * Accuracy: that of vesica_bounds_f64.
- * Cost: that of vesica_bounds_f64; with AVX2 or AVX-512 about 10 ns for shapes of which that takes up to 80.
+ * Cost: that of vesica_bounds_f64; up to eight times less with AVX2 or AVX-512.
  */
 VESICA_API int64_t vesica_bounds_many_f64(const vesica_shapes_f64 *shapes, vesica_aabb_f64 *out);
 

@@ -3,7 +3,8 @@
  *
  * SPDX-License-Identifier: Apache-2.0
  *
- * These rules hold for every function. The comment of a function adds what is special to it.
+ * In C11 a call needs no kinds: vesica_overlap(&a, &b) takes them from the types (vesica_generic.h).
+ * The functions that most programs need come first. The rules here hold for every function.
  *
  * Shapes:
  *  - A shape is exactly the set of points that its stored numbers describe. Shapes are closed and solid: touching is
@@ -28,10 +29,9 @@
  *  - An int32_t or int64_t result is an answer >= 0 or an error < 0 (VESICA_E_...). Errors are checked in this order:
  *    NULL pointers, unknown kinds, arguments out of range, invalid shapes, results out of range. The pointers inside a
  *    vesica_shapes are looked at after its kind and its counts.
- *  - On error nothing is written. Batches are the exception: what is wrong with an element spoils its own results
- *    alone.
- *  - VESICA_E_RANGE may also be returned if the result is finite, but the area of a shape, or its length, an axis times
- *    a half length, is not.
+ *  - On error nothing is written. Batches are the exception: an invalid element affects only its own results.
+ *  - VESICA_E_RANGE may also be returned for a finite result if the area of a shape, or an axis times a half length,
+ *    overflows.
  *  - If several answers are equally right, a function returns one of them, always the same for the same input.
  *
  * Accuracy:
@@ -47,8 +47,8 @@
  *  - Results are the same bits in every floating-point environment (any rounding mode, flush-to-zero,
  *    denormals-are-zero, traps), and a call leaves the environment as it was. Calls may raise floating-point flags.
  *  - A call about two shapes uses at most 128 KiB of stack, one about arrays or an index at most 256 KiB.
- *  - Costs are measurements on one core of an AMD EPYC, not promises. "At worst" is about a third above the costliest
- *    input found, with magnitudes as far apart as 2^1000 and 2^-1000: other processors like that one took so much more.
+ *  - A call about two shapes takes from a few ns to a few us (docs/benchmarks.md). Contact to the last digit takes
+ *    longer. Magnitudes as far apart as 2^1000 and 2^-1000 may take up to 1 ms, and casts of them 5 ms.
  *
  * Comments have up to six parts, in this order: Requires, Returns, Errors, Accuracy, Cost, Since. A part in the heading
  * of a group holds for each function of the group that does not have that part itself.
@@ -106,47 +106,6 @@ extern "C" {
 #define VESICA_E_RANGE (-9)         /**< a number of the result would overflow its type */
 #define VESICA_E_INDEX (-10)        /**< bytes are not an index of this version, or are damaged */
 
-/* ---- Version and names. Texts are static: do not free them. ----
- * Since: 0.1.
- */
-
-/** Version of the loaded library. If it is below VESICA_VERSION, the library is older than the header. */
-VESICA_API int32_t vesica_version(void);
-/** VESICA_VERSION_MAJOR of the loaded library. */
-VESICA_API int32_t vesica_version_major(void);
-/** VESICA_VERSION_MINOR of the loaded library. */
-VESICA_API int32_t vesica_version_minor(void);
-/** VESICA_VERSION_PATCH of the loaded library. */
-VESICA_API int32_t vesica_version_patch(void);
-
-/**
- * What an error code means, as one English phrase without a full stop.
- * Returns: static text, never NULL: "success" for answers (>= 0), "unknown error" for unknown codes.
- */
-VESICA_API const char *vesica_strerror(int32_t code);
-
-/**
- * How many numbers does a shape of this kind have?
- * Returns: 2, 4, 3, 4, 6, 6 for VESICA_POINT ... VESICA_ELLIPSE.
- * Errors: VESICA_E_KIND.
- */
-VESICA_API int32_t vesica_field_count(int32_t kind);
-
-/**
- * Name of a kind.
- * Returns: static text: "point", "segment", "circle", "aabb", "rect" or "ellipse"; NULL for an unknown kind.
- */
-VESICA_API const char *vesica_kind_name(int32_t kind);
-
-/**
- * Name of the instruction set that batches use: the best one of this processor. Answers never depend on it.
- *
- * The environment variable VESICA_ISA selects another one. It is read once, when the library is loaded. An unknown name
- * is ignored, and so is a set that the processor, or this build of the library, lacks.
- * Returns: static text: "sse2", "avx2", "avx512", "neon", "simd128" or "portable".
- */
-VESICA_API const char *vesica_isa_name(void);
-
 /* ---- Shapes and results, double. Structs have no padding, and their layout is frozen. ---- */
 
 /** A location. */
@@ -189,27 +148,26 @@ typedef struct {
     double depth, x, y;
 } vesica_penetration_f64;
 
-/* ---- Questions about shapes of any kinds, double ----
+/* ---- The functions that most programs need, double ----
  * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
  * Since: 0.1.
  */
 
 /**
- * Is a shape valid, and if not, which rule does it break?
- * Returns: 0 for a valid shape, else the first rule broken: VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE,
- * VESICA_E_ZERO_AXIS or VESICA_E_INVERTED.
- * Errors: VESICA_E_NULL, VESICA_E_KIND.
- * Cost: a few ns.
- */
-VESICA_API int32_t vesica_check_f64(int32_t kind, const void *shape);
-
-/**
  * Do two shapes share a point? Touching counts.
  * Returns: 1 if they do, 0 if not.
  * Accuracy: exact.
- * Cost: about 2 ns more than the function named after the two kinds.
+ * Cost: that of the function named after the two kinds, and a dispatch.
  */
 VESICA_API int32_t vesica_overlap_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b);
+
+/**
+ * Does a contain all of b? A shape contains itself, and whatever touches its outline from inside.
+ * Returns: 1 if vesica_relation_f64 is VESICA_CONTAINS, VESICA_CONTAINS_TOUCH or VESICA_EQUAL, else 0.
+ * Accuracy: exact.
+ * Cost: that of vesica_relation_f64.
+ */
+VESICA_API int32_t vesica_contains_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b);
 
 /**
  * How does a relate to b? The answer is one of the eight relations of the region connection calculus (RCC-8).
@@ -221,20 +179,100 @@ VESICA_API int32_t vesica_overlap_f64(int32_t kind_a, const void *a, int32_t kin
  * on the rim of a disc is VESICA_INSIDE_TOUCH. Exchanging the shapes always gives the converse relation.
  * Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe them.
  * Accuracy: exact.
- * Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 30 us.
+ * Cost: up to twice that of vesica_overlap_f64; more if shapes touch or are equal.
  */
 VESICA_API int32_t vesica_relation_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b);
 
 /**
- * Does a contain all of b? A shape contains itself, and whatever touches its outline from inside.
- * Returns: 1 if vesica_relation_f64 is VESICA_CONTAINS, VESICA_CONTAINS_TOUCH or VESICA_EQUAL, else 0.
- * Accuracy: exact.
- * Cost: that of vesica_relation_f64.
- */
-VESICA_API int32_t vesica_contains_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b);
-
-/* ---- Measures of shapes of any kinds, double ----
+ * How far apart are two solid shapes, and which of their points are closest?
+ *
+ * If the shapes overlap (as vesica_overlap_f64 says), the distance is 0 and both points are one common point. If not,
+ * the distance is > 0. Exchanging the shapes exchanges the points and changes no bit. Moving both shapes alike changes
+ * no bit of the distance if no coordinate is rounded.
  * Returns: 0.
+ * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+ * Accuracy: the distance is right to 4 u scale at any aspect ratio; the largest error seen was 1 u scale, and 3.3 u
+ * beside the ends of the thinnest ellipses. Its relative error is at most 2 u above 1e-10 scale (aspect ratios up to
+ * 1e6) or 1e-14 scale (up to 1000). Closest points are right to 4 u scale, and a common point to 8 u scale, before they
+ * are rounded.
+ * Cost: ten to thirty times that of vesica_overlap_f64; more for shapes that cross and near-ties.
+ */
+VESICA_API int32_t vesica_nearest_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b,
+                                      vesica_closest_points_f64 *out);
+
+/**
+ * Penetration depth: how far and which way must b be moved until the two shapes only touch?
+ *
+ * Moving b by out->depth along the unit vector (x, y) is the shortest translation after which a line separates the
+ * shapes: a on one side, b on the other, where both may touch the line. For disjoint shapes all three numbers are 0.
+ * Overlapping shapes always get a direction. Their depth is 0 if such a line exists without a move: if they touch from
+ * outside, if a point lies on an outline, or if points and segments lie along one line. Otherwise the depth is > 0.
+ * Exchanging the shapes reverses the direction and changes no other bit, except for two equal shapes in one place.
+ * Moving both shapes alike changes no bit if no coordinate is rounded.
+ * Returns: 0.
+ * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+ * Accuracy: at aspect ratios up to 1e6 the depth is right to 4 u scale; for circles and points, to its last place. The
+ * length of (x, y) is 1 to 3 u. After the move at most 8 u scale of overlap is left. Whether the depth is 0 is exact at
+ * any ratio; beyond 1e6 no bound on its error is stated.
+ * Cost: about that of vesica_nearest_f64; three times that with an ellipse.
+ */
+VESICA_API int32_t vesica_depth_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b,
+                                    vesica_penetration_f64 *out);
+
+/**
+ * Area of the intersection of two shapes.
+ *
+ * It is exactly 0 if shapes are disjoint, if they only touch, or if one has no area. If one contains the other, it is
+ * the vesica_shape_area_f64 of the inner one. It is never more than the area of either, and more than 0 if the insides
+ * of shapes with area meet, unless that underflows. Exchanging the shapes changes no bit. Scaling both by a power of
+ * two scales the area by its square.
+ * Returns: 0.
+ * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+ * Accuracy: right to 64 u times the smaller shape's area times the larger aspect ratio, at aspect ratios up to 10^4,
+ * even if the outlines nearly touch or coincide and whatever the sizes are. Beyond 10^4 no bound is stated; what is
+ * said above holds at any ratio.
+ * Cost: six times that of vesica_overlap_f64 for boxes, fifty times for two ellipses; more if outlines nearly touch or
+ * coincide, or if one shape is far larger.
+ */
+VESICA_API int32_t vesica_area_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b, double *out);
+
+/**
+ * Intersection over union (Jaccard index) of two shapes: the area they share over the area they cover together.
+ *
+ * It is exactly 1 for equal shapes and exactly 0 for shapes that share no area. Intermediate results never overflow or
+ * underflow. Exchanging the shapes, or scaling both by a power of two, changes no bit.
+ * Returns: 0.
+ * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (neither shape has an area).
+ * Accuracy: the bound of vesica_area_f64, divided by the area of the union.
+ * Cost: that of vesica_area_f64 and of vesica_shape_area_f64 twice.
+ */
+VESICA_API int32_t vesica_iou_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b, double *out);
+
+/**
+ * Smallest box of representable numbers that contains a shape.
+ * Returns: 0.
+ * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+ * Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is exact.
+ * Cost: up to ten times that of vesica_overlap_f64; more for magnitudes above 2^400 or below 2^-400.
+ */
+VESICA_API int32_t vesica_bounds_f64(int32_t kind, const void *shape, vesica_aabb_f64 *out);
+
+/**
+ * Is a shape valid, and if not, which rule does it break?
+ * Returns: 0 for a valid shape, else the first rule broken: VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE,
+ * VESICA_E_ZERO_AXIS or VESICA_E_INVERTED.
+ * Errors: VESICA_E_NULL, VESICA_E_KIND.
+ */
+VESICA_API int32_t vesica_check_f64(int32_t kind, const void *shape);
+
+/**
+ * What an error code means, as one English phrase without a full stop.
+ * Returns: static text, never NULL: "success" for answers (>= 0), "unknown error" for unknown codes.
+ * Errors: none.
+ */
+VESICA_API const char *vesica_strerror(int32_t code);
+
+/* ---- More about two shapes and about one, double ----
  * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
  * Since: 0.1.
  */
@@ -255,27 +293,10 @@ VESICA_API int32_t vesica_contains_f64(int32_t kind_a, const void *a, int32_t ki
  * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a negative capacity), VESICA_E_SHAPE, VESICA_E_RANGE.
  * Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape, even
  * where the outlines nearly coincide. Places closer to one another than that may come in either order or be equal.
- * Cost: 1 to 10 us; at worst 30 us.
+ * Cost: several times that of vesica_nearest_f64.
  */
 VESICA_API int64_t vesica_crossings_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b,
                                         vesica_point_f64 *out, int64_t capacity, int32_t *shared);
-
-/**
- * How far apart are two solid shapes, and which of their points are closest?
- *
- * If the shapes overlap (as vesica_overlap_f64 tells), the distance is 0 and both points are one common point. If not,
- * the distance is > 0. Exchanging the shapes exchanges the points and changes no bit. Moving both shapes alike changes
- * no bit of the distance if no coordinate is rounded.
- * Accuracy: the distance is right to 4 u scale at any aspect ratio; the largest error seen was 1 u scale, and 3.3 u
- * beside the ends of the thinnest ellipses. Its relative error is at most 2 u above 1e-10 scale (aspect ratios up to
- * 1e6) or 1e-14 scale (up to 1000). Closest points are right to 4 u scale, and a common point to 8 u scale, before they
- * are rounded.
- * Cost: 100 to 250 ns for disjoint shapes, 450 ns for a point and an ellipse, 500 ns for the thinnest ellipses; 50 ns
- * if a shape holds the other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below
- * 2^-40; at worst 25 us.
- */
-VESICA_API int32_t vesica_nearest_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b,
-                                      vesica_closest_points_f64 *out);
 
 /**
  * How far apart are the outlines of two shapes, and where do they come closest?
@@ -285,79 +306,27 @@ VESICA_API int32_t vesica_nearest_f64(int32_t kind_a, const void *a, int32_t kin
  * the result is that of vesica_nearest_f64. If one is strictly inside the other, the distance is the least over the
  * whole outline, never a local minimum. Which case holds is decided exactly. Exchanging the shapes exchanges the points
  * and changes no bit. Moving both shapes alike changes no bit of the distance if no coordinate is rounded.
+ * Returns: 0.
  * Accuracy: at aspect ratios up to 1e6 the distance is right to 4 u scale, and the points are that far apart to 16 u
  * scale. At any ratio it is above 0 unless outlines meet, and points are on them to 12 u scale before they are rounded.
- * Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.4 to 0.8
- * us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for near-ties; at worst 30 us.
+ * Cost: that of vesica_nearest_f64 for disjoint shapes; up to three times that if outlines meet or are nested.
  */
 VESICA_API int32_t vesica_boundary_distance_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b,
                                                 vesica_closest_points_f64 *out);
 
 /**
- * Penetration depth: how far and which way must b be moved until the two shapes only touch?
- *
- * Moving b by out->depth along the unit vector (x, y) is the shortest translation after which a line separates the
- * shapes: a on one side, b on the other, where both may touch the line. For disjoint shapes all three numbers are 0.
- * Overlapping shapes always get a direction. Their depth is 0 if such a line exists without a move: if they touch from
- * outside, if a point lies on an outline, or if points and segments lie along one line. Otherwise the depth is > 0.
- * Exchanging the shapes reverses the direction and changes no other bit, except for two equal shapes in one place.
- * Moving both shapes alike changes no bit if no coordinate is rounded.
- * Accuracy: at aspect ratios up to 1e6 the depth is right to 4 u scale; for circles and points, to its last place. The
- * length of (x, y) is 1 to 3 u. After the move at most 8 u scale of overlap is left. Whether the depth is 0 is exact at
- * any ratio; beyond 1e6 no bound on its error is stated.
- * Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to 5 us if only
- * exact arithmetic can tell the depth from 0; at worst 25 us.
- */
-VESICA_API int32_t vesica_depth_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b,
-                                    vesica_penetration_f64 *out);
-
-/**
  * Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
+ * Returns: 0.
  * Accuracy: the double nearest to the true area; a tiny area becomes subnormal or 0. So a shape inside another never
  * has the greater area, and equal shapes have equal areas, whatever kinds and numbers describe them.
- * Cost: about 20 ns.
  */
 VESICA_API int32_t vesica_shape_area_f64(int32_t kind, const void *shape, double *out);
-
-/**
- * Area of the intersection of two shapes.
- *
- * It is exactly 0 if shapes are disjoint, if they only touch, or if one has no area. If one contains the other, it is
- * the vesica_shape_area_f64 of the inner one. It is never more than the area of either, and more than 0 if the insides
- * of shapes with area meet, unless that underflows. Exchanging the shapes changes no bit. Scaling both by a power of
- * two scales the area by its square.
- * Accuracy: right to 64 u times the smaller shape's area times the larger aspect ratio, at aspect ratios up to 10^4,
- * even if the outlines nearly touch or coincide and whatever the sizes are. Beyond 10^4 no bound is stated; what is
- * said above holds at any ratio.
- * Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines
- * nearly touch or coincide, or if one shape is far larger; at worst 30 us.
- */
-VESICA_API int32_t vesica_area_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b, double *out);
-
-/**
- * Intersection over union (Jaccard index) of two shapes: the area they share over the area they cover together.
- *
- * It is exactly 1 for equal shapes and exactly 0 for shapes that share no area. Intermediate results never overflow or
- * underflow. Exchanging the shapes, or scaling both by a power of two, changes no bit.
- * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (neither shape has an area).
- * Accuracy: the bound of vesica_area_f64, divided by the area of the union.
- * Cost: that of vesica_area_f64 and of vesica_shape_area_f64 twice.
- */
-VESICA_API int32_t vesica_iou_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b, double *out);
-
-/**
- * Smallest box of representable numbers that contains a shape.
- * Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is exact.
- * Cost: up to 80 ns; 1 to 3 us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis and
- * representable sides; at worst 6 us.
- */
-VESICA_API int32_t vesica_bounds_f64(int32_t kind, const void *shape, vesica_aabb_f64 *out);
 
 /* ---- Overlap of two given kinds, double ----
  * Returns: 1 if the shapes share a point (touching counts), 0 if not.
  * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
  * Accuracy: exact.
- * Cost: a few to 20 ns; 0.1 to 4 us for the rare near-ties that only exact arithmetic can decide; at worst 25 us.
+ * Cost: a few ns to 20 ns. Rare near-ties that only exact arithmetic can decide take up to a few hundred times that.
  * Since: 0.1.
  */
 
@@ -424,7 +393,6 @@ VESICA_API int32_t vesica_aabb_from_corners_f64(double x0, double y0, double x1,
  * nearest to +-pi/4 and +-3pi/4. No double is exactly pi/2, so a quarter turn has an exact axis only by
  * vesica_rects_from_boxes_f64, which takes degrees too. Sizes are exact: if halving one would round (an odd multiple of
  * the smallest subnormal number), the axis is halved instead.
- * Cost: about 40 ns.
  */
 VESICA_API int32_t vesica_rect_from_angle_f64(double cx, double cy, double angle, double width, double height,
                                               vesica_rect_f64 *out);
@@ -440,7 +408,6 @@ VESICA_API int32_t vesica_rect_from_angle_f64(double cx, double cy, double angle
  * Accuracy: half extents, and the axis times the longer one, are right to 8 units in the last place of the longer one;
  * the centre is right to 1 unit in its own. Both errors may grow by 2^-98 times the largest coordinate. A rectangle
  * along the coordinate axes is found exactly if its centre and half extents are representable.
- * Cost: about 110 ns.
  */
 VESICA_API int32_t vesica_rect_from_corners_f64(const double corners[8], vesica_rect_f64 *out);
 
@@ -449,7 +416,6 @@ VESICA_API int32_t vesica_rect_from_corners_f64(const double corners[8], vesica_
  * Requires: the angle in radians, counter-clockwise from +x if y points up; a, b >= 0.
  * Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.
  * Accuracy: the axis is that of vesica_rect_from_angle_f64; half lengths are exact.
- * Cost: about 40 ns.
  */
 VESICA_API int32_t vesica_ellipse_from_angle_f64(double cx, double cy, double angle, double a, double b,
                                                  vesica_ellipse_f64 *out);
@@ -475,7 +441,6 @@ VESICA_API int32_t vesica_ellipse_from_radius_vector_f64(double cx, double cy, d
  * VESICA_E_RANGE (a half length overflows).
  * Accuracy: half lengths and both components of the axis are right to 8 units in their own last place, even if the
  * matrix is nearly singular or nearly a circle's. Exchanging cxx and cyy exchanges the components, but for their signs.
- * Cost: about 90 ns.
  */
 VESICA_API int32_t vesica_ellipse_from_covariance_f64(double mean_x, double mean_y, double cxx, double cxy, double cyy,
                                                       double k, vesica_ellipse_f64 *out);
@@ -487,7 +452,6 @@ VESICA_API int32_t vesica_ellipse_from_covariance_f64(double mean_x, double mean
  * Requires: M positive definite as stored.
  * Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_ARGUMENT (not positive definite).
  * Accuracy: that of vesica_ellipse_from_covariance_f64. No half length overflows.
- * Cost: about 90 ns.
  */
 VESICA_API int32_t vesica_ellipse_from_matrix_f64(double cx, double cy, double mxx, double mxy, double myy,
                                                   vesica_ellipse_f64 *out);
@@ -528,19 +492,17 @@ VESICA_API int32_t vesica_shapes_from_records_f64(int32_t kind, int64_t count, c
  * Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
  * overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
  * written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
- * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, an unused member that is not 0 or NULL, or
+ * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, an unused member that is not 0 or NULL,
  * an array that exceeds the address space).
  * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
- * Cost: a pair takes a fifth of the time of the function for two shapes to about as much, and up to 30 ns more where
- * numbers are copied first (docs/benchmarks.md).
+ * Cost: a pair takes from a fifth of the time of the function for two shapes to about as much (docs/benchmarks.md).
  * Since: 0.1.
  */
 
 /**
  * Do a[i] and b[i] share a point? out[i] is the answer of vesica_overlap_f64.
  * Returns: how many are 1.
- * Cost: in cache, from columns, with AVX-512: 0.5 to 2 ns a pair in double, 0.3 to 0.8 ns in float; about half of that
- * if one array is a single shape.
+ * Cost: a fifth to a tenth of vesica_overlap_f64 a pair; about half of that if one array is a single shape.
  */
 VESICA_API int64_t vesica_overlap_many_f64(const vesica_shapes_f64 *a, const vesica_shapes_f64 *b, uint8_t *out);
 
@@ -605,7 +567,8 @@ VESICA_API int64_t vesica_iou_many_f64(const vesica_shapes_f64 *a, const vesica_
  */
 
 /**
- * Do a[i] and b[j] share a point? Answers as of vesica_overlap_f64; much quicker if both arrays are in spatial order.
+ * Do a[i] and b[j] share a point? The elements of out are answers of vesica_overlap_f64. Arrays in spatial order are
+ * much faster.
  * Returns: how many are 1.
  */
 VESICA_API int64_t vesica_overlap_matrix_f64(const vesica_shapes_f64 *a, const vesica_shapes_f64 *b, uint8_t *out,
@@ -679,11 +642,46 @@ VESICA_API int64_t vesica_nms_scratch(int64_t count);
  * Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN: it is left out, and the result of the others is
  * written. Before anything is written: VESICA_E_NULL (with count 0 all but shapes and kept may be NULL), VESICA_E_KIND
  * (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f64, threshold, too little scratch).
- * Cost: 0.3 to 1.2 us a shape; in a crowd, that of vesica_iou_many_f64 for each pair of a shape and one that is kept
- * near it: 20,000 in one place, nearly all kept, took 0.5 to 1 ms a shape.
+ * Accuracy: the ratio that is compared is that of vesica_iou_f64; in float, the ratio rounded to float.
+ * Cost: that of vesica_iou_many_f64 for each pair of a shape and one that is kept near it.
  */
 VESICA_API int32_t vesica_nms_f64(const vesica_shapes_f64 *shapes, const double *scores, double threshold,
                                   void *scratch, int64_t scratch_size, int64_t *keep, int64_t *kept);
+
+/* ---- Version and names. Texts are static: do not free them. ----
+ * Since: 0.1.
+ */
+
+/** Version of the loaded library. If it is below VESICA_VERSION, the library is older than the header. */
+VESICA_API int32_t vesica_version(void);
+/** VESICA_VERSION_MAJOR of the loaded library. */
+VESICA_API int32_t vesica_version_major(void);
+/** VESICA_VERSION_MINOR of the loaded library. */
+VESICA_API int32_t vesica_version_minor(void);
+/** VESICA_VERSION_PATCH of the loaded library. */
+VESICA_API int32_t vesica_version_patch(void);
+
+/**
+ * How many numbers does a shape of this kind have?
+ * Returns: 2, 4, 3, 4, 6, 6 for VESICA_POINT ... VESICA_ELLIPSE.
+ * Errors: VESICA_E_KIND.
+ */
+VESICA_API int32_t vesica_field_count(int32_t kind);
+
+/**
+ * Name of a kind.
+ * Returns: static text: "point", "segment", "circle", "aabb", "rect" or "ellipse"; NULL for an unknown kind.
+ */
+VESICA_API const char *vesica_kind_name(int32_t kind);
+
+/**
+ * Name of the instruction set that batches use: the best one of this processor. Answers never depend on it.
+ *
+ * The environment variable VESICA_ISA selects another one. It is read once, when the library is loaded. Unknown names
+ * are ignored, and so are sets that this processor or this build does not have.
+ * Returns: static text: "sse2", "avx2", "avx512", "neon", "simd128" or "portable".
+ */
+VESICA_API const char *vesica_isa_name(void);
 
 /* ---- The same shapes, results and functions with float in place of double ---- */
 

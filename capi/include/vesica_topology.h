@@ -35,8 +35,7 @@ extern "C" {
  * Returns: 0, and nine characters and a final NUL in matrix.
  * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
  * Accuracy: exact.
- * Cost: that of vesica_relation_f64; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel. At
- * worst 30 us.
+ * Cost: that of vesica_relation_f64; more for a segment, and for rectangles whose sides are parallel.
  */
 VESICA_API int32_t vesica_de9im_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b, char *matrix);
 
@@ -66,8 +65,7 @@ VESICA_API int32_t vesica_de9im_match(const char *matrix, const char *pattern);
  * Accuracy: the number of vertices is exact: it is that of the true region. A corner of a shape that lies in the other
  * keeps the stored numbers, or those of vesica_corners_of_shapes_f64 for a rectangle. Other vertices are right to 4 u
  * times the largest coordinate or size of either shape.
- * Cost: that of vesica_overlap_f64 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6 us for areas; at worst
- * 30 us.
+ * Cost: that of vesica_overlap_f64 for disjoint shapes, else about that of vesica_crossings_f64.
  */
 VESICA_API int64_t vesica_intersection_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b,
                                            vesica_point_f64 *out, int64_t capacity);

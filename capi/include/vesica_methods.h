@@ -107,7 +107,6 @@ typedef struct {
  * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
  * Accuracy: may err within a few roundings of contact. An ellipse with a half length of at most about 2^-176 (float:
  * 2^-22) of the largest length, such as 0, is answered exactly.
- * Cost: about 25 ns.
  * Since: 0.1.
  */
 
@@ -130,7 +129,6 @@ VESICA_API int32_t vesica_method_rect_ellipse_closest_features_f64(const vesica_
  * the ellipse?
  *
  * Corrected: the extreme points decide which corner's arc applies, not the signs of the centre's coordinates.
- * Cost: about 20 ns.
  */
 VESICA_API int32_t vesica_method_rect_ellipse_minkowski_sum_f64(const vesica_rect_f64 *rect,
                                                                 const vesica_ellipse_f64 *ellipse);
@@ -145,7 +143,6 @@ VESICA_API int32_t vesica_method_rect_ellipse_minkowski_sum_f64(const vesica_rec
  * infinite: then c_min may be infinite, and the point is the limit for ever thinner ellipses.
  * Returns: 1 if they overlap, which is c_min <= 0, else 0.
  * Errors: VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_RANGE (a coordinate of the point is beyond the finite numbers).
- * Cost: about 50 ns.
  */
 VESICA_API int32_t vesica_method_rect_ellipse_point_parallelogram_distance_f64(const vesica_rect_f64 *rect,
                                                                                const vesica_ellipse_f64 *ellipse,
@@ -161,7 +158,6 @@ VESICA_API int32_t vesica_method_rect_ellipse_point_parallelogram_distance_f64(c
  * First pass for two rectangles: are their boxes along the coordinate axes apart?
  * Returns: VESICA_NO, which is certain, or VESICA_UNCERTAIN.
  * Accuracy: uncertain means that the boxes meet, or are apart by less than 22 roundoffs of their half widths.
- * Cost: about 6 ns.
  */
 VESICA_API int32_t vesica_method_rect_rect_bounds_f64(const vesica_rect_f64 *a, const vesica_rect_f64 *b);
 
@@ -173,7 +169,6 @@ VESICA_API int32_t vesica_method_rect_rect_bounds_f64(const vesica_rect_f64 *a, 
  * Errors: VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_ARGUMENT (k).
  * Accuracy: with k >= 1 uncertain means, both ways round: no stretch of length l / (k + 1) of one's middle line, of
  * length l, lies in the other one when that is made smaller by 50 roundoffs of the size of the pair.
- * Cost: about 30 ns, and at worst 2 ns more for each k.
  */
 VESICA_API int32_t vesica_method_rect_rect_sample_points_f64(const vesica_rect_f64 *a, const vesica_rect_f64 *b,
                                                              int32_t k);
@@ -182,14 +177,12 @@ VESICA_API int32_t vesica_method_rect_rect_sample_points_f64(const vesica_rect_f
  * Two rectangles by separating lines: do all corners of one lie beyond the line of one edge of the other? Tried both
  * ways round, each time in the frame of the second rectangle.
  * Accuracy: may err within a few roundings of contact.
- * Cost: about 20 ns.
  */
 VESICA_API int32_t vesica_method_rect_rect_separating_lines_f64(const vesica_rect_f64 *a, const vesica_rect_f64 *b);
 
 /**
  * Two rectangles by separating lines, from centre, angle and size, as vesica_rect_from_angle_f64 takes them.
  * Accuracy: may err within a few roundings of contact.
- * Cost: about 60 ns.
  */
 VESICA_API int32_t vesica_method_turned_rects_separating_lines_f64(const vesica_turned_rect_f64 *a,
                                                                    const vesica_turned_rect_f64 *b);
@@ -201,14 +194,12 @@ VESICA_API int32_t vesica_method_turned_rects_separating_lines_f64(const vesica_
  * Returns: 0.
  * Errors: VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_RANGE (a corner is beyond the finite numbers).
  * Accuracy: each coordinate is right to 3 roundoffs of |c| + |hx u| + |hy u| plus twice the smallest positive number.
- * Cost: about 10 ns.
  */
 VESICA_API int32_t vesica_method_rect_corners_f64(const vesica_rect_f64 *rect, double out[8]);
 
 /**
  * Point in rectangle: is the point, in the frame of the rectangle, within the half extents?
  * Accuracy: may err within a few roundings of the outline.
- * Cost: about 10 ns.
  */
 VESICA_API int32_t vesica_method_point_rect_frame_f64(const vesica_point_f64 *point, const vesica_rect_f64 *rect);
 
@@ -235,7 +226,6 @@ VESICA_API int32_t vesica_method_aabb_aabb_intervals_f64(const vesica_aabb_f64 *
  * quartic. The form used takes no root of a negative number and has no cancellation.
  * Accuracy: may err within a few roundings of contact. An ellipse whose smaller half axis is less than about 2^-144
  * (float: 2^-18) of the largest length, such as 0, is answered exactly.
- * Cost: about 40 ns.
  */
 VESICA_API int32_t vesica_method_circle_ellipse_closed_form_f64(const vesica_circle_f64 *circle,
                                                                 const vesica_ellipse_f64 *ellipse);
@@ -244,7 +234,6 @@ VESICA_API int32_t vesica_method_circle_ellipse_closed_form_f64(const vesica_cir
  * Segment and circle without a division or a square root: a complex product turns and scales the segment onto an axis.
  * Accuracy: may err within a few roundings of contact. If numbers below about 2^-320 (float: 2^-40) of the largest
  * length matter, the answer is exact.
- * Cost: about 15 ns.
  */
 VESICA_API int32_t vesica_method_segment_circle_division_free_f64(const vesica_segment_f64 *segment,
                                                                   const vesica_circle_f64 *circle);
@@ -264,7 +253,6 @@ VESICA_API int32_t vesica_method_segment_circle_division_free_f64(const vesica_s
  * polygons of 2^(2 + n) sides.
  * Accuracy: uncertain means that the outlines touch if the circle's radius is changed by less than out->outline_error
  * and 50 + 64 iterations roundoffs of the size of the pair.
- * Cost: about 35 ns, and 10 ns for each iteration done.
  */
 VESICA_API int32_t vesica_method_circle_ellipse_polygonal_sandwich_f64(const vesica_circle_f64 *circle,
                                                                        const vesica_ellipse_f64 *ellipse, int32_t n,
@@ -276,7 +264,6 @@ VESICA_API int32_t vesica_method_circle_ellipse_polygonal_sandwich_f64(const ves
  * In the end each iteration makes the error of the outline 8 times smaller, not 4.
  * Accuracy: uncertain means that the outlines touch if the circle's radius is changed by less than out->outline_error
  * and 3 times 50 + 64 iterations roundoffs of the size of the pair.
- * Cost: about 45 ns, and 8 ns for each iteration done.
  */
 VESICA_API int32_t vesica_method_circle_ellipse_circle_approximation_f64(const vesica_circle_f64 *circle,
                                                                          const vesica_ellipse_f64 *ellipse, int32_t n,
@@ -292,7 +279,6 @@ VESICA_API int32_t vesica_method_circle_ellipse_circle_approximation_f64(const v
  * Accuracy: out->outline_error is that of a. Let e be it over b's shorter half axis, and rounding. Uncertain means that
  * b with half lengths times 1 + e overlaps a, and that b with half lengths times 1 - e, if that is > 0, does not. Here
  * a and b are the ellipses after the change of places, if there was one.
- * Cost: about 45 ns, and 10 ns for each iteration done.
  */
 VESICA_API int32_t vesica_method_ellipse_ellipse_parallel_axes_f64(const vesica_ellipse_f64 *a,
                                                                    const vesica_ellipse_f64 *b, int32_t n,
@@ -305,7 +291,6 @@ VESICA_API int32_t vesica_method_ellipse_ellipse_parallel_axes_f64(const vesica_
  * largest length, a and b change places. If both have, the answer is exact.
  * Accuracy: that of vesica_method_ellipse_ellipse_parallel_axes_f64, and the rounding of the images: if both are thin,
  * up to as many roundoffs of the product of the longer half axes over b's shorter one.
- * Cost: about 65 ns, and 10 ns for each iteration done.
  */
 VESICA_API int32_t vesica_method_ellipse_ellipse_any_axes_f64(const vesica_ellipse_f64 *a,
                                                               const vesica_ellipse_f64 *b, int32_t n,
@@ -315,7 +300,6 @@ VESICA_API int32_t vesica_method_ellipse_ellipse_any_axes_f64(const vesica_ellip
  * Two ellipses with any axes, from centre, radius vector and ratio, as vesica_ellipse_from_radius_vector_f64 takes
  * them.
  * Accuracy: that of vesica_method_ellipse_ellipse_any_axes_f64.
- * Cost: about 65 ns, and 10 ns for each iteration done.
  */
 VESICA_API int32_t vesica_method_radius_vector_ellipses_any_axes_f64(const vesica_radius_vector_ellipse_f64 *a,
                                                                      const vesica_radius_vector_ellipse_f64 *b,
@@ -351,7 +335,7 @@ VESICA_API int32_t vesica_method_descent_settings_f64(int32_t schedule, vesica_d
  * to about 1e-16 s^3 / d^2; with a thin one, of aspect ratio up to 10^6, errors up to 60 times that were seen. The
  * iterations may run out if they are nearer than about s / 1000, and rarely, with a thin one, at s / 2. Outlines of
  * overlapping ellipses have several local minima: 0.4% to 3% of pairs end in one that is not the least.
- * Cost: 60 ns an iteration, about 18 s / d iterations; with a thin ellipse up to all.
+ * Cost: about 18 s / d iterations; with a thin ellipse up to all.
  */
 VESICA_API int32_t vesica_method_ellipse_ellipse_distance_gradient_descent_f64(
     const vesica_ellipse_f64 *a, const vesica_ellipse_f64 *b, const vesica_descent_settings_f64 *settings,
