@@ -134,7 +134,7 @@ def _shapes_of(kind, columns, single=False):
     letter = dtype.char
     stride = columns[0].strides[0] if len(columns[0]) > 1 else dtype.itemsize
     addresses = [column.ctypes.data for column in columns]
-    view = _VIEWS[letter](int(kind), 0, len(columns[0]), stride, (ctypes.c_void_p * 6)(*addresses))
+    view = _VIEWS[letter](int(kind), 0, len(columns[0]), stride, (ctypes.c_void_p * 8)(*addresses))
     scalar = ctypes.c_double if letter == "d" else ctypes.c_float
     # view is the C library's of the array; record what the functions of two shapes take for a single shape.
     record = _record(scalar, addresses) if single else None
