@@ -31,8 +31,7 @@ Answer ratio(int which, const Pair& p) {
   const std::int32_t code = vesica_ratio_f64(which, p.kind_a, p.a.data(), p.kind_b, p.b.data(), &out);
   return {code, out};
 }
-double number(std::int32_t (*measure)(std::int32_t, const void*, std::int32_t, const void*, double*),
-              const Pair& p) {
+double number(std::int32_t (*measure)(std::int32_t, const void*, std::int32_t, const void*, double*), const Pair& p) {
   double out = 0;
   measure(p.kind_a, p.a.data(), p.kind_b, p.b.data(), &out);
   return out;

@@ -363,7 +363,8 @@ TEST(Nms, AnyLayout) {
   const double cx[] = {0, 10, 20.5}, cy[] = {0, 0, 0}, r[] = {1, 1, 1};
   vesica_shapes_f64 shapes{VESICA_CIRCLE, 0, 3, sizeof(double), {cx, cy, r}, nullptr, nullptr, 0};
   EXPECT_EQ(run(vesica_nms_f64, shapes, {1, 2, 3}, 0.5).kept, (Indices{2, 1, 0}));
-  shapes = {VESICA_CIRCLE, 0, 3, -static_cast<std::ptrdiff_t>(sizeof(double)), {cx + 2, cy + 2, r + 2}, nullptr, nullptr, 0};
+  shapes = {VESICA_CIRCLE,           0,       3,       -static_cast<std::ptrdiff_t>(sizeof(double)),
+            {cx + 2, cy + 2, r + 2}, nullptr, nullptr, 0};
   EXPECT_EQ(run(vesica_nms_f64, shapes, {1, 3, 2}, 0.5).kept, (Indices{1, 2, 0}));
   shapes.stride = 0;
   EXPECT_EQ(run(vesica_nms_f64, shapes, {1, 3, 2}, 0.5).kept, (Indices{1}));

@@ -46,7 +46,8 @@ TEST(QueryArguments, NullIsAnErrorWhereItIsNeeded) {
 template <class T>
 void expect_nothing_is_read() {
   using F = capi_tests::Face<T>;
-  const typename F::Shapes none{VESICA_CIRCLE, 0, 0, 0, {}, nullptr, nullptr, 0}, some{VESICA_RECT, 0, 5, 6 * sizeof(T), {}, nullptr, nullptr, 0};
+  const typename F::Shapes none{VESICA_CIRCLE, 0, 0, 0, {}, nullptr, nullptr, 0},
+      some{VESICA_RECT, 0, 5, 6 * sizeof(T), {}, nullptr, nullptr, 0};
   for (const auto& [a, b] : {std::pair{&none, &some}, {&some, &none}}) {
     EXPECT_EQ(F::overlap_matrix(a, b, nullptr, 5), 0);
     EXPECT_EQ(F::relation_matrix(a, b, nullptr, 5), 0);
