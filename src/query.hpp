@@ -69,8 +69,8 @@ extern const Query overlap, relation, contains, nearest, boundary_distance, dept
 
 }  // namespace queries
 
-/// Answers a query for two shapes of scalar T, each given by its kind and a pointer to its struct. Returns the answer or
-/// the first error: NULL, then the kinds, then the query's own. `out` is null if the result is the returned code.
+/// Answers a query for two shapes of scalar T, each a kind and a pointer to its struct. Returns the answer or the first
+/// error: NULL, then the kinds, then the query's own. `out` is null if the result is the returned code.
 template <class T>
 VESICA_INLINE std::int32_t ask(const Query& query, std::int32_t kind_a, const void* a, std::int32_t kind_b,
                                const void* b, void* out) noexcept {

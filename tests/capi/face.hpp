@@ -38,8 +38,8 @@ std::int32_t crossings(std::int32_t kind_a, const void* a, std::int32_t kind_b, 
   return static_cast<std::int32_t>(count);
 }
 
-/// Calls vesica_intersection with room for all vertices: x0 y0 x1 y1 ..., the rest of 16 numbers is 0. Writes nothing on
-/// error.
+/// Calls vesica_intersection with room for all vertices: x0 y0 x1 y1 ..., the rest of 16 numbers is 0. Writes nothing
+/// on error.
 template <class T>
 std::int32_t intersection(std::int32_t kind_a, const void* a, std::int32_t kind_b, const void* b, T* out) {
   using Point = std::conditional_t<std::is_same_v<T, double>, vesica_point_f64, vesica_point_f32>;

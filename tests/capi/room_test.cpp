@@ -53,9 +53,9 @@ TYPED_TEST(Room, CrossingsFillTheRoom) {
 }
 
 TYPED_TEST(Room, CrossingsNeedNoRoom) {
-  using F = Face<TypeParam>;
+  using Functions = Face<TypeParam>;
   const auto &a = this->box, &b = this->other;
-  EXPECT_EQ(F::crossings_in_room(VESICA_AABB, a.data(), VESICA_AABB, b.data(), nullptr, 0, nullptr), 4);
+  EXPECT_EQ(Functions::crossings_in_room(VESICA_AABB, a.data(), VESICA_AABB, b.data(), nullptr, 0, nullptr), 4);
   EXPECT_EQ(this->crossings(this->other, 0), 4);
   EXPECT_EQ(this->shared_, 1);
   this->expect_written(0);
@@ -75,14 +75,14 @@ TYPED_TEST(Room, IntersectionFillsTheRoom) {
 }
 
 TYPED_TEST(Room, ErrorsInTheirOrderWriteNothing) {
-  using F = Face<TypeParam>;
+  using Functions = Face<TypeParam>;
   const auto *a = this->box.data(), *bad = this->inverted.data();
-  EXPECT_EQ(F::crossings_in_room(9, a, VESICA_AABB, bad, nullptr, 1, nullptr), VESICA_E_NULL);
-  EXPECT_EQ(F::crossings_in_room(9, a, VESICA_AABB, bad, nullptr, -1, &this->shared_), VESICA_E_KIND);
+  EXPECT_EQ(Functions::crossings_in_room(9, a, VESICA_AABB, bad, nullptr, 1, nullptr), VESICA_E_NULL);
+  EXPECT_EQ(Functions::crossings_in_room(9, a, VESICA_AABB, bad, nullptr, -1, &this->shared_), VESICA_E_KIND);
   EXPECT_EQ(this->crossings(this->inverted, -1), VESICA_E_ARGUMENT);
   EXPECT_EQ(this->crossings(this->inverted, 6), VESICA_E_SHAPE);
-  EXPECT_EQ(F::intersection_in_room(9, a, VESICA_AABB, bad, nullptr, 1), VESICA_E_NULL);
-  EXPECT_EQ(F::intersection_in_room(VESICA_CIRCLE, a, VESICA_AABB, bad, nullptr, -1), VESICA_E_KIND);
+  EXPECT_EQ(Functions::intersection_in_room(9, a, VESICA_AABB, bad, nullptr, 1), VESICA_E_NULL);
+  EXPECT_EQ(Functions::intersection_in_room(VESICA_CIRCLE, a, VESICA_AABB, bad, nullptr, -1), VESICA_E_KIND);
   EXPECT_EQ(this->intersection(this->inverted, -1), VESICA_E_ARGUMENT);
   EXPECT_EQ(this->intersection(this->inverted, 6), VESICA_E_SHAPE);
   EXPECT_EQ(this->shared_, 7);
