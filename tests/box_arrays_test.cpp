@@ -93,7 +93,8 @@ class Stored {
       }
     }
     const auto stride = static_cast<std::ptrdiff_t>(element * sizeof(T));
-    typename Face<T>::Shapes view{kind, 0, static_cast<std::int64_t>(n), backward ? -stride : stride, {}};
+    typename Face<T>::Shapes view{kind,    0, static_cast<std::int64_t>(n), backward ? -stride : stride, {}, nullptr,
+                                  nullptr, 0};
     for (std::size_t k = 0; k < fields; ++k) {
       view.field[k] = low + (backward ? (n - 1) * element : 0) + (layout == Layout::columns ? k * n : k);
     }

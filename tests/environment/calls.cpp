@@ -167,7 +167,7 @@ struct Operands {
     const std::size_t stride = place == Place::odd_columns ? sizeof(T) : sizeof from[0] + odd;
     const std::size_t field = place == Place::odd_columns ? count * sizeof(T) + odd : sizeof(T);
     memory.resize(odd + 6 * (sizeof(T) + odd) * (count + 1));
-    Shapes s{kind, 0, static_cast<std::int64_t>(count), static_cast<std::ptrdiff_t>(stride), {}};
+    Shapes s{kind, 0, static_cast<std::int64_t>(count), static_cast<std::ptrdiff_t>(stride), {}, nullptr, nullptr, 0};
     for (std::size_t k = 0; k < 6; ++k) {
       unsigned char* const column = memory.data() + odd + k * field;
       for (std::size_t i = 0; i < count; ++i) std::memcpy(column + i * stride, &from[i][k], sizeof(T));
@@ -514,32 +514,32 @@ Bytes ask_soft(const Inputs& inputs) {
 }
 
 // The two scalar types' functions differ in their suffix alone.
-#define SCALAR_CALLS(s, T)                                                                                          \
-  {                                                                                                                 \
-    {"check", ask_check<T, vesica_check_##s>}, {"overlap", ask_code<T, vesica_overlap_##s>},                        \
-        {"relation", ask_code<T, vesica_relation_##s>}, {"contains", ask_code<T, vesica_contains_##s>},             \
-        {"nearest", ask_pair<T, vesica_closest_points_##s, vesica_nearest_##s>},                                    \
-        {"boundary_distance", ask_pair<T, vesica_closest_points_##s, vesica_boundary_distance_##s>},                \
-        {"depth", ask_pair<T, vesica_penetration_##s, vesica_depth_##s>},                                           \
-        {"crossings", ask_pair<T, capi_tests::Crossings<T>, capi_tests::crossings<T>>},                             \
-        {"area", ask_pair<T, T, vesica_area_##s>}, {"iou", ask_pair<T, T, vesica_iou_##s>},                         \
-        {"signed_distance", ask_pair<T, T, vesica_signed_distance_##s>}, {"within", ask_code<T, within<T>>},        \
-        {"de9im", ask_text<T, vesica_de9im_##s>}, {"intersection", ask_numbers<T, vesica_intersection_##s, 16>},    \
-        {"typed overlap", ask_typed<T>}, {"ratios", ask_ratios<T>},                                                 \
-        {"shape_area", ask_one<T, T, vesica_shape_area_##s>},                                                       \
-        {"cast", ask_cast<T, vesica_impact_##s, vesica_cast_##s>},                                                  \
-        {"typed cast", ask_typed_cast<T, vesica_impact_##s>},                                                       \
-        {"impact_time", ask_impact_time<T, vesica_turn_##s, vesica_impact_##s, vesica_impact_time_##s>},            \
-        {"sweep_bounds", ask_sweep<T, vesica_aabb_##s, vesica_sweep_bounds_##s>},                                   \
-        {"bounds", ask_one<T, vesica_aabb_##s, vesica_bounds_##s>},                                                 \
-        {"aabb_from_corners", ask_constructor<T, vesica_aabb_##s, vesica_aabb_from_corners_##s, 4>},                \
-        {"rect_from_angle", ask_constructor<T, vesica_rect_##s, vesica_rect_from_angle_##s, 5>},                    \
-        {"rect_from_corners", ask_corners<T, vesica_rect_##s, vesica_rect_from_corners_##s>},                       \
-        {"ellipse_from_angle", ask_constructor<T, vesica_ellipse_##s, vesica_ellipse_from_angle_##s, 5>},           \
-        {"ellipse_from_radius_vector",                                                                              \
-         ask_constructor<T, vesica_ellipse_##s, vesica_ellipse_from_radius_vector_##s, 5>},                         \
-        {"ellipse_from_covariance", ask_constructor<T, vesica_ellipse_##s, vesica_ellipse_from_covariance_##s, 6>}, \
-        {"ellipse_from_matrix", ask_constructor<T, vesica_ellipse_##s, vesica_ellipse_from_matrix_##s, 5>},         \
+#define SCALAR_CALLS(s, T)                                                                                           \
+  {                                                                                                                  \
+    {"check", ask_check<T, vesica_check_##s>}, {"overlap", ask_code<T, vesica_overlap_##s>},                         \
+        {"relation", ask_code<T, vesica_relation_##s>}, {"contains", ask_code<T, vesica_contains_##s>},              \
+        {"nearest", ask_pair<T, vesica_closest_points_##s, vesica_nearest_##s>},                                     \
+        {"boundary_distance", ask_pair<T, vesica_closest_points_##s, vesica_boundary_distance_##s>},                 \
+        {"depth", ask_pair<T, vesica_penetration_##s, vesica_depth_##s>},                                            \
+        {"crossings", ask_pair<T, capi_tests::Crossings<T>, capi_tests::crossings<T>>},                              \
+        {"area", ask_pair<T, T, vesica_area_##s>}, {"iou", ask_pair<T, T, vesica_iou_##s>},                          \
+        {"signed_distance", ask_pair<T, T, vesica_signed_distance_##s>}, {"within", ask_code<T, within<T>>},         \
+        {"de9im", ask_text<T, vesica_de9im_##s>}, {"intersection", ask_numbers<T, capi_tests::intersection<T>, 16>}, \
+        {"typed overlap", ask_typed<T>}, {"ratios", ask_ratios<T>},                                                  \
+        {"shape_area", ask_one<T, T, vesica_shape_area_##s>},                                                        \
+        {"cast", ask_cast<T, vesica_impact_##s, vesica_cast_##s>},                                                   \
+        {"typed cast", ask_typed_cast<T, vesica_impact_##s>},                                                        \
+        {"impact_time", ask_impact_time<T, vesica_turn_##s, vesica_impact_##s, vesica_impact_time_##s>},             \
+        {"sweep_bounds", ask_sweep<T, vesica_aabb_##s, vesica_sweep_bounds_##s>},                                    \
+        {"bounds", ask_one<T, vesica_aabb_##s, vesica_bounds_##s>},                                                  \
+        {"aabb_from_corners", ask_constructor<T, vesica_aabb_##s, vesica_aabb_from_corners_##s, 4>},                 \
+        {"rect_from_angle", ask_constructor<T, vesica_rect_##s, vesica_rect_from_angle_##s, 5>},                     \
+        {"rect_from_corners", ask_corners<T, vesica_rect_##s, vesica_rect_from_corners_##s>},                        \
+        {"ellipse_from_angle", ask_constructor<T, vesica_ellipse_##s, vesica_ellipse_from_angle_##s, 5>},            \
+        {"ellipse_from_radius_vector",                                                                               \
+         ask_constructor<T, vesica_ellipse_##s, vesica_ellipse_from_radius_vector_##s, 5>},                          \
+        {"ellipse_from_covariance", ask_constructor<T, vesica_ellipse_##s, vesica_ellipse_from_covariance_##s, 6>},  \
+        {"ellipse_from_matrix", ask_constructor<T, vesica_ellipse_##s, vesica_ellipse_from_matrix_##s, 5>},          \
   }
 #define BATCH_CALLS(s, T)                                                                                             \
   {                                                                                                                   \

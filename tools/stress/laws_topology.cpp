@@ -50,7 +50,7 @@ double area_of(const Answer& r) {
 
 /// From the lowest, of two equally low ones the left one; what is not used is 0.
 void demand_order(Judge& j, const Answer& r) {
-  for (std::size_t i = 0; i < 2 * std::size_t{VESICA_MOST_VERTICES}; i += 2) {
+  for (std::size_t i = 0; i < 16; i += 2) {
     const double x = r.numbers[i], y = r.numbers[i + 1];
     if (i < 2 * static_cast<std::size_t>(r.code)) {
       const bool after = y > r.numbers[1] || (y == r.numbers[1] && x >= r.numbers[0]);
@@ -109,7 +109,7 @@ void judge_intersection(Judge& j, const Case& c, Effort) {
   j.demand(same_bits(r, back), "exchanged", text(r), text(back));
   if (r.code == VESICA_E_RANGE) return j.demand(!far_from_overflow(c.scalar, c.pair), "range", "an answer", text(r));
   j.demand((r.code > 0) == (exact_overlap(c.pair) == 1), "overlap", "vertices where they overlap", text(r));
-  j.demand(r.code <= VESICA_MOST_VERTICES, "most", "8 at most", text(r));
+  j.demand(r.code <= 8, "most", "8 at most", text(r));
   demand_order(j, r);
   if (c.scalar == Scalar::f32) return demand_rounded_vertices(j, c, r);
   demand_shared(j, c, r);

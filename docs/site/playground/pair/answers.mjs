@@ -72,7 +72,8 @@ const questions = [
     id: 'crossings',
     question: 'Where do the outlines meet?',
     name: 'crossings',
-    out: 'vesica_crossing_points_f64',
+    out: 'vesica_point_f64',
+    room: 8,
     ask: (v, a, b) => {
       const found = v.crossings(a, b),
         count = found.places.length;
@@ -107,20 +108,22 @@ const questions = [
 ];
 
 /** The C that gives an answer; as it stands it compiles inside a function, after #include <vesica.h>. */
-export function callOf({ name, out }, a, b) {
+export function callOf({ name, out, room }, a, b) {
   const operand = (shape, letter) => `const double ${letter}[] = {${numbers(shape).map(toHex).join(', ')}};`;
-  const result = out === undefined ? '' : ', &out';
+  const declared = room === undefined ? [`${out} out;`] : [`${out} out[${room}];`, 'int32_t shared;'];
   return [
     operand(a, 'a'),
     operand(b, 'b'),
-    ...(out === undefined ? [] : [`${out} out;`]),
-    `int32_t answer = vesica_${name}_f64(${constant(a.kind)}, a, ${constant(b.kind)}, b${result});`,
+    ...(out === undefined ? [] : declared),
+    `int32_t answer = ${room === undefined ? '' : '(int32_t)'}${brief({ name, out, room }, a, b)};`,
   ].join('\n');
 }
 
 /** The last line of the call, without the shapes' numbers. */
-export const brief = ({ name, out }, a, b) =>
-  `vesica_${name}_f64(${constant(a.kind)}, a, ${constant(b.kind)}, b${out === undefined ? '' : ', &out'})`;
+export function brief({ name, out, room }, a, b) {
+  const result = out === undefined ? '' : room === undefined ? ', &out' : `, out, ${room}, &shared`;
+  return `vesica_${name}_f64(${constant(a.kind)}, a, ${constant(b.kind)}, b${result})`;
+}
 
 /** All answers about a and b. What the library refuses is an answer in its own words. */
 export function answersTo(vesica, a, b) {
