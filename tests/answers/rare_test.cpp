@@ -9,6 +9,7 @@
 #include "answers/table.hpp"
 #include "stress/query.hpp"
 
+namespace rare_test {
 namespace {
 
 class RareAnswers : public testing::TestWithParam<const char*> {};
@@ -37,3 +38,4 @@ std::string test_name(const testing::TestParamInfo<const char*>& info) { return 
 INSTANTIATE_TEST_SUITE_P(All, RareAnswers, testing::Values("stress/rare.txt", "slowest/slowest.txt"), test_name);
 
 }  // namespace
+}  // namespace rare_test

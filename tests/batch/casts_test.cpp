@@ -14,6 +14,7 @@
 #include "number_columns.hpp"
 #include "properties/random.hpp"
 
+namespace casts_test {
 namespace {
 
 using namespace batch_tests;
@@ -169,3 +170,4 @@ TEST(CastKernels, AnswerAsManyAsTheyDid) {
 }
 
 }  // namespace
+}  // namespace casts_test

@@ -14,6 +14,7 @@
 #include "batch/layout.hpp"
 #include "columns.hpp"
 
+namespace invalid_test {
 namespace {
 
 using namespace batch_tests;
@@ -199,3 +200,4 @@ TEST_P(Invalid, AmongManyInBlocks) {
 INSTANTIATE_TEST_SUITE_P(Sets, Invalid, testing::ValuesIn(all_cases()), test_name);
 
 }  // namespace
+}  // namespace invalid_test

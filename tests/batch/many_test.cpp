@@ -11,6 +11,7 @@
 #include "batch/layout.hpp"
 #include "columns.hpp"
 
+namespace many_test {
 namespace {
 
 using namespace batch_tests;
@@ -145,3 +146,4 @@ TEST(Blocks, HoldOneOrFourKibibytesAColumnOrAreReadInPlace) {
 }
 
 }  // namespace
+}  // namespace many_test

@@ -15,6 +15,7 @@
 #include "batch/data.hpp"
 #include "capi/face.hpp"
 
+namespace stack_test {
 namespace {
 
 using namespace batch_tests;
@@ -127,3 +128,4 @@ TEST(Stack, HoldsTheDeepestExactStage) {
 }
 
 }  // namespace
+}  // namespace stack_test

@@ -13,6 +13,7 @@
 #include "properties/generators.hpp"
 #include "properties/random.hpp"
 
+namespace undecided_test {
 namespace {
 
 using namespace batch_tests;
@@ -181,3 +182,4 @@ std::vector<Case> ordered_cases() {
 INSTANTIATE_TEST_SUITE_P(Sets, Undecided, testing::ValuesIn(ordered_cases()), test_name);
 
 }  // namespace
+}  // namespace undecided_test

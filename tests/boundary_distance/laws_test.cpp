@@ -10,6 +10,7 @@
 #include "properties/pairs_of_kinds.hpp"
 #include "vesica.h"
 
+namespace laws_test {
 namespace {
 
 using properties::has_area;
@@ -144,3 +145,4 @@ TEST(BoundaryDistance, ExactTranslationsChangeNoBit) {
 }
 
 }  // namespace
+}  // namespace laws_test

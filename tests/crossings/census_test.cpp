@@ -9,6 +9,7 @@
 
 #include "properties/random.hpp"
 
+namespace census_test {
 namespace {
 
 using namespace vesica;
@@ -116,3 +117,4 @@ TEST(CensusOfEllipses, IsWhatExactIntegersTell) {
 }
 
 }  // namespace
+}  // namespace census_test

@@ -15,6 +15,7 @@
 #include "properties/generators.hpp"
 #include "relation/nesting.hpp"
 
+namespace crossings_test {
 namespace {
 
 using namespace properties;
@@ -302,3 +303,4 @@ TEST(Crossings, OfFloatsAreTheDoublesRounded) {
 }
 
 }  // namespace
+}  // namespace crossings_test

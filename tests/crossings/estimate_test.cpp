@@ -12,6 +12,7 @@
 #include "exact/values.hpp"
 #include "properties/random.hpp"
 
+namespace rough_test {
 namespace {
 
 using namespace vesica::detail::crossings;
@@ -121,3 +122,4 @@ TEST(Estimates, PreciseOnes) {
 }
 
 }  // namespace
+}  // namespace rough_test

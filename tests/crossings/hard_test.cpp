@@ -16,6 +16,7 @@
 #include "crossings/crossing_count.hpp"
 #include "properties/generators.hpp"
 
+namespace hard_test {
 namespace {
 
 using properties::Random, properties::repeat, properties::seed;
@@ -427,3 +428,4 @@ TEST(CrossingsHard, AStartThatIsAPlaceComesFirst) {
 }
 
 }  // namespace
+}  // namespace hard_test

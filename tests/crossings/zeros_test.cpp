@@ -12,6 +12,7 @@
 #include "crossings/quartics.hpp"
 #include "properties/random.hpp"
 
+namespace zeros_test {
 namespace {
 
 using namespace vesica::detail::crossings;
@@ -158,3 +159,4 @@ TEST(ZerosOfQuartics, DoublesTellAsMuch) {
 }
 
 }  // namespace
+}  // namespace zeros_test

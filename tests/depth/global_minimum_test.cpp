@@ -11,6 +11,7 @@
 #include "properties/random.hpp"
 #include "vesica.h"
 
+namespace global_minimum_test {
 namespace {
 
 using properties::Numbers;
@@ -108,3 +109,4 @@ TEST(DepthGlobalMinimum, RectRect) {
 }
 
 }  // namespace
+}  // namespace global_minimum_test

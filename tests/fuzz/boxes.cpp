@@ -3,6 +3,7 @@
 #include "fuzz/arrays.hpp"
 
 namespace fuzz {
+namespace boxes {
 namespace {
 
 constexpr int angles = 9;  // more than there are units
@@ -63,6 +64,7 @@ void call(Bytes& bytes, Memory& memory) {
 }
 
 }  // namespace
+}  // namespace boxes
 
 void call_boxes(Bytes& bytes, Memory& memory) {
   if (bytes.below(2) == 0) {

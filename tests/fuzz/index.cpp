@@ -4,6 +4,7 @@
 #include "fuzz/arrays.hpp"
 
 namespace fuzz {
+namespace index {
 namespace {
 
 constexpr std::size_t index_room = 1 << 20, unit = 64;
@@ -158,6 +159,7 @@ void call(Bytes& bytes, Memory& memory) {
 }
 
 }  // namespace
+}  // namespace index
 
 void call_index(Bytes& bytes, Memory& memory) {
   if (bytes.below(2) == 0) {

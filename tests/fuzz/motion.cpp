@@ -8,6 +8,7 @@
 #include "fuzz/arrays.hpp"
 
 namespace fuzz {
+namespace motion {
 namespace {
 
 /// Outside of an index: the codes of a cast.
@@ -119,6 +120,7 @@ void call(Bytes& bytes, Memory& memory) {
 }
 
 }  // namespace
+}  // namespace motion
 
 void call_motion(Bytes& bytes, Memory& memory) {
   if (bytes.below(2) == 0) {

@@ -6,6 +6,7 @@
 #include "fuzz/arrays.hpp"
 
 namespace fuzz {
+namespace topology {
 namespace {
 
 bool is_error(std::int64_t code) { return code < 0 && code >= VESICA_E_RANGE; }
@@ -122,6 +123,7 @@ void call(Bytes& bytes, Memory& memory) {
 }
 
 }  // namespace
+}  // namespace topology
 
 void call_topology(Bytes& bytes, Memory& memory) {
   if (bytes.below(2) == 0) {

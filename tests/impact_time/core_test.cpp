@@ -8,6 +8,7 @@
 #include "impact_time/face.hpp"
 #include "properties/core_shape.hpp"
 
+namespace core_test {
 namespace {
 
 using impact_time_test::Answer;
@@ -79,3 +80,4 @@ TEST(ImpactTimeOfTheHeader, HasTheBitsOfTheLibrary) {
 }
 
 }  // namespace
+}  // namespace core_test

@@ -7,6 +7,7 @@
 
 #include "impact_time/face.hpp"
 
+namespace known_answers_test {
 namespace {
 
 using namespace impact_time_test;
@@ -193,3 +194,4 @@ TEST(Known, Refused) {
 }
 
 }  // namespace
+}  // namespace known_answers_test

@@ -11,6 +11,7 @@
 #include "properties/generators.hpp"
 #include "properties/pairs_of_kinds.hpp"
 
+namespace laws_test {
 namespace {
 
 using namespace impact_time_test;
@@ -136,3 +137,4 @@ std::vector<properties::Kinds> pairs_in_double() {
 INSTANTIATE_TEST_SUITE_P(ImpactTime, Laws, testing::ValuesIn(pairs_in_double()), properties::test_name);
 
 }  // namespace
+}  // namespace laws_test

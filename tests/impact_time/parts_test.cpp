@@ -7,6 +7,7 @@
 #include <limits>
 #include <vesica/impact_time.hpp>
 
+namespace parts_test {
 namespace {
 
 using namespace vesica;
@@ -101,3 +102,4 @@ TEST(ImpactTimeParts, PointBeyondTheFloats) {
 }
 
 }  // namespace
+}  // namespace parts_test

@@ -11,6 +11,7 @@
 #include "impact_time/face.hpp"
 #include "properties/pairs_of_kinds.hpp"
 
+namespace samples_test {
 namespace {
 
 using namespace impact_time_test;
@@ -109,3 +110,4 @@ INSTANTIATE_TEST_SUITE_P(ImpactTime, Samples, testing::ValuesIn(properties::all_
                          properties::test_name);
 
 }  // namespace
+}  // namespace samples_test

@@ -126,15 +126,15 @@ TEST(Damage, HeadersThatDisagree) {
   }
 }
 
-/// As the index mixes a word into its checksum.
-std::uint64_t mixed(std::uint64_t sum, std::uint64_t word) {
+/// Adds a word to a checksum as the index does.
+std::uint64_t checksum_with(std::uint64_t sum, std::uint64_t word) {
   sum = (sum ^ word) * 0x9e3779b97f4a7c15u;
   return sum ^ sum >> 29;
 }
 /// The sum of a header's words but the last.
 std::uint64_t sum_of_header(const std::int64_t* header) {
   std::uint64_t sum = 0x243f6a8885a308d3u;
-  for (int i = 0; i < 31; ++i) sum = mixed(sum, i == 12 ? 0 : static_cast<std::uint64_t>(header[i]));
+  for (int i = 0; i < 31; ++i) sum = checksum_with(sum, i == 12 ? 0 : static_cast<std::uint64_t>(header[i]));
   return sum;
 }
 

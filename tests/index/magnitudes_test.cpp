@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "index/all_pairs.hpp"
 #include "index/face.hpp"
 
 namespace index_tests {
@@ -25,11 +26,6 @@ Records<double> discs(std::int64_t n, int exponent) {
     for (const double number : {x, y, r}) out.numbers.push_back(std::ldexp(number, exponent));
   }
   return out;
-}
-
-std::vector<Pair> sorted(std::vector<Pair> pairs) {
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
 }
 
 /// The nearest ten of a disc, by their distances and numbers.

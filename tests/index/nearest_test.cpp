@@ -60,7 +60,7 @@ TYPED_TEST(NearestTest, AllSorted) {
 }
 
 /// Numbers between -1 and 1 from a seed.
-struct Random {
+struct Directions {
   std::uint64_t state;
   double next() {
     state = state * 6364136223846793005u + 1442695040888963407u;
@@ -105,7 +105,7 @@ TYPED_TEST(NearestTest, OfMany) {
 TYPED_TEST(NearestTest, OfACircle) {
   using T = TypeParam;
   Records<T> points{VESICA_POINT, {}};
-  Random random{5};
+  Directions random{5};
   for (int i = 0; i < 30000; ++i) {
     const double x = random.next(), y = random.next(), length = std::sqrt(x * x + y * y);
     points.numbers.insert(points.numbers.end(), {static_cast<T>(x / length), static_cast<T>(y / length)});
@@ -121,7 +121,7 @@ TYPED_TEST(NearestTest, OfACircle) {
 TYPED_TEST(NearestTest, PlainShapes) {
   using T = TypeParam;
   constexpr int digits = std::numeric_limits<T>::digits;
-  Random random{11};
+  Directions random{11};
   for (const int exponent : {0, -60, 60, 99, 102, -99, -103}) {
     const auto number = [&](int smaller) {
       return static_cast<T>(

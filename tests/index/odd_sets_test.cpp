@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "index/all_pairs.hpp"
 #include "index/face.hpp"
 #include "properties/random.hpp"
 
@@ -23,11 +24,6 @@ typename Face<T>::Shapes one_shape(std::int32_t kind, const T* numbers) {
   typename Face<T>::Shapes one;
   EXPECT_EQ(Face<T>::from_records(kind, 1, numbers, 0, &one), 0);
   return one;
-}
-
-std::vector<Pair> sorted(std::vector<Pair> pairs) {
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
 }
 
 /// An index without a block: of no shape, and of invalid ones alone.

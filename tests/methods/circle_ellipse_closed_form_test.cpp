@@ -8,6 +8,7 @@
 #include "methods/ellipse_cases.hpp"
 #include "methods/exact_method.hpp"
 
+namespace circle_ellipse_closed_form_test {
 namespace {
 
 using namespace method_pairs;
@@ -124,3 +125,4 @@ TEST(CircleEllipseClosedForm, Core) {
 }
 
 }  // namespace
+}  // namespace circle_ellipse_closed_form_test

@@ -7,6 +7,7 @@
 #include "methods/ellipse_cases.hpp"
 #include "methods/radius_at_contact.hpp"
 
+namespace circle_ellipse_polygonal_sandwich_test {
 namespace {
 
 using namespace method_pairs;
@@ -121,3 +122,4 @@ TEST(CircleEllipsePolygonalSandwich, Core) {
 }
 
 }  // namespace
+}  // namespace circle_ellipse_polygonal_sandwich_test

@@ -6,6 +6,7 @@
 #include "methods/ellipse_cases.hpp"
 #include "methods/ellipse_growth.hpp"
 
+namespace ellipse_ellipse_parallel_axes_test {
 namespace {
 
 using namespace method_pairs;
@@ -126,3 +127,4 @@ TEST(EllipseEllipseParallelAxes, Core) {
 }
 
 }  // namespace
+}  // namespace ellipse_ellipse_parallel_axes_test

@@ -6,6 +6,7 @@
 
 #include "methods/typed_method.hpp"
 
+namespace rect_corners_test {
 namespace {
 
 using namespace method_pairs;
@@ -120,3 +121,4 @@ TEST(RectCorners, ReadByRectFromCorners) {
 }
 
 }  // namespace
+}  // namespace rect_corners_test

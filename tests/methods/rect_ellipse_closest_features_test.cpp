@@ -4,6 +4,7 @@
 #include "methods/exact_method.hpp"
 #include "methods/rect_ellipse_cases.hpp"
 
+namespace rect_ellipse_closest_features_test {
 namespace {
 
 using namespace method_pairs;
@@ -43,3 +44,4 @@ TEST(RectEllipseClosestFeatures, Core) {
 }
 
 }  // namespace
+}  // namespace rect_ellipse_closest_features_test

@@ -8,6 +8,7 @@
 #include "methods/exact_method.hpp"
 #include "methods/rect_ellipse_cases.hpp"
 
+namespace rect_ellipse_minkowski_sum_test {
 namespace {
 
 using namespace method_pairs;
@@ -94,3 +95,4 @@ TEST(RectEllipseMinkowskiSum, Core) {
 }
 
 }  // namespace
+}  // namespace rect_ellipse_minkowski_sum_test

@@ -4,6 +4,7 @@
 
 #include "methods/approximate_method.hpp"
 
+namespace rect_rect_bounds_test {
 namespace {
 
 using namespace method_pairs;
@@ -79,3 +80,4 @@ TEST(RectRectBounds, UncertainIsNearOrMeets) {
 }
 
 }  // namespace
+}  // namespace rect_rect_bounds_test

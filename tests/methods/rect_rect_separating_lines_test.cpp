@@ -5,6 +5,7 @@
 
 #include "methods/exact_method.hpp"
 
+namespace rect_rect_separating_lines_test {
 namespace {
 
 using namespace method_pairs;
@@ -177,3 +178,4 @@ TEST(RectRectSeparatingLines, Core) {
 }
 
 }  // namespace
+}  // namespace rect_rect_separating_lines_test

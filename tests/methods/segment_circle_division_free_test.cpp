@@ -6,6 +6,7 @@
 #include "methods/ellipse_cases.hpp"
 #include "methods/exact_method.hpp"
 
+namespace segment_circle_division_free_test {
 namespace {
 
 using namespace method_pairs;
@@ -102,3 +103,4 @@ TEST(SegmentCircleDivisionFree, Core) {
 }
 
 }  // namespace
+}  // namespace segment_circle_division_free_test

@@ -14,6 +14,7 @@
 #include "nearest/reference.hpp"
 #include "properties/random.hpp"
 
+namespace aspect_test {
 namespace {
 
 using nearest_reference::Real;
@@ -129,3 +130,4 @@ INSTANTIATE_TEST_SUITE_P(Nearest, Aspect,
                          kinds_of);
 
 }  // namespace
+}  // namespace aspect_test

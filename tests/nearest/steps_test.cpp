@@ -9,6 +9,7 @@
 
 #include "properties/generators.hpp"
 
+namespace steps_test {
 namespace {
 
 using properties::Pair;
@@ -83,3 +84,4 @@ TEST(NearestSteps, CircleEllipse) { expect_few_steps(2, 5, steps_of<vesica::Circ
 TEST(NearestSteps, RectEllipse) { expect_few_steps(4, 5, steps_of<vesica::Rect<double>, vesica::Ellipse<double>>); }
 
 }  // namespace
+}  // namespace steps_test

@@ -13,7 +13,7 @@ namespace oracle {
 namespace {
 
 // Codes of vesica.h.
-constexpr int disjoint = 0, touch = 1, cross_code = 2, inside = 3, contains_code = 5, equal = 7;
+constexpr int disjoint = 0, touch = 1, cross_code = 2, inside_code = 3, contains_code = 5, equal = 7;
 
 int converse(int code) { return code == 3 || code == 4 ? code + 2 : code == 5 || code == 6 ? code - 2 : code; }
 
@@ -24,7 +24,7 @@ struct Facts {
 
 int code(const Facts& f) {
   if (f.a_in_b && f.b_in_a) return equal;
-  if (f.a_in_b) return inside + (f.a_reaches_b ? 1 : 0);
+  if (f.a_in_b) return inside_code + (f.a_reaches_b ? 1 : 0);
   if (f.b_in_a) return contains_code + (f.b_reaches_a ? 1 : 0);
   if (f.insides_meet) return cross_code;
   return f.meet ? touch : disjoint;
@@ -179,7 +179,7 @@ int relation(const Ellipse& e, const Ellipse& f) {
   // The outline of f runs outside e: round it, or beside it.
   const Vector centre = to_disc(f, e.centre);
   const mpz_class radius = cross(f.p, f.q);
-  if (dot(centre, centre) < radius * radius) return inside + (reaches ? 1 : 0);
+  if (dot(centre, centre) < radius * radius) return inside_code + (reaches ? 1 : 0);
   return reaches ? touch : disjoint;
 }
 

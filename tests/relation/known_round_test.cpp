@@ -9,6 +9,7 @@
 
 #include "relation/known.hpp"
 
+namespace known_round_test {
 namespace {
 
 using known::expect_cases;
@@ -310,3 +311,4 @@ TEST(KnownRelation, EllipsesNearlySimilarAboutNearlyOneCentre) {
 }
 
 }  // namespace
+}  // namespace known_round_test

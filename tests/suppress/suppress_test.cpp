@@ -12,6 +12,7 @@
 
 #include "properties/random.hpp"
 
+namespace suppress_test {
 namespace {
 
 using properties::Random;
@@ -158,3 +159,4 @@ TEST(Suppress, Errors) {
 }
 
 }  // namespace
+}  // namespace suppress_test

@@ -13,6 +13,7 @@
 #include "properties/generators.hpp"
 #include "properties/random.hpp"
 
+namespace hard_outlines_test {
 namespace {
 
 using properties::Numbers;
@@ -164,3 +165,4 @@ TEST(HardOutlines, CircleEllipse) { run(VESICA_CIRCLE, VESICA_ELLIPSE); }
 TEST(HardOutlines, EllipseEllipse) { run(VESICA_ELLIPSE, VESICA_ELLIPSE); }
 
 }  // namespace
+}  // namespace hard_outlines_test

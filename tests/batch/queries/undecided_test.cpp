@@ -19,6 +19,7 @@
 #include "number_columns.hpp"
 #include "properties/random.hpp"
 
+namespace queries_undecided_test {
 namespace {
 
 using namespace batch_tests;
@@ -175,3 +176,4 @@ TEST(BoundingRadius, IsNanForInvalidOrExtremeNumbers) {
 }
 
 }  // namespace
+}  // namespace queries_undecided_test
