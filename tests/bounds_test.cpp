@@ -137,7 +137,7 @@ struct Side {
   int coordinate, sign;
 };
 
-/// Whether no point of the shape lies beyond m on that side: the definition, in whole numbers.
+/// True if no point of the shape lies beyond m on that side: the definition, in whole numbers.
 bool holds(int kind, const Numbers& n, const Side& side, double m) {
   const std::size_t i = static_cast<std::size_t>(side.coordinate);
   const mpz_class distance = side.sign * (fixed_point(m) - fixed_point(n[i]));
@@ -151,7 +151,7 @@ bool holds(int kind, const Numbers& n, const Side& side, double m) {
   return distance >= 0 && (distance * distance) << (2 * unit) >= along * along + across * across;
 }
 
-/// What the random tests met, so that none passes by meeting nothing.
+/// Counts of the cases drawn, so that no random test passes without any.
 struct Met {
   int boxes = 0, out_of_range = 0, broken = 0;
 };

@@ -109,7 +109,7 @@ std::int64_t first_error(std::int64_t a, std::int64_t b) {
   return a == VESICA_E_SHAPE || b == 0 ? a : b == VESICA_E_RANGE ? b : VESICA_E_SHAPE;
 }
 
-/// What single calls say, `width` numbers an element, and the error of the array.
+/// The answers of single calls, `width` numbers an element, and the error of the array.
 template <std::size_t width, class T, class One>
 std::int64_t by_single_calls(std::span<const Numbers<T>> shapes, const One& one, std::vector<T>& out) {
   std::int64_t error = 0;

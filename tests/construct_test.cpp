@@ -191,7 +191,7 @@ TYPED_TEST(Construct, EllipseFromSingularCovariance) {
   EXPECT_EQ(this->covariance(73, 36, 52, 0).b, 0);
 }
 
-// One place away from singular: valid below, no covariance above. A rounded determinant cannot tell.
+// One place away from singular: valid below, no covariance above. A rounded determinant cannot decide.
 TYPED_TEST(Construct, CovarianceNextToSingular) {
   using T = typename TypeParam::Scalar;
   const T eps = std::numeric_limits<T>::epsilon();
@@ -213,7 +213,7 @@ TYPED_TEST(Construct, CovarianceAtTheEndsOfTheRange) {
   this->expect(this->covariance(4 * tiny, 4 * tiny, 4 * tiny, 0), {7, 8, std::sqrt(T{0.5}), std::sqrt(T{0.5}), 0, 0},
                1);
   this->expect(this->covariance(large, 0, tiny, 1), {7, 8, 1, 0, root, std::sqrt(tiny)}, 1);
-  // The least rotation tells the direction of what would else be a circle.
+  // The smallest rotation decides the direction of an almost circular ellipse.
   this->expect(this->covariance(large, tiny, large, 1), {7, 8, std::sqrt(T{0.5}), std::sqrt(T{0.5}), root, root}, 1);
   this->expect(this->covariance(large, -tiny, large, 1), {7, 8, std::sqrt(T{0.5}), -std::sqrt(T{0.5}), root, root}, 1);
   this->covariance(tiny, max, tiny, 1, VESICA_E_ARGUMENT);

@@ -214,7 +214,7 @@ TEST(CoreErrors, RelationOfBoxesFarApart) {
   EXPECT_EQ(relation(left, Aabb<double>{-largest, 0, largest, 1}), Relation::inside_touch);
 }
 
-// What is known of an answer before changes nothing of it.
+// Facts that are known in advance do not change the answer.
 TEST(CoreErrors, NearestWithKnownOverlap) {
   const Ellipse<double> near{1, 0, 1, 0, 2, 1}, other{0, 1, 3, 4, 0.5, 0.25};
   const auto distance = [](const Ellipse<double>& a, const Ellipse<double>& b, std::int32_t known) {

@@ -1,2 +1,2 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the compiled headers of the tests belong to.
+// The source that the precompiled headers of the tests belong to.

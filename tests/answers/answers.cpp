@@ -31,7 +31,7 @@ void append(Bytes& bytes, const T& value) {
   bytes.insert(bytes.end(), from, from + sizeof value);
 }
 
-/// Within the very distance that nearest tells, and its neighbours.
+/// Within exactly the distance that nearest returns, and within its neighbours.
 Bytes ask_within(const Case& c, Scalar scalar) {
   const stress::Answer nearest = stress::ask(Query::nearest, scalar, c.pair);
   Bytes bytes;

@@ -31,10 +31,10 @@ using Take = std::function<void(const std::string& name, const Bytes& answer)>;
 /// places differ from one to another.
 enum class Functions { own, by_the_c_library };
 
-/// What every function of one pair answers.
+/// The answers of every function that takes one pair.
 void ask(Functions which, const Case& c, const Take& take);
 
-/// What every function of arrays answers, the index and the join among them.
+/// The answers of every function that takes arrays, with the index and the join.
 void ask_arrays(Functions which, const std::vector<Case>& cases, const Take& take);
 
 }  // namespace answers

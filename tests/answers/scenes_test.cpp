@@ -133,7 +133,7 @@ class Asked {
     }
   }
 
-  /// Of each set, which has one kind, by each ratio.
+  /// Each set, which has one kind, by each ratio.
   void suppress(std::size_t kind) {
     const Shapes& shapes = a_.sets.sets[kind];
     std::vector<T> scores, decayed(static_cast<std::size_t>(shapes.count));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What holds of areas without any tolerance, asked of the library alone:
+// Laws of areas that hold without any tolerance, tested by the library alone:
 //   relation       disjoint and touching pairs share 0, contained ones the inner shape's area, equal ones iou 1
 //   bounds         0 <= area <= the lesser shape's; above 0 where they cross, unless it underflows; 0 <= iou <= 1
 //   symmetry       area(a, b) = area(b, a) and iou(a, b) = iou(b, a)
@@ -98,7 +98,7 @@ class AreaLaws : public testing::Test {
     demand(same(iou(p), iou(q)), "scale of iou", p, iou(q).value, iou(p).value);
     const Answer before = area(p), after = area(q);
     const double wanted = std::ldexp(before.value, 2 * exponent);
-    // Where either is subnormal or infinite it has lost digits.
+    // If either is subnormal or infinite, it has lost digits.
     const bool nothing = vesica_relation_f64(p.kind_a, p.a.data(), p.kind_b, p.b.data()) <= VESICA_TOUCH;
     const auto normal = [&](const Answer& x) { return x.code == 0 && (nothing || x.value >= 0x1p-1022); };
     if (!normal(before) || !normal(after)) return;

@@ -266,7 +266,7 @@ TYPED_TEST(BatchArguments, NothingToAnswerNeedsNoMemory) {
   this->expect_indices({-1});
 }
 
-/// Where nothing is to be answered the rest is checked all the same.
+/// Checks the other arguments even if the arrays are empty.
 TYPED_TEST(BatchArguments, NothingToAnswerIsStillChecked) {
   auto wrong_kind = this->nothing_, wrong_reserved = this->nothing_;
   wrong_kind.kind = vesica::kind_count;

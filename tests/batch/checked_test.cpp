@@ -40,7 +40,7 @@ std::vector<Case> checked_cases() {
   return cases;
 }
 
-/// What a kernel says of one shape and a block.
+/// A kernel's answers for one shape and a block.
 template <class T>
 struct Said {
   bool block_taken = false, row_taken = false;

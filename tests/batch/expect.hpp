@@ -19,7 +19,7 @@ namespace batch_tests {
 
 inline constexpr std::uint8_t untouched = 0xA5;
 
-/// What a call must write and return.
+/// The values that a call must write and return.
 struct Expected {
   std::vector<std::uint8_t> bytes;
   std::int64_t overlaps = 0;

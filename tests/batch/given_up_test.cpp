@@ -28,7 +28,7 @@ int calls, undecided;  // since the last count_anew()
 
 void count_anew() { calls = undecided = 0; }
 
-/// What the counting kernels stand for.
+/// The kernels that the counting ones replace.
 template <class T>
 vesica::BlockKernel<T> original;
 template <class T>

@@ -25,7 +25,7 @@ std::span<const InstructionSet> instruction_sets() {
 
 namespace {
 
-/// Those of the library; and where it does without the portable one, that too in programs linked with it.
+/// The library's sets, and the portable set in programs that link it.
 std::vector<const InstructionSet*> tested_sets() {
   std::vector<const InstructionSet*> sets;
 #ifdef VESICA_TEST_PORTABLE

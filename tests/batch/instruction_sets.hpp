@@ -23,7 +23,7 @@ struct InstructionSet {
   int lanes(double) const { return doubles; }
 };
 
-/// Those the library chooses from, the plainest first.
+/// The sets that the library chooses from, the plainest first.
 std::span<const InstructionSet> instruction_sets();
 
 /// One body of a test: an instruction set, a scalar type, two kinds in either order.
@@ -41,7 +41,7 @@ std::string to_string(const Case& c);
 inline void PrintTo(const Case& c, std::ostream* out) { *out << to_string(c); }
 inline std::string test_name(const testing::TestParamInfo<Case>& info) { return to_string(info.param); }
 
-/// A test of each case, skipped where the processor lacks the set.
+/// A test of each case, skipped if the processor does not have the set.
 class EveryCase : public testing::TestWithParam<Case> {
  protected:
   void SetUp() override {

@@ -122,7 +122,7 @@ TEST_P(Matrix, AgreesAboutBlockSizes) {
   });
 }
 
-/// A single row is wherever it is told to be: its stride is not looked at.
+/// The stride of a single row is ignored.
 TEST_P(Matrix, IgnoresTheStrideOfASingleRow) {
   in_its_scalar([this]<class T>(T) { check<T>(Layout::columns, 1, Layout::columns, 9, -9, false); });
 }

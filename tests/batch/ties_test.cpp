@@ -44,7 +44,7 @@ std::vector<Lattice> lattices() {
   for (const double step : {1.0, 0.5, 0.01, 0x1p-10}) all.push_back({step, 0, 0});
   all.push_back({1, 0, 7});
   all.push_back({0.5, 3, -11});
-  // What an error is may underflow, and a product overflow.
+  // The rounding error may underflow, and a product may overflow.
   const int extremes_f32[] = {-149, -140, -60, 60, 120},
             extremes_f64[] = {-1074, -1000, -540, -360, -170, 170, 340, 1000};
   if constexpr (sizeof(T) == sizeof(float)) {

@@ -150,7 +150,7 @@ TEST_P(TilesOfMatrix, AreSkippedWhereBoxesAreApart) {
   });
 }
 
-/// One invalid shape among the rows or the columns, and its tile is computed, for the matrix to tell of it.
+/// One invalid shape among the rows or columns: its tile is computed, so that the matrix returns the error.
 TEST_P(TilesOfMatrix, AreComputedWhereAShapeIsInvalid) {
   in_its_scalar([this]<class T>(T) {
     const Case& c = GetParam();

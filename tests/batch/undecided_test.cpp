@@ -82,7 +82,7 @@ std::int32_t undecided(vesica::BlockKernel<T> kernel, const Columns<T>& columns)
   return kernel(block).undecided;
 }
 
-/// Of 4,096 pairs each: any, thin ones, and near contact.
+/// 4,096 pairs each: any, thin ones, and near contact.
 struct Expected {
   int kind_a, kind_b;
   properties::Scalar scalar;

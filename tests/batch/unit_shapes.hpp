@@ -14,7 +14,7 @@
 
 namespace batch_tests {
 
-/// What becomes of some shapes of a block of unit axes.
+/// The changes made to some shapes of a block of unit axes.
 enum class Odd {
   nothing,
   longer,      ///< the same set with an axis four times as long and sizes a quarter

@@ -16,7 +16,7 @@ namespace {
 using properties::Numbers;
 using properties::Pair;
 
-/// What the header promises, in roundoffs of the scale; points besides times the aspect ratio.
+/// The header's error bounds, in roundoffs of the scale; for points also times the aspect ratio.
 constexpr double promised = 4;
 
 /// Largest errors met, in those units.

@@ -23,7 +23,7 @@ struct Oval {
   double a, b, angle;
 
   double height(double at) const { return std::hypot(a * std::cos(at - angle), b * std::sin(at - angle)); }
-  /// Of the height by the angle.
+  /// The height's derivative with respect to the angle.
   double slope(double at) const { return (b * b - a * a) * std::sin(2 * (at - angle)) / (2 * height(at)); }
   double radius(double at) const { return std::pow(a * b, 2) / std::pow(height(at), 3); }
 };

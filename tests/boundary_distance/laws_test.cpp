@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What holds for every pair of shapes, on every workload.
+// Laws that hold for every pair of shapes, on every workload.
 #include <gtest/gtest.h>
 
 #include <cmath>

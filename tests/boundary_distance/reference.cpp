@@ -58,7 +58,7 @@ Derivatives derivatives(const Shape& a, const Shape& b, int sign, Real nx, Real 
 /// Newton's method on the slope within a bracket, bisection where that leaves it.
 Least refine(const Shape& a, const Shape& b, int sign, const Bracket& bracket) {
   const Real nx = real(bracket.at.x), ny = real(bracket.at.y);
-  // Of the angle from the middle, at most some 84 degrees.
+  // The cosine's series in the angle from the middle, at most about 84 degrees.
   const auto tangent = [&](const Direction& n, int side) {
     const Real cosine = nx * n.x + ny * n.y, sine = nx * n.y - ny * n.x;
     return cosine > 0.1 ? Real(sine / cosine) : real(10.0 * side);

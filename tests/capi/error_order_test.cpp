@@ -248,7 +248,7 @@ TYPED_TEST(ErrorOrder, OfOneShapeOrArray) {
   }
 }
 
-/// A kind that is known, but not to a function, is told before what is wrong with the array.
+/// A kind that a function does not support is reported before faults of the array.
 TYPED_TEST(ErrorOrder, OfKindsThatAFunctionDoesNotTake) {
   using T = TypeParam;
   using F = Face<T>;
@@ -283,7 +283,7 @@ TYPED_TEST(ErrorOrder, OfKindsThatAFunctionDoesNotTake) {
   }
 }
 
-/// Of an index, and a shape to look for in it without its sets.
+/// An index, and a shape to look for in it without its sets.
 TYPED_TEST(ErrorOrder, OfAnIndex) {
   using T = TypeParam;
   using F = Face<T>;

@@ -62,7 +62,7 @@ static_assert(overlap(Rect<double>{0, 0, tiny, 0, huge, 1}, Point<double>{0, tin
 static_assert(!overlap(Circle<double>{-huge, 0, 1}, Circle<double>{huge, 0, huge}));
 static_assert(overlap(Circle<double>{-huge, 0, huge}, Circle<double>{huge, 0, huge}));
 
-/// What is invalid is an error here too.
+/// Invalid shapes are errors in constant expressions too.
 static_assert(overlap_or_error(Circle<double>{0, 0, inf}, point) == error_shape);
 static_assert(overlap_or_error(Ellipse<double>{0, nan, 1, 0, 1, 1}, ellipse) == error_shape);
 static_assert(relation_or_error(Rect<double>{0, 0, 0, 0, 1, 1}, ellipse) == error_shape);

@@ -45,7 +45,7 @@ struct Draws {
     z = (z ^ z >> 27) * 0x94d049bb133111ebu;
     return z ^ z >> 31;
   }
-  /// Of any exponent from 2^-e to 2^e, of any sign or not below 0.
+  /// A number from 2^-e to 2^e, of either sign or not negative.
   constexpr double number(int e, bool is_signed) {
     const std::uint64_t r = next(),
                         exponent = 1023 - static_cast<std::uint64_t>(e) + next() % (2u * static_cast<unsigned>(e) + 1);

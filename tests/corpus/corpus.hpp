@@ -18,7 +18,7 @@ struct Row {
 /// All rows. Throws std::runtime_error where the file is missing or damaged.
 std::vector<Row> rows();
 
-/// Those that ask this query.
+/// The rows that ask this query.
 std::vector<Row> rows(const std::string& query);
 
 }  // namespace corpus

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where outlines meet: known places, how many there are against exact integers, how exact they are.
+// Crossings of outlines: known places, their number against exact integers, their accuracy.
 #include <gtest/gtest.h>
 #include <vesica.h>
 
@@ -256,7 +256,7 @@ TEST(Crossings, ArePlacesOfBothOutlines) {
   }
 }
 
-/// Where the outlines cross at an angle, the places themselves are exact.
+/// If the outlines cross at an angle, the places are exact.
 TEST(Crossings, AreWhereTheyShouldBe) {
   double furthest = 0;
   for (int a = VESICA_CIRCLE; a <= VESICA_ELLIPSE; ++a) {

@@ -12,7 +12,7 @@
 #include "exact/values.hpp"
 #include "properties/random.hpp"
 
-namespace rough_test {
+namespace estimate_test {
 namespace {
 
 using namespace vesica::detail::crossings;
@@ -122,4 +122,4 @@ TEST(Estimates, PreciseOnes) {
 }
 
 }  // namespace
-}  // namespace rough_test
+}  // namespace estimate_test

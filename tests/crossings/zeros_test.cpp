@@ -130,7 +130,7 @@ TEST(ZerosOfQuartics, NoneIsBesideSpots) {
   EXPECT_GT(told, 100000 * properties::repeat());
 }
 
-/// What doubles tell of a quartic.
+/// The facts about a quartic that doubles decide.
 TEST(ZerosOfQuartics, DoublesTellAsMuch) {
   Random random(seed + 1);
   std::array<int, 5> far{}, reach{}, certain{}, zeros{};

@@ -214,7 +214,7 @@ TEST(CudaKernels, Arguments) {
   EXPECT_EQ((cuda::overlap_many<Point, Circle>(many, b, out.data(), memory.of(8))), cudaErrorInvalidValue);
 }
 
-// What is asked of counts and kinds, one at a time.
+// Checks of counts and kinds, one at a time.
 TEST(CudaKernels, EachArgumentAlone) {
   using vesica::Point;
   namespace cuda = vesica::cuda;
@@ -280,7 +280,7 @@ TEST(CudaKernels, ErrorsOfEachLaunch) {
     EXPECT_EQ(queued, at - 1);
     EXPECT_EQ(out, at > 2 ? (std::vector<std::uint8_t>{1, 0}) : (std::vector<std::uint8_t>{9, 9})) << at;
   }
-  // Of no pairs the zeros alone are queued.
+  // Without pairs, only the zeros are queued.
   for (const int at : {1, 0}) {
     queued = 0;
     queued_until_failure = at;

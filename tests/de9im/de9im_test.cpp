@@ -50,7 +50,7 @@ int relation_of(const std::string& m) {
   return m[0] == 'F' ? VESICA_TOUCH : VESICA_CROSS;
 }
 
-/// Of a point, from its relation to b.
+/// The matrix of a point, from its relation to b.
 char part(int kind_b, const Numbers& b, double x, double y) {
   const double point[2] = {x, y};
   switch (oracle::relation(VESICA_POINT, point, kind_b, b.data())) {

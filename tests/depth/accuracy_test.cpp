@@ -16,7 +16,7 @@ namespace {
 using properties::Pair;
 using properties::Workload;
 
-/// What the header promises, in roundoffs of the scale; the direction's length, in roundoffs.
+/// The header's error bounds, in roundoffs of the scale; for the direction's length, in roundoffs.
 constexpr double promised = 4, promised_length = 3;
 
 struct Worst {

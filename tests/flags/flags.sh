@@ -14,6 +14,9 @@ fail() {
   exit 1
 }
 
+# The refusal is the first error: nothing after it needs to be compiled.
+[ "$expected" != refused ] || flags+=(-Wfatal-errors)
+
 # A query is one source over the core: a decision, and a number.
 for query in overlap nearest; do
   if "$compiler" "${flags[@]}" -I"$root/include" -I"$root/src" -c "$root/src/queries/$query.cpp" -o "$folder/$query.o" \

@@ -79,7 +79,7 @@ Placed placed_at(int kind, const Numbers& numbers, const Turn& turn, double t, d
 /// Do the shapes, both shrunk by 2^-40, overlap at t? Exactly, by vesica_overlap.
 bool cores_overlap(const Turning& s, double t);
 
-/// What scenes are like.
+/// The kinds of scenes.
 enum class Style { plain, needles, close, still };
 
 /// About the origin, with lengths about 1; spins up to `spin` radians.

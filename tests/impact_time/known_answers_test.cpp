@@ -150,7 +150,7 @@ TEST(Known, ExtremeExponents) {
     EXPECT_LE(r.t, 0.5);
     EXPECT_GE(r.t, 0.48);
   }
-  // A tolerance below what rounding allows is not reached, which is told.
+  // A tolerance below rounding is not reached, and the result says so.
   const Answer r = impact_time(Scalar::f64, {bar_and_disc, {0, 0, pi}, still, 1e-300});
   EXPECT_EQ(r.code, VESICA_CAST_HIT);
   EXPECT_LE(r.t, 0.5);

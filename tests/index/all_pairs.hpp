@@ -98,7 +98,7 @@ void turn(std::vector<Item<T>>& items) {
 template <class T, class Found>
 void sweep(const Row<T>& row, const Item<T>& x, Found found) {
   const double from = x.min_x - row.widest - (std::fabs(x.min_x) + row.widest) * 1e-14;
-  // Of infinite bounds the place to begin is not a number.
+  // With infinite bounds the place to begin is not a number.
   auto y = std::isnan(from) ? row.items.begin()
                             : std::lower_bound(row.items.begin(), row.items.end(), from,
                                                [](const Item<T>& i, double v) { return i.min_x < v; });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the functions refuse, and that they write nothing then.
+/// Arguments that the functions refuse, and that they then write nothing.
 #include <gtest/gtest.h>
 
 #include <limits>

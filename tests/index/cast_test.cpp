@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What a moving shape hits among the items of an index is what the scalar function says of all of them.
+/// A moving shape hits the items of an index that the scalar function says it hits.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -125,7 +125,7 @@ TYPED_TEST(CastTest, AcrossManyBlocks) {
   EXPECT_GT(longest, 50U);
 }
 
-/// Contact later than the greatest number is contact; which is the first cannot be told, unless another one is.
+/// Contact later than the greatest number is contact; which is first is not known, unless another one is.
 TYPED_TEST(CastTest, LaterThanAllNumbers) {
   using T = TypeParam;
   constexpr T largest = std::numeric_limits<T>::max();
@@ -198,7 +198,7 @@ TEST(CastOfAllThereIs, BesideItemsThatCannotBeTold) {
   }
 }
 
-/// Two sides whose times round down to one float: the lesser number is the first, though it is met later.
+/// Two sides whose times round down to one float: the lesser number is first, though it is hit later.
 TEST(CastOfFloats, EqualTimesAfterRounding) {
   int ties = 0;
   for (int i = 0; i < 200; ++i) {
@@ -235,7 +235,7 @@ TEST(CastOfAllThereIs, InfiniteBounds) {
   }
 }
 
-/// Speeds near either end of the numbers, whose inverses are none or have few digits: item i is met at i + 1 ticks.
+/// Speeds near either end of the range, whose inverses overflow or have few digits: item i is hit at i + 1 ticks.
 TEST(CastOfAllThereIs, LeastAndGreatestSpeeds) {
   constexpr std::int64_t n = 120, met = 50;
   const double origin[2] = {0, 0};
@@ -312,7 +312,7 @@ TEST(CastArguments, Refused) {
   EXPECT_EQ(all(3), 0);
 }
 
-// What a call left, with one number changed: no block, fewer than no items, or no mark.
+// The state of a call with one number changed: no block, a negative count, or no mark.
 TEST(CastArguments, StatesMadeUp) {
   const Indexed<double> many(rects<double>("uniform", 2000, 1));
   const double circle[3] = {0, 0, 1e6};

@@ -69,7 +69,7 @@ struct Guarded {
     const std::int64_t used =
         Face<T>::index_build(guarded_sets, count(), built, size, buffers.lines(scratch_size), scratch_size);
     EXPECT_GT(used, 0);
-    // What reads it sees no more than the bytes that a file would have.
+    // Readers see only the bytes that a file would have.
     index = buffers.lines(used);
     std::memcpy(index, built, static_cast<std::size_t>(used));
     EXPECT_EQ(vesica_index_check(index, used), 0);
@@ -152,7 +152,7 @@ Laid<T> some_of_each(const char* workload, std::int64_t n, std::uint64_t seed) {
   return laid;
 }
 
-/// What one index and two answer, every output with room for what there is and no more.
+/// The questions of one index and of two, every output with room for the results and no more.
 template <class T>
 class Questions {
  public:

@@ -112,7 +112,7 @@ TYPED_TEST(JoinTest, Columns) {
   }
 }
 
-/// Whether bounds meet does not depend on whose grid they are compared on, nor on which of two blocks holds few.
+/// Overlap of bounds depends neither on the grid of comparison nor on which of two blocks holds few shapes.
 TYPED_TEST(JoinTest, BoundsMeetFromBothSides) {
   for (const std::string& name : rect_workloads()) {
     const std::int64_t n = many_of<TypeParam>(name, false);
@@ -170,7 +170,7 @@ TYPED_TEST(JoinTest, BoundsBeyondTheRange) {
   expect_all_pairs(a, a, "both ends of the range, itself");
 }
 
-/// Where a node has no child, its sides are infinite: a box whose sides are infinite too was said to meet such.
+/// A node's missing children have infinite sides: once a box with infinite sides overlapped them.
 TYPED_TEST(JoinTest, InfiniteBoundsMeetOnlyWhatIsThere) {
   constexpr TypeParam most = std::numeric_limits<TypeParam>::max();
   const Indexed<TypeParam> everywhere(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What only a large index has: crowds within crowds, and blocks that meet more blocks than are listed at once.
+/// Cases of a large index alone: nested clusters, and blocks that overlap more blocks than are listed at once.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -26,7 +26,7 @@ Records<T> points(std::int64_t n, const std::function<double(std::int64_t)>& rea
   return records;
 }
 
-/// Whether the build, which plans by 4,096 of n items, passes over item i.
+/// True if the build, which plans by 4,096 of n items, skips item i.
 bool is_passed_over(std::int64_t i, std::int64_t n) {
   const std::int64_t sample = (i * 4096 + n - 1) / n;
   return sample * n / 4096 != i;

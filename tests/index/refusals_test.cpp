@@ -11,7 +11,7 @@
 namespace index_tests {
 namespace {
 
-/// What any of the functions is given. Two sides, a moving shape, and room for answers.
+/// The arguments of all functions: two sides, a moving shape, and room for answers.
 template <class T>
 struct Call {
   using Shapes = typename Face<T>::Shapes;
@@ -115,7 +115,7 @@ class Refusals : public testing::Test {
     return 0;
   }
 
-  /// Of every function that is given an index of the first side.
+  /// Faults of every function that takes an index of the first side.
   std::vector<Wrong<T>> of_first_side() {
     return {{"index NULL", VESICA_E_NULL, [](auto& c) { c.index = nullptr; }},
             {"index at 8", VESICA_E_ARGUMENT, [](auto& c) { c.index = static_cast<const char*>(c.index) + 8; }},
@@ -224,7 +224,7 @@ TYPED_TEST(Refusals, JoinNearest) {
   wrong.push_back({"first sets NULL", VESICA_E_NULL, [](auto& c) { c.sets = nullptr; }});
   wrong.push_back({"second sets those of another index", VESICA_E_ARGUMENT, [](auto& c) { c.sets_b = c.sets; }});
   const auto few = [](const Call<TypeParam>& c) {
-    // Of the first side one shape: its rows fit.
+    // The first side has one shape: its rows fit.
     const bool as_it_is = c.sets != nullptr;
     return F::join_nearest(as_it_is ? c.one : nullptr, 1, c.index_b, c.sets_b, c.set_count_b, c.k, c.within, c.part,
                            c.parts, c.out, c.distance);

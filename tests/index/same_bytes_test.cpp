@@ -41,7 +41,7 @@ std::uint64_t hash_pairs(const std::vector<Pair>& pairs) {
 
 TEST(SameBytes, IndexAndOrderOfPairs) {
   const Indexed<double> a(touching<double>(9000, 1)), b(touching<double>(7000, 2));
-  // The bytes of numbers are in the machine's order, which the header tells.
+  // Numbers are in the machine's byte order, which the header names.
   if constexpr (std::endian::native == std::endian::little) {
     EXPECT_EQ(hash_bytes(a.index.get(), static_cast<std::size_t>(a.result)), 14017431053294008823u);
   }
@@ -143,7 +143,7 @@ TEST(SameBytes, ResumedInACrowd) {
   }
 }
 
-/// Places that no join tells: beyond a block's candidates.
+/// Places that no join returns: beyond a block's candidates.
 TEST(SameBytes, PlacesThatAreNone) {
   const Indexed<double> all(touching<double>(5000, 3));
   const auto next = [&all, index = all.index.get()](std::int64_t* state) {

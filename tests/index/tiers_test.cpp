@@ -99,7 +99,7 @@ TEST(Tiers, NoRoomForCells) {
   expect_selected(all, {0.1, 0.1, 0.7, 0.9});
 }
 
-/// Of a thousand boxes 900 are wider than the greatest number: they fit no grid but the one for all.
+/// 900 of a thousand boxes are wider than the greatest number: they fit only the grid for all.
 Records<double> wider_than_any_grid() {
   Records<double> boxes{VESICA_AABB, {}};
   for (int i = 0; i < 1000; ++i) {

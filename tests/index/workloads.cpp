@@ -145,7 +145,7 @@ std::vector<Rect> draw(const std::string& name, std::int64_t n, std::uint64_t se
 
 template <class T>
 void append(std::vector<T>& numbers, std::initializer_list<double> values) {
-  // What is finite as a double stays finite as a float.
+  // Numbers that are finite as doubles stay finite as floats.
   for (const double x : values) {
     const auto most = static_cast<double>(std::numeric_limits<T>::max());
     numbers.push_back(static_cast<T>(std::clamp(x, -most, most)));

@@ -15,7 +15,7 @@ namespace guard_cases {
 template <class T>
 using Limits = std::numeric_limits<T>;
 
-/// Whether `check(guard)` holds in every lane, or in none.
+/// True if `check(guard)` holds in every lane, or in none.
 template <class V, class Check>
 bool holds(Check check) {
   vesica::Guard<V> guard;

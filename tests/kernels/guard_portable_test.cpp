@@ -21,7 +21,7 @@ TEST(PortableLanes, AreNumbers) {
   EXPECT_EQ(select(Doubles(2) < Doubles(1), Doubles(3), Doubles(4)).v, 4);
 }
 
-/// Of numbers from 1 to 2, where a roundoff counts least and most.
+/// Numbers from 1 to 2, where a roundoff counts least and most.
 template <class V>
 void expect_raised(double u) {
   for (const double x : {1.0, 1.25, 1.5, 2 - 2 * u}) {

@@ -21,7 +21,7 @@ TEST(CircleEllipseCircleApproximation, KnownAnswers) {
   }
 }
 
-// Near a slanting normal circle segments tell with half the iterations what polygons do.
+// Near a slanting normal, circular segments decide with half the iterations that polygons need.
 TEST(CircleEllipseCircleApproximation, IterationsAndBound) {
   const vesica_ellipse_f64 ellipse{0, 0, 1, 0, 45, 25};
   for (const double off_contact : {1e-6, -1e-6}) {

@@ -97,7 +97,7 @@ void expect_never_wrong_aligned(Scalar scalar, int cases) {
     expect(properties::name(workload),
            [&] { return aligned(properties::draw(workload, VESICA_ELLIPSE, VESICA_ELLIPSE, scalar, random), random); });
   }
-  // What bisection cannot place at all (beyond the range of numbers, or not near each other) is left out.
+  // Skips pairs that bisection cannot place (beyond the range of numbers, or not near each other).
   for (const properties::Workload workload : {properties::Workload::random, properties::Workload::grid}) {
     for (const double gap : {1e-3, 1e-6, 1e-9, 1e-12, 1e-15}) {
       expect("near tangent", [&] {

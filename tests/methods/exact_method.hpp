@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What every method called exact must keep, and the counts of what it may not.
+/// The promises of every method called exact, and counts of the exceptions.
 #pragma once
 
 #include <string>

@@ -18,7 +18,7 @@ using properties::Scalar;
 /// A method as a function of the pair's flat numbers.
 using Method = std::function<std::int32_t(const Pair&)>;
 
-/// What the exact default answers.
+/// The answer of the exact default.
 std::int32_t truth(Scalar scalar, const Pair& pair);
 
 /// The pair with its second shape moved along the line from the first one's place until they touch, then apart or

@@ -60,7 +60,7 @@ inline constexpr std::array<double, 19> distances{0,
                                                   2.8916462699459,
                                                   1.5498764578216};
 
-/// Those whose outlines share a point, up to the rounding of the axes: the distance of outlines is 0.
+/// The ellipses whose outlines share a point, up to the rounding of the axes: the distance of outlines is 0.
 constexpr bool touches_or_crosses(std::size_t i) { return i < 8; }
 
 template <class T>

@@ -105,7 +105,7 @@ TEST(RectCorners, Accuracy) {
   EXPECT_LE(f32, 3);
 }
 
-// What the constructor from corners makes of them is the rectangle again: exactly, on integers.
+// The constructor from corners gives the rectangle again: exactly, on integers.
 TEST(RectCorners, ReadByRectFromCorners) {
   const vesica_rect_f64 rect{10, 20, 1, 0, 6, 2};
   double out[8];

@@ -149,7 +149,7 @@ TEST(RectEllipsePointParallelogramDistance, PointBeyondTheRange) {
   EXPECT_EQ(out.c_min, 3);
   EXPECT_EQ(vesica_method_rect_ellipse_point_parallelogram_distance_f64(&rect, &leaning_in, &out), 0);
   EXPECT_NEAR(out.x / largest, 0, 1e-5);
-  // Of the axis (1, 1), 1 of 4 half lengths by 1: ((1, 1).(1, 1) / 2) / (1 / 4) = 4 half lengths away.
+  // For the axis (1, 1), 1 of 4 half lengths by 1: ((1, 1).(1, 1) / 2) / (1 / 4) = 4 half lengths away.
   EXPECT_NEAR(out.c_min, 15, 1e-4);
 }
 

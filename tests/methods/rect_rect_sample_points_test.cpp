@@ -136,7 +136,7 @@ TEST(RectRectSamplePoints, UncertainStretchesAreShort) {
   EXPECT_GT(longest, 0.5 / (k + 1));
 }
 
-/// Whether both rectangles are wider than the distance between their samples.
+/// True if both rectangles are wider than the distance between their samples.
 bool keeps_printed_condition(const Pair& pair, std::int32_t k) {
   const auto wide = [k](double hx, double hy) { return std::min(hx, hy) > std::max(hx, hy) / (k + 1); };
   return wide(pair.a[4], pair.a[5]) && wide(pair.b[4], pair.b[5]);

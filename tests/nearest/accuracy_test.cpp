@@ -39,7 +39,7 @@ class Accuracy : public testing::TestWithParam<properties::Kinds> {
   bool narrow() const { return GetParam().scalar == Scalar::f32; }
   Real last_place() const { return Real(narrow() ? 0x1p-149 : 0x1p-1074); }
 
-  /// What a point is off by at most for its coordinates' rounding.
+  /// The largest error of a point from rounding its coordinates.
   Real coordinate_rounding(double x, double y) const {
     return Real(narrow() ? 0x1p-24 : u) * (abs(Real(x)) + abs(Real(y))) + 2 * last_place();
   }

@@ -333,7 +333,7 @@ TEST(NearestContact, ScaledByAPowerOfTwo) {
   }
 }
 
-// The offset of centres underflowed in the pair's unit, and with it the sign that tells the order.
+// The offset of centres underflowed in the pair's unit, and with it the sign that decides the order.
 TEST(NearestContact, ExchangedWhereTheOffsetIsBelowTheRange) {
   const double length = 0x1.9bb15ffc51cfep+964;
   const Pair pair{VESICA_SEGMENT, VESICA_SEGMENT, {0, 0, 0, length}, {-0x1p-184, 0, -0x1p-115, length}};

@@ -163,7 +163,7 @@ TEST(GeneralWay, BracketsCloseInFewSteps) {
   EXPECT_LT(of_points, 5 * asked);
 }
 
-/// Of two ellipses that are mirror images the frame is that of one and the same, whichever is the first.
+/// For two ellipses that are mirror images the frame comes from the same one in either order.
 TEST(GeneralWay, FrameOfMirrorImages) {
   const Axes<double> left{0.6, 0.8, 2, 0.5}, right{0.6, -0.8, 2, 0.5};
   const Vector<double> to_right{{8, 0}, {0, 0}}, to_left{{-8, 0}, {0, 0}};
@@ -177,7 +177,7 @@ TEST(GeneralWay, FrameOfMirrorImages) {
   EXPECT_NE(seen.y, 0);
 }
 
-/// What a search has not found is not settled, even where it is right.
+/// A result that the search has not proved is not settled, even if it is right.
 TEST(GeneralWay, DirectionThatWasNotFound) {
   const OneEllipse<double> e = one_ellipse(Axes<double>{1, 0, 1, 1});
   const Vector<double> d{{4, 0}, {0, 0}};

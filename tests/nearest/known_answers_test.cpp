@@ -17,7 +17,7 @@ using properties::Scalar;
 
 constexpr double ulp = 0x1p-52;
 
-/// Of each kind a shape whose farthest point along (3, 4) is the origin.
+/// A shape of each kind whose farthest point along (3, 4) is the origin.
 constexpr Numbers at_origin[6] = {
     {0, 0},
     {-6, -2, 0, 0},
@@ -168,7 +168,7 @@ TEST(NearestKnownAnswers, BeyondTheFiniteNumbers) {
   EXPECT_EQ(vesica_nearest_f64(VESICA_AABB, wide, VESICA_POINT, right, &out), 0);
   EXPECT_EQ(out.distance, 0);
 
-  // Where lengths are taken at an eighth, the least axes must not vanish. These shapes are points beside the distance.
+  // Lengths are taken at an eighth: the least axes must not vanish. The shapes are points beside the distance.
   for (const double axis : {1.0, 4.0, 5.0}) {
     const double unit = axis * std::numeric_limits<double>::denorm_min();
     for (const int kind : {VESICA_RECT, VESICA_ELLIPSE}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What holds without knowing any distance: symmetry, translation, scale, mirrors and turns; over every workload.
+/// Laws that need no known distance: symmetry, translation, scale, mirrors and turns; over every workload.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -31,7 +31,7 @@ void set_precision(const properties::Pair& pair);
 /// two points of them.
 struct Distance {
   Real lower, upper;
-  /// Whether the bounds agree to 2^-80 of themselves.
+  /// True if the bounds agree to a relative 2^-80.
   bool proved() const;
 };
 

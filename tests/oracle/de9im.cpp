@@ -43,7 +43,7 @@ Part part_of(const Corners& c, const Place& p) {
   return least > 0 ? inside : least == 0 ? outline : outside;
 }
 
-/// Where the line through f, g cuts the line through c, d, which is not parallel to it.
+/// The intersection of the line through f, g with the line through c, d, which is not parallel to it.
 Place cut(const Vector& c, const Vector& d, const Vector& f, const Vector& g) {
   mpz_class whole = cross(d - c, g - f), part = cross(f - c, g - f);
   if (sgn(whole) < 0) {
@@ -78,7 +78,7 @@ using Dimensions = std::array<std::array<int, 3>, 3>;  // -1: nothing
 
 void raise(int& dimension, int to) { dimension = std::max(dimension, to); }
 
-/// What the points and edges of a share with the parts of b: row by row.
+/// The parts of b that the points and edges of a share, row by row.
 Dimensions of_edges(const Corners& a, const Corners& b) {
   Dimensions m;
   for (auto& row : m) row.fill(-1);

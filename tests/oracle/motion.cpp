@@ -133,7 +133,7 @@ struct Pencil {
     return overlap(centre_at_end, {value_at_one(c0), value_at_one(c1), value_at_one(c2), value_at_one(c3)});
   }
 
-  /// Of ellipses that are apart at both ends: they are tangent on the way iff the discriminant has a root there.
+  /// Ellipses that are apart at both ends are tangent in between iff the discriminant has a root there.
   bool tangent_between() const {
     const Polynomial discriminant = c1 * c1 * (c2 * c2) + -4 * (c0 * (c2 * c2 * c2)) + -4 * (c1 * c1 * c1 * c3) +
                                     18 * (c0 * c1 * (c2 * c3)) + -27 * (c0 * c0 * (c3 * c3));

@@ -57,7 +57,7 @@ struct RationalPoint {
   mpq_class x, y;
 };
 
-/// Where the lines of two edges that are not parallel meet.
+/// The intersection of the lines of two edges that are not parallel.
 RationalPoint crossing(const Vector& a, const Vector& b, const Vector& c, const Vector& d) {
   const Vector e = b - a, f = d - c;
   mpq_class t(cross(c - a, f), cross(e, f));

@@ -13,7 +13,7 @@
 namespace contact {
 namespace {
 
-/// What a number of a shape is. Each x is followed by its y, each axis_x by its axis_y.
+/// The meaning of a shape's number. Each x is followed by its y, each axis_x by its axis_y.
 enum class Role { none, x, y, length, axis_x, axis_y, per_axis };
 
 constexpr Role roles[6][6] = {
@@ -27,7 +27,7 @@ constexpr Role roles[6][6] = {
 
 bool has_axis(std::int32_t kind) { return kind == VESICA_RECT || kind == VESICA_ELLIPSE; }
 
-/// Where a family is asked: lengths times 2^length, each axis times its own power, then moved by 2^length * offset.
+/// Transforms of a family: lengths times 2^length, each axis times its own power, then moved by 2^length * offset.
 struct Placement {
   int length = 0, axis_a = 0, axis_b = 0;
   bool moved = false;
@@ -141,7 +141,7 @@ Shape<T> spell(Shape<T> s, Spelling spelling) {
     if (role == Role::x || role == Role::axis_x) move_vector(s.number[i], s.number[i + 1], spelling);
   }
   if (s.kind == VESICA_AABB) {
-    // What was the smaller end of an axis is the larger one now.
+    // The smaller end of an axis is now the larger one.
     if (spelling == Spelling::mirrored_x || spelling == Spelling::quarter_turned) std::swap(s.number[0], s.number[2]);
     if (spelling == Spelling::mirrored_y) std::swap(s.number[1], s.number[3]);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the library answers for a pair, in either scalar type and through either face of `overlap`.
+/// The library's answers for a pair, in either scalar type, by both the C and the C++ `overlap`.
 #pragma once
 
 #include <cstdint>

@@ -34,7 +34,7 @@ inline constexpr std::array all_workloads{Workload::random,      Workload::near_
 
 const char* name(Workload workload);
 
-/// What near_contact asks while it bisects. The oracle by default; a quicker one makes it quicker.
+/// The predicate that near_contact bisects: the oracle by default, or a quicker one.
 using Decide = bool (*)(int kind_a, const double* a, int kind_b, const double* b);
 
 /// Every pair is valid and its numbers are of the scalar type. Same arguments, same pairs in one build (cosines are the

@@ -27,7 +27,7 @@ struct Pair {
 
 inline Pair swapped(const Pair& p) { return {p.kind_b, p.kind_a, p.b, p.a}; }
 
-/// What a number of a shape is.
+/// The meaning of a shape's number.
 enum class Role { x, y, axis, size, unused };
 Role role(int kind, int field);
 int field_count(int kind);
@@ -35,7 +35,7 @@ const char* kind_name(int kind);
 
 /// Is it a shape at all: sizes >= 0, axis not zero, min <= max, all finite?
 bool valid(int kind, const Numbers& numbers);
-/// Has a valid shape an area?
+/// Returns true if a valid shape has an area.
 bool has_area(int kind, const Numbers& numbers);
 /// A circle or an ellipse; and one with an area.
 constexpr bool is_round(int kind) { return kind == VESICA_CIRCLE || kind == VESICA_ELLIPSE; }

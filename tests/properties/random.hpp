@@ -38,7 +38,7 @@ inline Factor repeat() {
   return {value};
 }
 
-/// Whether random tests draw all of their cases, so that the rare ones must be among them.
+/// True if random tests draw all of their cases, so that the rare ones must be among them.
 inline bool draws_all() { return repeat().value >= 1; }
 
 /// Draws from one seed. The engine's sequence is fixed by the C++ standard; its distributions are not, hence these.

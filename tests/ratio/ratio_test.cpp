@@ -231,7 +231,7 @@ TEST_F(Ratios, OnWorkloads) {
   EXPECT_GT(asked_, 100000 * repeat());
 }
 
-// Where areas are beyond the range of doubles, the ratio is not.
+// Areas beyond the range of doubles have a ratio within it.
 TEST_F(Ratios, OfAnyMagnitude) {
   for (const int exponent : {-1000, -600, -530, 500, 530, 1000}) {
     const double s = std::ldexp(1, exponent);
@@ -277,7 +277,7 @@ TEST_F(Ratios, OfTheLeastNumbers) {
   EXPECT_GT(answered, 3000);
 }
 
-// Where the IoU underflows, and where even the shared area does, the share of the smaller shape does not.
+// The IoU may underflow, and even the shared area; the share of the smaller shape does not.
 TEST_F(Ratios, OfShapesFarSmallerThanTheOther) {
   const Numbers tiny{0, 0, 0x1p-900, 0x1p-900};
   const Pair inside = boxes(tiny, {-1, -1, 1, 1}), half = boxes(tiny, {0x1p-901, -1, 1, 1});
@@ -304,7 +304,7 @@ TEST_F(Ratios, OverOneAreaBesideAnotherFarAway) {
   EXPECT_EQ(ratio(VESICA_RATIO_OVER_SECOND, tiny), (Answer{0, 0}));
 }
 
-// What is shared is far smaller than both boxes and underflows, or keeps few digits; its share of either does not.
+// The shared area is far smaller than both boxes and underflows, or keeps few digits; its share of either does not.
 TEST_F(Ratios, OfAnAreaThatUnderflows) {
   for (int exponent = -250; exponent <= 150; exponent += 25) {
     const double unit = std::ldexp(1, exponent);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the library answers about relation and containment, in either scalar type.
+/// The library's answers about relation and containment, in either scalar type.
 #pragma once
 
 #include <vesica.h>
@@ -35,7 +35,7 @@ inline std::int32_t converse(std::int32_t code) {
   }
 }
 
-/// Whether the relation says that a contains b.
+/// True if the relation says that a contains b.
 inline std::int32_t says_contains(std::int32_t code) { return code >= VESICA_CONTAINS ? 1 : 0; }
 
 }  // namespace relations

@@ -25,7 +25,7 @@ using properties::Random;
 constexpr const char* kind_names[] = {"point", "segment", "circle", "aabb", "rect", "ellipse"};
 constexpr int most_printed = 3;
 
-/// What is compiled for each pair of kinds; everything else is for all of them.
+/// The code compiled for each pair of kinds; everything else is for all of them.
 template <class V>
 struct PairOfKinds {
   Kind first, second;

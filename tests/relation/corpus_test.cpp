@@ -43,7 +43,7 @@ const std::map<std::string, std::int32_t> known{
     {"detectron2-1266-1", VESICA_DISJOINT},
 };
 
-/// What the row's own answer says about the relation.
+/// The relation that follows from the row's own answer.
 void expect_agreement(const corpus::Row& row, std::int32_t code) {
   const Pair& pair = row.pair;
   const bool overlapping = code != VESICA_DISJOINT, crossing = overlapping && code != VESICA_TOUCH;

@@ -132,7 +132,7 @@ TEST(KnownRelation, AabbAabb) {
                 {contains, {0, 0, 3, 3}, {1, 1, 2, 2}},
                 {contains_touch, {0, 0, 3, 3}, {1, 0, 2, 2}, {{'b', 1, 1, contains}, {'b', 1, -1, cross}}},
                 {equal, {0, 0, 3, 3}, {0, 0, 3, 3}, {{'a', 2, 1, contains_touch}, {'a', 2, -1, inside_touch}}},
-                // Of no width.
+                // A box without width.
                 {touch, {0, 0, 4, 0}, {1, 0, 3, 2}, {{'b', 1, 1, disjoint}, {'b', 1, -1, cross}}},
                 {inside_touch, {1, 0, 3, 0}, {0, 0, 4, 2}, {{'a', 3, 1, inside_touch}, {'b', 1, -1, inside}}},
                 {inside, {1, 1, 3, 1}, {0, 0, 4, 2}},

@@ -119,7 +119,7 @@ Pair equal_pair(int kind_a, int kind_b, Scalar scalar, Random& random) {
     const Pair pair{kind_a, kind_b, drawn.a, b->numbers};
     return random.chance(0.5) ? a_place_off(pair, scalar, random) : pair;
   }
-  // Of kinds that have but points in common.
+  // Kinds that have only points in common.
   const double x = random.integer(-9, 9), y = random.integer(-9, 9);
   const Pair pair{kind_a, kind_b, point_as(kind_a, x, y), point_as(kind_b, x, y)};
   return random.chance(0.5) ? a_place_off(pair, scalar, random) : pair;
@@ -171,7 +171,7 @@ Osculation osculating_circle(int kind_a, int kind_b, Random& random) {
   const bool four_fold = random.chance(0.5);
   Curvature k = four_fold ? at_vertex(random) : at_oblique_point(random);
   while (!four_fold && k.a == k.b) k = at_oblique_point(random);  // a circle is its own circle of curvature
-  // Where both are circles, the one circle of curvature is the circle itself.
+  // If both are circles, the circle of curvature is the circle itself.
   if (kind_a == VESICA_CIRCLE && kind_b == VESICA_CIRCLE) {
     return {{kind_a, kind_b, {0, 0, k.radius}, {0, 0, k.radius}}, true};
   }

@@ -29,7 +29,7 @@ inline constexpr std::array all_nestings{Nesting::nested, Nesting::near_nested, 
 
 const char* name(Nesting nesting);
 
-/// Whether pairs of these kinds can be so. Only osculating is for some kinds alone.
+/// True if pairs of these kinds can be so. Only osculating is for some kinds alone.
 bool exists(Nesting nesting, int kind_a, int kind_b);
 
 /// A stream as properties::Stream.

@@ -31,7 +31,7 @@ Pair grown(Pair pair, int places) {
   return pair;
 }
 
-/// Of the ellipse to the circle.
+/// The relation of the ellipse to the circle.
 std::int32_t expected(const relations::Osculation& o) {
   if (!o.four_fold) return VESICA_CROSS;
   const Pair& p = o.pair;
@@ -42,7 +42,7 @@ std::int32_t expected(const relations::Osculation& o) {
   return ellipse_area < radius * radius ? VESICA_INSIDE_TOUCH : VESICA_CONTAINS_TOUCH;
 }
 
-/// What becomes of it when the circle is a little larger or smaller: strictly nested, or crossing.
+/// The relation when the circle is a little larger or smaller: strictly nested, or crossing.
 std::int32_t expected_with_circle(std::int32_t code, bool larger) {
   switch (code) {
     case VESICA_INSIDE_TOUCH:

@@ -43,7 +43,7 @@ class Integers {
 
 // Each number is drawn in a statement of its own: the order in which a compiler evaluates arguments is its own choice.
 
-/// What kind of numbers a pair is made of.
+/// The kind of numbers that a pair is made of.
 enum class Style { integers, fractions, axis_lengths };
 
 template <class T>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the batches of queries do with bad arguments and bad elements.
+// Batches of queries with bad arguments and bad elements.
 #include <gtest/gtest.h>
 #include <vesica.h>
 

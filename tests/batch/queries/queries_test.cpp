@@ -24,7 +24,7 @@ auto bits(T x) {
   return std::bit_cast<std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>>(x);
 }
 
-/// What a batch must write and return.
+/// The values that a batch must write and return.
 template <class T>
 class Expected {
  public:

@@ -94,7 +94,7 @@ TEST(GradientDescent, LeavesSaddles) {
 }
 
 // A point off the middle of a segment by less than descent can see: the start's gradient is 0, at the segment's end.
-// With one angle only, the second derivative that tells is that angle's.
+// With one angle only, that angle's second derivative decides.
 TEST(GradientDescent, LeavesTheEndOfASegment) {
   const vesica_ellipse_f64 point{0x1p-1000, 0x1p-1001, 1, 0, 0, 0}, segment{0, 0, 1, 0, 0x1p100, 0};
   ASSERT_EQ(vesica_overlap_ellipse_ellipse_f64(&point, &segment), 0);
