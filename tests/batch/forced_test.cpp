@@ -13,6 +13,7 @@
 #include "batch/layout.hpp"
 #include "capi/face.hpp"
 
+namespace forced_test {
 namespace {
 
 using namespace batch_tests;
@@ -115,3 +116,4 @@ INSTANTIATE_TEST_SUITE_P(Kinds, Forced, testing::ValuesIn(ordered_pairs()), [](c
 });
 
 }  // namespace
+}  // namespace forced_test
