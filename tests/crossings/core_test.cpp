@@ -7,6 +7,7 @@
 #include <vesica/crossings.hpp>
 #include <vesica/relation.hpp>
 
+namespace core_test {
 namespace {
 
 using namespace vesica;
@@ -96,3 +97,4 @@ TEST(Crossings, TipBesideTwoPlaces) {
 }
 
 }  // namespace
+}  // namespace core_test

@@ -13,6 +13,7 @@
 
 #include "properties/random.hpp"
 
+namespace quartics_test {
 namespace {
 
 using namespace vesica::detail::crossings;
@@ -278,3 +279,4 @@ TEST(Quartics, ExactDerivatives) {
 }
 
 }  // namespace
+}  // namespace quartics_test
