@@ -4,9 +4,10 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <vesica/construct.hpp>
+#include <vesica/shapes.hpp>
 
 namespace nineteen_ellipses {
 
@@ -68,8 +69,8 @@ vesica::Ellipse<T> ellipse(const Sample& s) {
   const double angle = s.degrees * (std::numbers::pi / 180);
   return {static_cast<T>(s.cx),
           static_cast<T>(s.cy),
-          vesica::detail::cosine(static_cast<T>(angle)),
-          vesica::detail::sine(static_cast<T>(angle)),
+          std::cos(static_cast<T>(angle)),
+          std::sin(static_cast<T>(angle)),
           static_cast<T>(s.width / 2),
           static_cast<T>(s.height / 2)};
 }
