@@ -117,7 +117,10 @@ class Stored {
 /// The same as the C functions take it.
 template <class T>
 typename capi_tests::Face<T>::Shapes c_shapes(const vesica::batch::Shapes<T>& view) {
-  typename capi_tests::Face<T>::Shapes shapes{view.kind, 0, view.count, view.stride, {}};
+  typename capi_tests::Face<T>::Shapes shapes{};
+  shapes.kind = view.kind;
+  shapes.count = view.count;
+  shapes.stride = view.stride;
   for (int k = 0; k < properties::field_count(view.kind); ++k) {
     shapes.field[k] = reinterpret_cast<const T*>(view.field[k].bytes());
   }

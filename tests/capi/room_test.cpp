@@ -35,7 +35,7 @@ class Room : public testing::Test {
   }
 };
 
-using Scalars = testing::Types<float, double>;
+using Scalars = testing::Types<double, float>;
 TYPED_TEST_SUITE(Room, Scalars);
 
 TYPED_TEST(Room, CrossingsAreAllWrittenWithRoomForMore) {
