@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Of many times, the one that a noisy machine disturbs least.
+/// The one of many times that a noisy machine disturbs least.
 #pragma once
 
 #include <algorithm>

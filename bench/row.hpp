@@ -12,7 +12,7 @@
 
 namespace vesica::bench {
 
-/// What a row should reach. A missed target is printed, never a failure: timings are no test.
+/// The target of a row. A missed target is printed, never a failure: timings are no test.
 struct Target {
   double ratio = 0;        ///< of the library's time to the yardstick's; 0 for none
   double nanoseconds = 0;  ///< a call; 0 for none

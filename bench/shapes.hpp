@@ -17,7 +17,7 @@ namespace vesica::bench {
 /// The numbers of one shape in the shape's order; those beyond its field count are 0.
 using Numbers = std::array<double, 6>;
 
-/// What a typed C struct is.
+/// The kind and scalar type of a typed C struct.
 template <class Scalar_, std::int32_t kind_>
 struct Description {
   using Scalar = Scalar_;

@@ -33,7 +33,7 @@ double library_time(const Row& row) {
   return median(over_samples(row, [](const Sample& sample) { return sample.library; }));
 }
 
-/// Of each pass's two times, not of the two medians: what disturbed the machine disturbed both of a pass.
+/// The ratio of each pass's two times, not of the two medians: what disturbed the machine disturbed both of a pass.
 std::vector<double> ratios(const Row& row) {
   return over_samples(row, [](const Sample& sample) { return sample.library / sample.yardstick; });
 }
@@ -42,7 +42,7 @@ double yardstick_time(const Row& row) {
   return median(over_samples(row, [](const Sample& sample) { return sample.yardstick; }));
 }
 
-/// What the library takes above the yardstick's time.
+/// The library's time above the yardstick's.
 double above(const Row& row) {
   return median(over_samples(row, [](const Sample& sample) { return sample.library - sample.yardstick; }));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the benchmarks run on. Every pool is a function of the kinds, the workload and the seed alone.
+/// The pools of the benchmarks. Every pool is a function of the kinds, the workload and the seed alone.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ enum class Workload {
   exponents,   ///< random exponents over the whole finite range, a field each; the slowest few of many
 };
 
-/// Those of independent shapes, by the share that overlaps.
+/// Workloads of independent shapes, by the share that overlaps.
 inline constexpr Workload by_rate[] = {Workload::rare, Workload::sparse, Workload::some, Workload::mixed,
                                        Workload::most};
 

@@ -65,7 +65,7 @@ class Columns {
     for (int k = 0; k < fields(); ++k) field_[k][to] = from.field_[k][index];
   }
 
-  /// What the library is given; the first `count` shapes. One shape is one that repeats.
+  /// The library's operand; the first `count` shapes. One shape is one that repeats.
   batch::Shapes<T> shapes(std::size_t count) const {
     const std::ptrdiff_t stride = count == 1 ? 0 : static_cast<std::ptrdiff_t>(sizeof(T));
     batch::Shapes<T> view{kind_, static_cast<std::int64_t>(count), stride, {}};

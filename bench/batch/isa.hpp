@@ -16,7 +16,7 @@ struct Isa {
   const unfiltered::Table* unfiltered;
 };
 
-/// Those this processor has, the best last.
+/// The sets that this processor has, the best last.
 const std::vector<Isa>& instruction_sets();
 
 }  // namespace vesica::bench

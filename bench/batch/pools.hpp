@@ -14,7 +14,7 @@ namespace vesica::bench {
 /// Pools of the last pair that was asked for are kept.
 const Pool& pool_of(std::int32_t kind_a, std::int32_t kind_b, Workload workload);
 
-/// Where in the two pools a batch starts. The shapes of a pool are independent, so a stretch of it is as random as a
+/// The start of a batch in the two pools. The shapes of a pool are independent, so a stretch of it is as random as a
 /// draw of each, and two stretches from two pools are pairs that never came before.
 struct Stretch {
   std::size_t a, b;

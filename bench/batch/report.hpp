@@ -11,7 +11,7 @@ void print_heading();
 /// One line, as soon as it is measured. scalar_nanoseconds: of the scalar call on such pairs.
 void print_row(const Spec& spec, const Result& result, double scalar_nanoseconds);
 
-/// Whether the row reaches its target; one without a target does.
+/// True if the row reaches its target; one without a target does.
 bool reaches_target(const Spec& spec, const Result& result);
 
 }  // namespace vesica::bench

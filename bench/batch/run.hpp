@@ -10,7 +10,7 @@
 
 namespace vesica::bench {
 
-/// What a row is compared with: as a rule the unfiltered kernel of the same instruction set.
+/// The yardstick of a row: as a rule the unfiltered kernel of the same instruction set.
 struct Comparison {
   double nanoseconds;          ///< a test
   double ratio;                ///< its time to ours, the median over rounds: 1 is as fast, below 1 we are slower

@@ -10,7 +10,7 @@ struct Pair {
   std::int32_t a, b;
 };
 
-/// Those with a yardstick.
+/// The rows with a yardstick.
 constexpr std::array<Pair, 4> main_pairs{{{VESICA_RECT, VESICA_RECT},
                                           {VESICA_RECT, VESICA_ELLIPSE},
                                           {VESICA_CIRCLE, VESICA_ELLIPSE},
@@ -85,7 +85,7 @@ BatchTarget in_cache_target(const Spec& spec) {
   return ratio(spec.kind_a == VESICA_CIRCLE ? 0.65 : 0.73);
 }
 
-/// Of pairs whose blocks are looked at once, see src/kernels/checked.hpp.
+/// Pairs whose blocks are checked once, see src/kernels/checked.hpp.
 BatchTarget matrix_target(const Spec& spec) {
   const bool wide = spec.isa->name == "avx2" || spec.isa->name == "avx512";
   return wide && spec.kind_a != VESICA_CIRCLE ? ratio(0.90) : BatchTarget{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What a row of the table measures, and what it should reach.
+/// A row of the table: its measurement and its target.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,7 @@ enum class Layout {
 
 const char* name_of(Layout layout);
 
-/// What a row should reach. A missed target is printed, never a failure: timings are no test.
+/// The target of a row. A missed target is printed, never a failure: timings are no test.
 struct BatchTarget {
   enum class Of { nothing, ratio, bandwidth, tests_a_second };
   Of of = Of::nothing;

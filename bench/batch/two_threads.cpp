@@ -12,7 +12,7 @@ namespace {
 constexpr int threads = 2;
 constexpr std::size_t n = batch_length<float>;
 
-/// What one thread measures while the other works as well: a buffer of its own, fresh data each pass.
+/// The measurement of one thread while the other works as well: a buffer of its own, fresh data each pass.
 class Worker {
  public:
   Worker(const Spec& spec, std::uint64_t number)

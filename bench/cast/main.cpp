@@ -190,7 +190,7 @@ class Circles {
                 static_cast<long long>(n), median(times) * 1e-3, rays, 100.0 * static_cast<double>(hits) / rays);
   }
 
-  /// All that a rectangle meets on its way, beside one call for each of these that knew them before.
+  /// All shapes that a rectangle touches on its way, beside one call for each if they were known before.
   void all_on_ways() {
     std::vector<double> times, ratios;
     std::int64_t met = 0;

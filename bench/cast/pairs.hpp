@@ -39,7 +39,7 @@ struct Pair {
   double vx, vy, angle = 0;
 };
 
-/// Of rectangles: how far the shape reaches across v, times |v|.
+/// For rectangles: how far the shape reaches across v, times |v|.
 inline double reach_across(const Numbers& n, double vx, double vy) {
   return n[4] * std::fabs(n[2] * vy - n[3] * vx) + n[5] * std::fabs(n[2] * vx + n[3] * vy);
 }

@@ -16,7 +16,7 @@ class Box2dCasts {
   ~Box2dCasts();
   void clear();
   void add(const vesica_rect_f64& a, const vesica_rect_f64& b, double vx, double vy, double angle);
-  /// Whether b hits a by the time 1. Only time_of_impact() turns it.
+  /// True if b hits a by the time 1. Only time_of_impact() turns it.
   bool shape_cast(std::size_t pair) const;
   bool time_of_impact(std::size_t pair) const;
 

@@ -33,7 +33,7 @@ class DeviceMemory {
   T* get() const { return memory_; }
   std::size_t bytes() const { return bytes_; }
 
-  /// What lies there, once all that was queued is done.
+  /// The contents, once all queued work is done.
   std::vector<T> read(std::size_t count) const {
     std::vector<T> numbers(count);
     must_succeed(cudaMemcpy(numbers.data(), memory_, count * sizeof(T), cudaMemcpyDeviceToHost));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What rows are made of: sets of shapes, memory for their indexes, and one join in its phases.
+/// The parts of a row: sets of shapes, memory for their indexes, and one join in its phases.
 #pragma once
 
 #include <vesica.h>
@@ -58,7 +58,7 @@ void build(const Operand& operand, const Scratch& scratch, Times& times);
 /// Takes all pairs of a part; returns how many.
 std::int64_t join(const Operand& a, const Operand& b, std::int64_t part, std::int64_t parts, const Memory& scratch);
 
-/// The least of so many builds and joins; a and b may be the same.
+/// The least of `repeats` builds and joins; a and b may be the same.
 Times least(const Operand& a, const Operand& b, const Scratch& scratch, int repeats);
 
 }  // namespace vesica::bench

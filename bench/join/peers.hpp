@@ -32,7 +32,7 @@ bool overlap_naively(const RectRecord& a, const RectRecord& b);
 /// Order of shapes along a Hilbert curve: what peers' queries are sorted by.
 std::vector<std::uint32_t> hilbert_order(const std::vector<RectRecord>& shapes);
 
-/// What a peer took and found.
+/// The time and the hits of a peer.
 struct PeerJoin {
   double build, join;  // seconds
   std::int64_t pairs;
@@ -43,7 +43,7 @@ struct PeerNearest {
 struct Peer {
   std::string name;
   PeerJoin (*join)(const std::vector<RectRecord>& a, const std::vector<RectRecord>& b);
-  /// Seconds for the hits of all windows by one tree over a, the least of so many times.
+  /// Seconds for the hits of all windows by one tree over a, the least of several times.
   double (*windows)(const std::vector<RectRecord>& a, const std::vector<BoxRecord>& windows, int repeats);
   /// The same for the k boxes nearest to each point; none where the library has no such query.
   PeerNearest (*nearest)(const std::vector<BoxRecord>& boxes, const std::vector<PointRecord>& points, unsigned k,
@@ -58,7 +58,7 @@ double seconds();
 /// Uses a result, so that no compiler leaves out what made it.
 void keep(std::int64_t result);
 
-/// Seconds of the quickest of so many calls.
+/// Seconds of the quickest of several calls.
 template <class Call>
 double quickest(int repeats, Call call) {
   double best = std::numeric_limits<double>::infinity();

@@ -39,7 +39,7 @@ double resident_bytes() {
   return static_cast<double>(resident) * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-/// Seconds on the clock until so many threads have joined all parts.
+/// Seconds on the clock until this number of threads has joined all parts.
 double joined_by(int threads, const Operand& a, const Operand& b) {
   const std::int64_t parts = 8 * threads;
   std::atomic<std::int64_t> next{0};
@@ -59,7 +59,7 @@ struct Frame {
   double build, join;  // seconds
 };
 
-/// The median of so many frames, between which every rectangle moves.
+/// The median of several frames, between which every rectangle moves.
 Frame median_frame(std::int64_t n) {
   constexpr int frames = 31;
   auto shapes = draw("uniform", n, 1);

@@ -11,7 +11,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// What a timed loop came to; written so that the loop cannot be dropped.
+/// The result of a timed loop; written so that the loop cannot be dropped.
 volatile std::int64_t consumed;
 
 /// A pass that is long is interrupted on a busy machine: of those the processor's time counts, which is too coarse and

@@ -17,7 +17,7 @@
 
 namespace vesica::bench::methods {
 
-/// What a method did on one pool.
+/// A method's result on one pool.
 struct Outcome {
   double method = 0, exact = 0;  ///< nanoseconds a test
   std::int64_t wrong = 0, uncertain = 0, asked = 0;

@@ -64,7 +64,7 @@ struct Line {
     return vesica_overlap_f64(kinds.a, a.data(), kinds.b, there.data()) == 1;
   }
 
-  /// Where they touch, as far as doubles tell. They overlap at 0: every kind of shape holds its centre.
+  /// The place of contact, as near as doubles get. They overlap at 0: every kind of shape holds its centre.
   double contact() const {
     double together = 0, apart = 1;
     while (overlap(apart)) apart *= 2;

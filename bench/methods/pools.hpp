@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the named methods are tried on: ordinary pairs, and those that arithmetic finds hard.
+/// The pairs that the named methods are measured on: ordinary pairs, and those that arithmetic finds hard.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ inline constexpr std::array trials{Trial::random, Trial::near_6, Trial::near_12,
 
 const char* name_of(Trial trial);
 
-/// Whether rectangles and ellipses have any axes, or all the same.
+/// True if rectangles and ellipses have any axes, or all the same.
 enum class Axes { any, parallel };
 
 /// The kinds that a pool is of, and what its shapes share.

@@ -17,7 +17,7 @@ struct Kinds {
   double aspect;
 };
 
-/// What one contestant made of one row.
+/// One contestant's result in one row.
 struct Result {
   double nanoseconds = 0, median_error = 0, worst_error = 0;
 };

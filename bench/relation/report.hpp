@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the queries of this folder print: one table each.
+/// The tables of this folder: one for each query.
 #pragma once
 
 #include <cstdio>

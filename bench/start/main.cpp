@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What it costs to begin: loading the library, the memory that this makes the process's own, and the first calls. Each
+/// The cost of the start: loading the library, the memory that this makes the process's own, and the first calls. Each
 /// round is a process of its own. A page that the process only reads belongs to all who use the library.
 #include <dlfcn.h>
 #include <sys/wait.h>

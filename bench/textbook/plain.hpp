@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What a good programmer would inline for pairs of simple shapes: no error bound, no validity check, axes taken to be
-/// of unit length, early exits where they come naturally. Over the structs of vesica.h.
+/// Code that a good programmer would inline for pairs of simple shapes: no error bound, no validity check, axes taken
+/// to be of unit length, early exits where they come naturally. Over the structs of vesica.h.
 #pragma once
 
 #include <vesica.h>

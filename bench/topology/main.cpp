@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the questions of vesica_topology.h and the newer ones of vesica_measures.h cost, each beside the older question
+/// Times of the questions of vesica_topology.h and the newer ones of vesica_measures.h, each beside the older question
 /// that it builds on, and DE-9IM and intersections of polygons beside GEOS, with how often GEOS says otherwise. All
 /// contestants of a row meet the same pairs, 256 new ones a pass, and who goes first takes turns.
 #include <vesica.h>
@@ -104,7 +104,7 @@ Ask signed_distance(std::int32_t a, std::int32_t b) {
     return d > 0;
   };
 }
-/// What a caller would write without it.
+/// The code that a caller would write without it.
 Ask distance_then_depth(std::int32_t a, std::int32_t b) {
   return [=](const Pair& p) {
     vesica_closest_points_f64 c;
@@ -150,7 +150,7 @@ GEOSGeometry* made(std::int32_t kind, const Numbers& n) {
   return GEOSGeom_createPolygon_r(geos(), GEOSGeom_createLinearRing_r(geos(), s), nullptr, 0);
 }
 
-/// Both geometries made, as a caller who has numbers must; what making them takes is told apart.
+/// Both geometries made, as a caller who has numbers must; the time of making them is printed apart.
 template <class Action>
 Ask with_geos(std::int32_t a, std::int32_t b, Action action) {
   return [=](const Pair& p) {

@@ -127,7 +127,7 @@ inline Measure between_bounds(const Measure& area, const Measure& least) noexcep
   return detail::area::least(area, least);
 }
 
-/// What iou() and area() are computed from: the shared area and, unless it is 0, the area of each shape.
+/// The numbers behind iou() and area(): the shared area and, unless it is 0, the area of each shape.
 struct Shares {
   Measure shared, a, b;
   bool equal;

@@ -42,7 +42,7 @@ inline Nested nested_in_unit(const Form& outer, const Form& inner) noexcept {
   return nested_distance(outer, inner);
 }
 
-/// Outlines of which one is strictly inside the other.
+/// Two outlines, one strictly inside the other.
 inline ClosestPoints<double> nested_outlines(const Form& outer, const Form& inner) noexcept {
   if (!outer.curved && !inner.curved) {
     const auto boxes = nested_boxes(box_pair(outer, inner));
@@ -109,7 +109,7 @@ inline bool settled_outlines(const Circle<double>& a, const Ellipse<double>& b, 
   return settled_outlines(as_ellipse(a), b, relation, out);
 }
 
-/// At how many places outlines meet at least, as far as the relation tells; at a touch where curves are equal, of which
+/// The least number of places at which outlines meet, by the relation; at a touch where curves are equal, of which
 /// any point will do.
 inline crossings::Census places_told_by(Relation relation) noexcept {
   return relation == Relation::cross ? crossings::Census{2, 0, false} : crossings::Census{0, 1, false};

@@ -24,7 +24,7 @@ struct Reach {
 /// No estimate: the exact stage must decide.
 inline constexpr arithmetic::Estimate<double> unknown{0, 0, std::numeric_limits<double>::infinity()};
 
-/// Whether the product of p and q is 0 exactly, or lies where its square and the remainders have full precision.
+/// True if the product of p and q is 0 exactly, or lies where its square and the remainders have full precision.
 template <class V>
 VESICA_INLINE auto in_range(V p, V q, V product) noexcept {
   using lane::both, lane::either;
@@ -108,7 +108,7 @@ VESICA_COLD constexpr bool exact_upper(const Ellipse<double>&, const Reach& r, d
   return arithmetic::search_up(start, reaches, out);
 }
 
-/// The shape's extent along one coordinate as far as double-doubles tell.
+/// The shape's extent along one coordinate as far as double-doubles go.
 template <class Shape>
 VESICA_INLINE arithmetic::Estimate<double> extent_estimate(const Shape& s, const Reach& r) noexcept {
   const auto x = arithmetic::two_product_fused(std::fabs(r.p0), r.q0),

@@ -13,7 +13,7 @@
 /// aspects beyond 2^90.
 ///
 /// Accuracy: within 4u of the greatest coordinate and size of either shape, u = 2^-53, of a true place, and so of both
-/// outlines, however closely these touch, osculate or coincide; each true place is met once. Exchanging the shapes
+/// outlines, however closely these touch, osculate or coincide; each true place is found once. Exchanging the shapes
 /// gives the same places, to the bit, in the other order.
 #pragma once
 

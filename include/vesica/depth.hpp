@@ -11,7 +11,7 @@
 /// right to 4u scale. For two circles, a point and a circle, and depths of points, segments and AABBs along a
 /// coordinate axis, it is right to its last place. It is rounded once, also to subnormals. The direction is a unit
 /// vector to 3u. After b is moved along it by the depth, at most 8u scale of overlap is left (the most seen is 5.1u).
-/// True if the depth is 0 is decided exactly.
+/// The decision between 0 and more is exact.
 ///
 /// Laws, each tested: depth(b, a) has the same bits with the opposite direction (except for equal shapes at one place,
 /// where both calls are the same); the answer is unchanged when both shapes are moved alike without rounding; b moved
@@ -29,7 +29,7 @@
 
 namespace vesica {
 
-/// What depth() returns; members as in the C struct.
+/// The result of depth(); members as in the C struct.
 template <class T>
 struct Penetration {
   T depth;  ///< 0 for shapes that are disjoint or only touch
@@ -72,7 +72,7 @@ VESICA_COLD std::int32_t undecided_overlap(const A& a, const B& b) noexcept {
 /// `value`, or the smallest number above 0 if it is not above 0.
 inline double above_zero(double value) noexcept { return std::fmax(value, std::numeric_limits<double>::denorm_min()); }
 
-/// Two boxes in the pair's unit. An offset that underflows there becomes the least one of its signs: it tells equal
+/// Two boxes in the pair's unit. An offset that underflows there becomes the least one of its signs: it separates equal
 /// boxes apart.
 inline BoxPair<double> boxes_in_unit(const PlacedPair& pair) noexcept {
   BoxPair<double> boxes = box_pair(pair);
@@ -152,7 +152,7 @@ inline bool settled_depth(const Circle<double>& a, const Ellipse<double>& b, Pen
   return settled_depth(as_ellipse(a), b, out);
 }
 
-/// True if shapes of kinds in order overlap; a negative error if one is invalid.
+/// Do shapes of kinds in order overlap? 1, 0, or a negative error if one is invalid.
 template <class A, class B>
 VESICA_INLINE std::int32_t overlap_in_order(const A& a, const B& b) noexcept {
   const auto verdict = vesica::detail::overlap::filter(a, b);
@@ -160,7 +160,7 @@ VESICA_INLINE std::int32_t overlap_in_order(const A& a, const B& b) noexcept {
   return answer >= 0 ? answer : undecided_overlap(a, b);
 }
 
-/// That was not asked yet.
+/// The caller does not know that.
 inline constexpr std::int32_t not_asked = -1;
 
 /// depth_or_error() for kinds in order; overlapping: what overlap_in_order() said, or not_asked.

@@ -3,7 +3,7 @@
 /// first? The answer is a time before which they surely do not, however thin they are and however fast they turn.
 ///
 /// At t the centre has moved by t v, and the axis has turned by t times the angle, without rounding. Such positions are
-/// not representable, so unlike cast() the function does not find the true time, but one before it:
+/// not representable, so unlike cast() the function does not find the true time; it finds one before it:
 ///
 ///   - a miss is proved: no contact from 0 to 1;
 ///   - a hit is proved: no contact before t, contact at some later time, and at t the shapes are `gap` apart;
@@ -21,7 +21,7 @@
 
 namespace vesica {
 
-/// What impact_time returns beside the answers of casting.
+/// Answers of impact_time beside those of casting.
 inline constexpr std::int32_t cast_near = 3;
 
 namespace detail::impact_time {

@@ -74,7 +74,7 @@ Vertices in_round(const A& a, const B& b) noexcept {
   return v;
 }
 
-/// Of shapes that overlap, of kinds in order.
+/// For shapes that overlap, of kinds in order.
 template <class A, class B>
 Vertices region(const A& a, const B& b) noexcept {
   if constexpr (is_round<B>) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// iou(a, b): intersection over union, the shared area over that of the two shapes together.
+/// iou(a, b): intersection over union, the shared area over the area of the union.
 ///
 /// Laws, each tested, without a tolerance: iou(a, b) == iou(b, a); 0 for shapes that share no area; 1 for equal shapes;
 /// 0 <= iou <= 1; unchanged when both shapes are scaled by 2^k without leaving the format. Accuracy: that of area(),
@@ -12,7 +12,7 @@ namespace vesica {
 
 namespace detail {
 
-/// For valid shapes with the shared area known and of which not both have none.
+/// For valid shapes with the shared area known, at least one of them with an area.
 inline double iou_of(const detail::area::Measure& shared, const detail::area::Measure& a,
                      const detail::area::Measure& b) noexcept {
   return shared.value == 0 ? 0 : ratio_of_union(shared, a, b);

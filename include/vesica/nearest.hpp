@@ -64,7 +64,7 @@ VESICA_COLD ClosestPoints<double> common_points(const A& a, const B& b) noexcept
   } else if (in_a || in_b) {
     common = in_a ? middle_b : middle_a;
   } else {
-    // Neither shape contains the other then, so outlines meet; but for ellipses so thin that they are taken for
+    // Neither shape contains the other then, so outlines meet; except for ellipses so thin that they are taken for
     // segments, one of which may hold the other beside that segment.
     Common c = common_point(p);
     bool crossed = false;
@@ -112,7 +112,7 @@ VESICA_INLINE bool rounded_to(const ClosestPoints<double>& c, bool overlapping, 
   return true;
 }
 
-/// True if shapes overlap was not asked yet.
+/// The caller does not know whether the shapes overlap.
 inline constexpr std::int32_t not_asked = -1;
 
 /// nearest_or_error() for kinds in order; overlapping: 1, 0 or not_asked.

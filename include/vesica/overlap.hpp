@@ -155,7 +155,7 @@ VESICA_INLINE constexpr std::int32_t overlap_or_error(const A<T>& a, const B<T>&
   }
 }
 
-/// Whether two shapes of any kinds, in either order, share a point. For valid shapes: an invalid one overlaps nothing.
+/// True if two shapes of any kinds, in either order, share a point. For valid shapes: an invalid one overlaps nothing.
 /// overlap_or_error() is the checked form.
 template <template <class> class A, template <class> class B, class T>
 VESICA_INLINE constexpr bool overlap(const A<T>& a, const B<T>& b) noexcept {

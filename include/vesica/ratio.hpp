@@ -36,7 +36,7 @@ constexpr bool is_ratio(std::int32_t number) noexcept { return number >= 0 && nu
 
 namespace detail::ratio {
 
-/// Those that need the shared area, but not the union's.
+/// True for ratios that need the shared area, but not the union's.
 constexpr bool is_of_area(Ratio which) noexcept {
   return which == Ratio::over_first || which == Ratio::over_second || which == Ratio::over_smaller;
 }
@@ -55,7 +55,7 @@ inline const area::Measure& divisor(Ratio which, const Facts& a, const Facts& b)
   return which == Ratio::over_first ? a.area : b.area;
 }
 
-/// Whether a shared area as a double, NaN where it is none, tells what share of another it is: 0 may be what a small
+/// True if a shared area as a double (NaN if there is none) suffices for its share of another: 0 may be what a small
 /// area underflows to; over an area of 1 or more its share would, too.
 inline bool tells_share(double shared, const area::Measure& whole) noexcept {
   return shared == 0 ? !area::less(whole, {1, 0}) : shared >= 0x1p-900;

@@ -37,11 +37,11 @@ inline constexpr bool is_compared = ShapeTraits<Shape>::kind == Kind::point || S
 template <class A, class B>
 inline constexpr bool are_points = ShapeTraits<A>::kind == Kind::point&& ShapeTraits<B>::kind == Kind::point;
 
-/// Overlap decides a point on a segment quickly; where on it, comparisons tell.
+/// Overlap decides a point on a segment quickly; comparisons then find the place on it.
 template <class A, class B>
 inline constexpr bool is_told_by_overlap = ShapeTraits<A>::kind == Kind::point&& ShapeTraits<B>::kind == Kind::segment;
 
-/// Of a point to a segment that it is on.
+/// The relation of a point to a segment that it is on.
 constexpr Relation place_on(const Segment<double>& s, const Point<double>& p) noexcept {
   const bool at_start = p.x == s.x0 && p.y == s.y0, at_end = p.x == s.x1 && p.y == s.y1;
   if (at_start && at_end) return Relation::equal;
@@ -87,7 +87,7 @@ VESICA_COLD constexpr std::int32_t decide_containment(const A<float>& a, const B
   return decide_containment(widen(a), widen(b), other_way);
 }
 
-/// What the pair's filter knows for certain about a and b, of kinds in either order.
+/// The facts that the pair's filter is certain of about a and b, of kinds in either order.
 template <class A, class B>
 VESICA_INLINE constexpr auto certain_facts(const A& a, const B& b) noexcept {
   if constexpr (in_order<A, B>) {

@@ -43,7 +43,7 @@
 #define VESICA_CALLED
 #endif
 
-/// What is constexpr runs on a GPU too (docs/cuda.md). This marks the few functions of the filters that cannot be.
+/// Code that is constexpr runs on a GPU too (docs/cuda.md). This marks the few functions of the filters that cannot be.
 #if defined(__CUDACC__)
 #define VESICA_DEVICE __host__ __device__
 #else
@@ -168,8 +168,8 @@ constexpr T greater(T a, T b) noexcept {
 
 constexpr bool has_finite_bits(double x) noexcept { return (std::bit_cast<std::uint64_t>(x) >> 52 & 0x7ff) != 0x7ff; }
 
-/// Whether all numbers are finite, scalars or lanes: x - x is 0 for a finite x and NaN for any other, and NaN survives
-/// the sum. No constant is NaN: there bits tell.
+/// True if all numbers are finite, scalars or lanes: x - x is 0 for a finite x and NaN for any other, and NaN survives
+/// the sum. In constant expressions, the bits are tested.
 template <class V, class... W>
 VESICA_INLINE constexpr auto all_finite(V first, W... rest) noexcept {
   if constexpr (std::is_arithmetic_v<V>) {

@@ -38,7 +38,7 @@ Sizes sizes(const Shape& s) noexcept {
 
 inline bool is_flat(const Sizes& s) noexcept { return s.size_0.high == 0 || s.size_1.high == 0; }
 
-/// Whether a valid shape has no area.
+/// True if a valid shape has no area.
 template <class Shape>
 bool is_flat(const Shape& s) noexcept {
   return is_flat(sizes(s));
@@ -53,7 +53,7 @@ inline DoubleDouble area_estimate(const Sizes& s) noexcept {
   return s.size_0 * s.size_1 * squared_axis * factor;
 }
 
-/// Whether every number in 2^-98 of itself about the estimate rounds to the estimate's first double.
+/// True if every number in 2^-98 of itself about the estimate rounds to the estimate's first double.
 inline bool rounds_one_way(const DoubleDouble& e) noexcept {
   const double error = std::fabs(e.high) * 0x1p-98;
   return e.high + (e.low + error) == e.high && e.high + (e.low - error) == e.high;

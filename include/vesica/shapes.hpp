@@ -79,7 +79,7 @@ inline constexpr Kind kind_of = Kind{-1};
 VESICA_EACH_SHAPE(VESICA_SET_KIND)
 #undef VESICA_SET_KIND
 
-/// What a shape type is: its kind, its scalar, how many numbers it has.
+/// Properties of a shape type: its kind, its scalar, how many numbers it has.
 template <class Shape>
 struct ShapeTraits;
 template <template <class> class Shape, class T>

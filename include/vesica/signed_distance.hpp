@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 /// signed_distance(a, b): how far apart are two shapes or, below 0, how deep do they overlap?
 ///
-/// The distance of nearest() for disjoint shapes, else minus that of depth(): 0 where shapes only touch. Both numbers
-/// are theirs bit for bit, and so are their accuracy and their laws.
+/// The distance of nearest() for disjoint shapes, else minus the depth of depth(): 0 where shapes only touch. Both
+/// numbers are theirs bit for bit, and so are their accuracy and their laws.
 #pragma once
 
 #include <limits>
@@ -13,7 +13,7 @@ namespace vesica {
 
 namespace detail {
 
-/// What the number is taken from, for shapes in either order: points where they are disjoint, else the depth.
+/// The source of the number, for shapes in either order: points where they are disjoint, else the depth.
 struct Separation {
   bool disjoint;
   ClosestPoints<double> points;

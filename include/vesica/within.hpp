@@ -22,7 +22,7 @@ namespace vesica {
 enum class Within : std::int32_t {
   no,
   yes,
-  nearly,  ///< only with an ellipse: the distance is too close to the one asked for to tell
+  nearly,  ///< only with an ellipse: the distance is too close to the one asked for to decide
 };
 
 namespace detail::within {
@@ -86,7 +86,7 @@ double scale(const A& a, const B& b) noexcept {
   return std::fmax(std::fmax(std::fabs(dx), std::fabs(dy)), std::fmax(half_length(a), half_length(b)));
 }
 
-/// True if a distance, known to `error`, is at most the one asked for.
+/// Compares a distance, known to `error`, with the one asked for.
 inline Within compared(double found, double asked, double error) noexcept {
   if (std::fabs(found - asked) <= error) return Within::nearly;
   return found < asked ? Within::yes : Within::no;

@@ -40,7 +40,7 @@ detail::cast::FindMeeting fused_meeting() noexcept { return has_fused() ? find_m
 detail::cast::FindMeeting fused_meeting() noexcept { return detail::cast::fused_meeting; }
 #endif
 
-/// Whether shapes overlap, or an error. The depth of those that do is wanted too: only then it has a direction.
+/// Do shapes overlap? 1, 0 or an error. The depth is computed too, for only overlapping shapes have a direction.
 std::int32_t overlap_and_depth(const Body& a, const Body& b, Penetration<double>& out) noexcept {
   const std::int32_t error = answer(queries::depth, a, b, &out);
   return error != 0 ? error : out.x != 0 || out.y != 0 ? 1 : 0;

@@ -28,7 +28,7 @@ std::int32_t cast_open(const Body& a, const Body& b, const Motion& motion, Impac
 std::int32_t cast_rest(const Body& a, const Body& b, const Motion& motion, const detail::cast::Filtered& known,
                        Impact<double>& out) noexcept;
 
-/// Whether there is contact by the end, and no more: 1 or 0, error_shape, or error_range where that is beyond exact
+/// Is there contact by the end? No more than that: 1 or 0, error_shape, or error_range where that is beyond exact
 /// numbers.
 std::int32_t meets(const Body& a, const Body& b, const Motion& motion) noexcept;
 
@@ -37,7 +37,7 @@ std::int32_t meets(const Body& a, const Body& b, const Motion& motion) noexcept;
 template <class A, class B>
 detail::cast::Quick quick_hit(const A& a, const B& b, double vx, double vy, double end, Impact<double>& out) noexcept;
 
-/// The answer about two shapes of which the quick filter has told `quick`, or error_argument.
+/// The answer about two shapes for which the quick filter returned `quick`, or error_argument.
 template <template <class> class A, template <class> class B>
 VESICA_INLINE std::int32_t cast_shapes(const A<double>& a, const B<double>& b, const Motion& motion,
                                        Impact<double>& out, detail::cast::Quick quick) noexcept {
@@ -64,7 +64,7 @@ VESICA_INLINE std::int32_t cast_shapes(const A<double>& a, const B<double>& b, c
   }
 }
 
-/// Of bodies that turn; otherwise likewise. The gap is rounded up.
+/// For bodies that turn; otherwise the same. The gap is rounded up.
 template <class T>
 std::int32_t impact_time(const Body& a, const Turn<double>& turn_a, const Body& b, const Turn<double>& turn_b,
                          double tolerance, Impact<T>& out, T& gap) noexcept;

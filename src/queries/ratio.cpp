@@ -85,7 +85,7 @@ std::int32_t ratio_of_pair(Ratio which, std::int32_t kind_a, const double* a, st
   if (query.derive == nullptr) return query.doubles.of[kind_a][kind_b](a, b, &out);
   const ShapeOfKind first{kind_a, a, area_as_of_iou(kind_a, a)}, second{kind_b, b, area_as_of_iou(kind_b, b)};
   double asked = std::numeric_limits<double>::quiet_NaN();
-  // Where there is no IoU it stays NaN. The shared area is asked by derive, once: a double might not decide it.
+  // It stays NaN if there is no IoU. derive() asks for the shared area, once: as a double it might not suffice.
   if (!detail::ratio::is_of_area(which)) {
     const std::int32_t error = query.asked_instead->doubles.of[kind_a][kind_b](a, b, &asked);
     if (error == error_shape) return error;

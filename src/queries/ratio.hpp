@@ -16,7 +16,7 @@ const Query& ratio(Ratio which) noexcept;
 std::int32_t ratio_of_pair(Ratio which, std::int32_t kind_a, const double* a, std::int32_t kind_b, const double* b,
                            double& out) noexcept;
 
-/// Whether the number is a Ratio that does not depend on the order of the two shapes.
+/// True if the number is a Ratio that does not depend on the order of the two shapes.
 inline bool is_symmetric(std::int32_t which) noexcept {
   return is_ratio(which) && which != static_cast<std::int32_t>(Ratio::over_first) &&
          which != static_cast<std::int32_t>(Ratio::over_second);

@@ -6,7 +6,7 @@
 
 namespace vesica::unfiltered {
 
-/// Whether d1 + c1 t + c2 t^2 + d2 t^3 >= 0 for all t > 0, d1 and d2 positive: its value at the greater root of its
+/// True if d1 + c1 t + c2 t^2 + d2 t^3 >= 0 for all t > 0, d1 and d2 positive: its value at the greater root of its
 /// derivative, in the form that adds like signs; one square root and one division.
 template <class V>
 VESICA_INLINE auto stays_positive(V d1, V c1, V c2, V d2) noexcept {

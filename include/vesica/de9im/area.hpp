@@ -61,7 +61,7 @@ inline bool certainly_oblique(double ux, double uy, double wx, double wy) noexce
   return dot > bound && cross > bound && bound > 0x1p-900 && bound < 0x1p900;
 }
 
-/// Of straight shapes with area.
+/// For straight shapes with area.
 template <class A, class B>
 bool outlines_share_stretch(const A& a, const B& b) noexcept {
   constexpr form::AsStored<double> number;

@@ -21,7 +21,7 @@ struct Ends {
   void add(int sign) noexcept { (sign > 0 ? inside : sign == 0 ? outline : outside) = true; }
 };
 
-/// Of a polygon with area, from the sides of its edges.
+/// For a polygon with area, from the sides of its edges.
 inline Ends ends_in_polygon(const Sides& of_b) noexcept {
   Ends ends;
   for (int end = 0; end < 2; ++end) {
@@ -41,7 +41,7 @@ inline bool lies_along_side(const Polygon& a, const Sides& of_a, const Polygon& 
   return false;
 }
 
-/// Of a point that is on the line of a segment or not: 1 between the ends, 0 an end, -1 elsewhere.
+/// A point and a segment: 1 on the segment between the ends, 0 an end, -1 elsewhere.
 inline int place_on_segment(const Corners& segment, int side, const crossings::Position& x,
                             const crossings::Position& y) noexcept {
   if (side != 0) return -1;
@@ -88,7 +88,7 @@ VESICA_COLD inline NineIntersections of_segment_and_box(const exact::Box& box_a,
   return of_segment_and_area(ends_in_polygon(of_b), insides, stretch);
 }
 
-/// Where a point is in an ellipse with area, as Ends::add() takes it. Degree 10.
+/// The place of a point in an ellipse with area, as Ends::add() takes it. Degree 10.
 inline int place_in(const exact::Ellipse& e, const crossings::Position& x, const crossings::Position& y) noexcept {
   const auto dx = x - e.cx, dy = y - e.cy;
   const auto along = e.b * exact::dot(e.ux, e.uy, dx, dy), across = e.a * exact::cross(e.ux, e.uy, dx, dy);

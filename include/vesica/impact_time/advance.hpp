@@ -8,13 +8,13 @@
 
 namespace vesica::detail::impact_time {
 
-/// No contact before `from`, nor from `to` on, as the discs that hold the shapes tell. never: none at all.
+/// No contact before `from`, nor from `to` on, by the discs around the shapes. never: none at all.
 struct Window {
   double from, to;
   bool never, apart;  // apart: at the start
 };
 
-/// Whether the discs are apart from one time to another, along the connection of the centres at some time.
+/// True if the discs are apart from one time to another, along the connection of the centres at some time.
 inline bool discs_apart(const Scene& s, double time, double from, double to) noexcept {
   const PlaneVector d = s.offset(time);
   const double length = lane::sqrt(dot(d, d)), reach = (s.a.reach + s.b.reach) * (1 + 0x1p-40) + 2 * s.error;
@@ -64,7 +64,7 @@ inline Reached march(const Scene& s, const Heading& h, Reached at, double enough
       room = beyond < to ? 0.9 * (beyond - t) : to - t;
       if (by.least <= goal) break;
     } else {
-      // Where the chord meets 0, or what would have been clear.
+      // The chord's zero, or the step that would have been clear.
       const double cut = by.least < 0 ? at.by.least / (at.by.least - by.least) : 0.6;
       room = (t - at.t) * lane::min(0.95 * cut, 0.6);
       if (by.least < 0) beyond = t;
@@ -115,7 +115,7 @@ inline Gap gap_at_face(const Scene& s, const Pose& at, const Heading& h) noexcep
   return {at.offset + vertex, at.offset + nearest, distance};
 }
 
-/// The direction that separates best. `before` is that of an earlier time.
+/// The direction that separates best. `before` is the best one at an earlier time.
 template <class Ask>
 Direction best_direction(const Scene& s, const Pose& at, const Heading& before, const Ask& ask) noexcept {
   if (s.has_boxes()) return best_face(s, at);
@@ -134,7 +134,7 @@ Direction best_direction(const Scene& s, const Pose& at, const Heading& before, 
 /// From w.from, where `best` is the direction that separates best.
 template <class Ask>
 Advanced advance(const Scene& s, const Window& w, Direction best, double tolerance, const Ask& ask) noexcept {
-  // Faces may tell 0.7 of the distance. The gap that is told in the end has errors on top.
+  // Faces may give 0.7 of the distance. The gap that is returned in the end has errors on top.
   const double share = (s.has_boxes() ? 0.6 : 0.9) * tolerance;
   const double enough = lane::max(lane::min(share, tolerance - 5 * s.error), 0.25 * share);
   double t = w.from;
@@ -163,11 +163,11 @@ double signed_gap(const Scene& s, double t, const Ask& ask) noexcept {
 
 inline double thickness(const Turning& s) noexcept { return lane::min(s.hx, s.hy); }
 
-/// Whether there surely is contact a little after t, where the gap is known: by secants, towards a depth that thin
+/// True if there surely is contact a little after t, where the gap is known: by secants, towards a depth that thin
 /// shapes have too.
 template <class Ask>
 bool surely_meet_after(const Scene& s, double t, double rate, double gap, const Ask& ask) noexcept {
-  // The rate is that of one direction; at worst they come together as fast as they can.
+  // The rate holds in one direction; at worst they come together as fast as they can.
   const double most = s.speed + lane::abs(s.a.spin) * s.a.reach + lane::abs(s.b.spin) * s.b.reach;
   const double error = 2 * s.error, deeper = lane::min(thickness(s.a) + thickness(s.b), gap) + 4 * error;
   double from = 0, step = (gap + deeper) / (rate < 0 ? -rate : most);

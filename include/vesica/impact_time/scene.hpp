@@ -78,7 +78,7 @@ inline Turning turning(const nearest::UnscaledShape& f, double spin) noexcept {
   return turning(nearest::ScaledShape{f.box, f.radius, f.curved}, 0, spin);
 }
 
-/// Whether the square of the axis is as it should be.
+/// True if the square of the axis is as it should be.
 inline bool is_moderate(const nearest::UnscaledShape& f) noexcept {
   const double size = lane::abs(f.box.u.x.high) + lane::abs(f.box.u.y.high);
   return size >= 0x1p-60 && size <= 0x1p60;
@@ -90,7 +90,7 @@ inline bool is_moderate(const Turning& s) noexcept {
          (!s.round || shorter > nearest::thinnest * longer);
 }
 
-/// Of a pair that moves relative to each other by v.
+/// A pair that moves relative to each other by v.
 inline Scene moderate_scene(const nearest::UnscaledShape& a, const nearest::UnscaledShape& b, const PlaneVector& v,
                             double spin_a, double spin_b) noexcept {
   const auto x = form::twice_offset_x(a.place, b.place, 1), y = form::twice_offset_y(a.place, b.place, 1);

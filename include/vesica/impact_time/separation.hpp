@@ -32,7 +32,7 @@ inline Support support(const Turning& s, const PlaneVector& axis, const PlaneVec
   return {h, h > 0 ? (s.hx * across) * (p / h) - (s.hy * along) * (q / h) : 0};
 }
 
-/// Whether a direction turns with a shape.
+/// The shape with which a direction turns.
 enum class Kept { still, with_a, with_b };
 
 /// A unit vector; of one that turns with a shape also how it lies in that one's frame.

@@ -2,8 +2,8 @@
 /// The region that two straight shapes share, by exact signs: which corners and which crossings of edges are its
 /// vertices, and in which order. Only their coordinates are rounded.
 ///
-/// The line of an edge of a meets b in a chord. Where it enters and leaves b is told by the sides of that line on which
-/// b's corners are, and where the ends of the edge are by the sides of b's edges. So no two places are ever compared.
+/// The line of an edge of a meets b in a chord. Where it enters and leaves b follows from the sides of that line on
+/// which b's corners are, and where the ends of the edge are by the sides of b's edges. So no two places are ever compared.
 #pragma once
 
 #include <vesica/de9im/segment.hpp>
@@ -43,7 +43,7 @@ struct Place {
   bool corner;
 };
 
-/// Where the line of an edge enters b and leaves it.
+/// The places where the line of an edge enters b and leaves it.
 struct Chord {
   bool there;
   Place in, out;
@@ -108,7 +108,7 @@ struct Pair {
   bool is_in_b(int i) const noexcept { return least_side(of_b, b, i, a) >= 0; }
   bool is_in_a(int j) const noexcept { return least_side(of_a, a, j, b) >= 0; }
   bool is_on_edge(int i, int edge) const noexcept { return of_b.sign[edge][i] == 0; }
-  /// Where b is a quadrilateral: whether corner i of a is that place, if it is on the line of the chord.
+  /// If b is a quadrilateral: is corner i of a that place? It is on the line of the chord.
   bool is_at(int i, const Place& p) const noexcept {
     return is_on_edge(i, p.index) && (!p.corner || is_on_edge(i, before(p.index)));
   }
@@ -210,8 +210,8 @@ inline Piece piece(const Pair& p, int i) noexcept {
   return piece;
 }
 
-/// Where corner i of a is on the outline of b, on which it is: it is in b, and an edge of a that begins or ends there
-/// has no piece in b. From the inside of b such an edge has one.
+/// The place of corner i of a, which is on the outline of b: it is in b, and an edge of a that begins or ends there has
+/// no piece in b. From the inside of b such an edge has one.
 inline Place place_of(const Pair& p, int i) noexcept {
   for (int k = 0; k < 4; ++k) {
     if (p.is_on_edge(i, k) && p.is_on_edge(i, before(k))) return {k, true};

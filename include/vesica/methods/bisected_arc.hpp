@@ -74,14 +74,14 @@ VESICA_INLINE ArcEnd<T> middle(const Arc<T>& arc, std::int32_t depth) noexcept {
   return {times(k, plus(arc.from.at, arc.to.at)), times(k, plus(arc.from.tangent, arc.to.tangent))};
 }
 
-/// Where the tangents at the ends of an arc that was halved `depth` times meet.
+/// The intersection of the tangents at the ends of an arc that was halved `depth` times.
 template <class T>
 VESICA_INLINE Vector<T> tip(const Arc<T>& arc, std::int32_t depth) noexcept {
   const T k = half_secants<T>.of[depth];
   return times(2 * k * k, plus(arc.from.at, arc.to.at));
 }
 
-/// Of an arc that holds the outline's point nearest to x, which must not be inside: is that point after `end`?
+/// Is the outline's point nearest to x after `end`? The arc holds that point, and x must not be inside.
 ///
 /// x sees a connected part of the outline, with the nearest point in it and no other place where the tangent is at
 /// right angles to the line of sight. In an image in which the ellipse is a disc that part lies about the direction of
@@ -90,7 +90,7 @@ template <class T>
 VESICA_INLINE bool nearest_is_after(const ArcEnd<T>& end, const Vector<T>& x) noexcept {
   const Vector<T> seen = minus(x, end.at);
   const T turn = cross(end.at, x);
-  // Seen end on, a segment has no sides either, and only the distance tells.
+  // Seen end on, a segment has no sides either, and only the distance decides.
   if (cross(seen, end.tangent) > 0 || turn == 0) return dot(seen, end.tangent) >= 0;
   return turn > 0;
 }

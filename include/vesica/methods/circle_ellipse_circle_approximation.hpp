@@ -40,7 +40,7 @@ VESICA_INLINE Vector<T> normal(const ArcEnd<T>& end) noexcept {
   return {end.tangent.y, -end.tangent.x};
 }
 
-/// Whether the disc certainly reaches the inner circle segment of an arc that grows flatter.
+/// True if the disc certainly reaches the inner circle segment of an arc that grows flatter.
 template <class T>
 VESICA_INLINE bool reaches_inner_segment(const Arc<T>& arc, const RoundedDisc<T>& d, T m, T wh) noexcept {
   if (d.yes < 0) return false;
@@ -54,14 +54,14 @@ VESICA_INLINE bool reaches_inner_segment(const Arc<T>& arc, const RoundedDisc<T>
   return lane::both(after_from >= 0, beyond <= -Disc<T>::floor);
 }
 
-/// Whether the disc certainly misses the outer circle of an arc that grows flatter. Of a disc whose centre is outside
+/// True if the disc certainly misses the outer circle of an arc that grows flatter. Of a disc whose centre is outside
 /// the ellipse, with the nearest point on this arc, that proves that it misses the ellipse.
 template <class T>
 VESICA_INLINE bool misses_outer_circle(const Arc<T>& arc, const RoundedDisc<T>& d, T m, T wh) noexcept {
   return beyond_circle(minus(d.centre, arc.from.at), d.no, normal(arc.from), m, wh) > Disc<T>::floor;
 }
 
-/// Whether the disc's centre is certainly outside the ellipse.
+/// True if the disc's centre is certainly outside the ellipse.
 template <class T>
 VESICA_INLINE bool is_outside(const UprightPair<T>& p, const Vector<T>& error) noexcept {
   const T x = (p.x - error.x) * p.h, y = (p.y - error.y) * p.w, wh = p.w * p.h * (1 + 16 * ScalarTraits<T>::roundoff);
@@ -76,7 +76,7 @@ VESICA_INLINE Arc<T> nearest_half_of_quadrant(const Arc<T>& arc, const ArcEnd<T>
   return dot(minus(x, half.at), half.tangent) >= 0 ? Arc<T>{half, arc.to} : Arc<T>{arc.from, half};
 }
 
-/// Of an ellipse that is a segment from the origin to (w, 0) and its mirror image: either bound is that segment.
+/// An ellipse that is a segment from the origin to (w, 0) and its mirror image: either bound is that segment.
 template <class T>
 VESICA_INLINE std::int32_t segment_and_disc(T w, const RoundedDisc<T>& d) noexcept {
   const T beyond = d.centre.x - w, x = beyond > 0 ? beyond : 0, square = x * x + d.centre.y * d.centre.y;

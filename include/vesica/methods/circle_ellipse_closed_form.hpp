@@ -45,7 +45,7 @@ T quartic_root(T a, T b, T c) noexcept {
   return w >= 0 ? sum / (root + w) : root - w;
 }
 
-/// Whether the point of the outline nearest to (x, y), which is outside the ellipse, is within the circle.
+/// True if the point of the outline nearest to (x, y), which is outside the ellipse, is within the circle.
 template <class T>
 bool reaches_nearest_point(const UprightPair<T>& p) noexcept {
   const T focal = (p.w - p.h) * (p.w + p.h), a = p.w * p.x, b = p.h * p.y;

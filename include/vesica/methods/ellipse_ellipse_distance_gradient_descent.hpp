@@ -10,7 +10,7 @@
 /// Differs, as Schedule::scale_aware: each angle's step is divided by R (R + R' + d), R and R' the two larger half
 /// lengths and d the distance so far, which no second derivative of half the squared distance exceeds. A rate of 1
 /// then needs no tuning, is the same at any scale, and never goes up. A saddle, where print stops on pairs that mirror
-/// each other, is told from a minimum by its second derivatives and left. The result's angles are those of its
+/// each other, is distinguished from a minimum by its second derivatives and left. The result's angles are those of its
 /// distance, not the ones a step further.
 /// Accuracy: the distance is that of two outline points, so never below the true one but by a few roundings of the
 /// sizes and the distance of centres. With s = R + R' + d, disjoint ellipses come within about (tolerance s / d)^2 s,
@@ -48,7 +48,7 @@ struct DescentSettings {
   Schedule schedule;
 };
 
-/// What a schedule starts with. The literal one's numbers are print's.
+/// The start of a schedule. The literal one's numbers are those in print.
 template <class T>
 constexpr DescentSettings<T> descent_settings(Schedule schedule) noexcept {
   const bool literal = schedule == Schedule::literal;
@@ -157,7 +157,7 @@ T saturated(double x) noexcept {
   return x < static_cast<double>(most) ? static_cast<T>(x) : most;
 }
 
-/// Where descent is, and how steep it is there.
+/// The position of the descent, and the gradient there.
 struct Descent {
   Slope slope;
   double error;

@@ -29,14 +29,14 @@ inline bool equal_products(float a, float b, float c, float d) noexcept {
   return widen(a) * widen(b) == widen(c) * widen(d);
 }
 
-/// Whether the ellipses' axes, as stored, are parallel or at right angles.
+/// True if the ellipses' axes, as stored, are parallel or at right angles.
 template <class T>
 bool have_parallel_axes(const Ellipse<T>& a, const Ellipse<T>& b) noexcept {
   const auto p = rescaled_pair(Rect<T>{0, 0, a.ux, a.uy, 1, 1}, Rect<T>{0, 0, b.ux, b.uy, 1, 1});
   return equal_products(p.ux, p.wy, p.uy, p.wx) || equal_products(p.ux, p.wx, -p.uy, p.wy);
 }
 
-/// What the stretched centre was summed of.
+/// The terms whose sum is the stretched centre.
 template <class T>
 VESICA_INLINE Vector<T> stretched_distance(const RescaledPair<T>& p, const Stretch<T>& by) noexcept {
   const Vector<T> axis = magnitude(Vector<T>{p.wx, p.wy}), d{p.dx, p.dy};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the rectangle-ellipse methods share: the plane stretched until the ellipse is a disc, the rectangle with it.
+/// Shared by the rectangle-ellipse methods: the plane stretched until the ellipse is a disc, the rectangle with it.
 ///
 /// Eberly's level function Q(X) = (X - K) . M (X - K) - 1 ("Intersection of Rectangle and Ellipse", 2015, section 2) is
 /// |p|^2 / r^2 - 1 for the image p of X. In print M = diag(1 / a^2, 1 / b^2) turned, and an edge is met when
@@ -91,7 +91,7 @@ VESICA_INLINE Rect<T> box_of(const Ellipse<T>& e) noexcept {
   return {e.cx, e.cy, e.ux, e.uy, e.a, e.b};
 }
 
-/// Of valid shapes.
+/// The shapes must be valid.
 template <class T>
 VESICA_INLINE Metric<T> metric(const Rect<T>& rect, const Ellipse<T>& ellipse) noexcept {
   const auto pair = rescaled_pair(rect, box_of(ellipse));
@@ -110,7 +110,7 @@ VESICA_INLINE bool vertex_in_disc(const Metric<T>& m, T sx, T sy) noexcept {
   return dot(p, p) <= m.r * m.r;
 }
 
-/// Whether the disc reaches an edge { p + t f : |t| <= h } at the foot of its centre. With both end points outside,
+/// True if the disc reaches an edge { p + t f : |t| <= h } at the foot of its centre. With both end points outside,
 /// there is no other way to reach it.
 template <class T>
 VESICA_INLINE bool foot_in_disc(const Vector<T>& p, const Vector<T>& f, T h, T r) noexcept {

@@ -101,7 +101,7 @@ T ratio(T x, T length) noexcept {
   return x == 0 ? 0 : x / length;
 }
 
-/// Of a segment, and of an ellipse so thin that it may as well be one: distance to the longer axis decides before
+/// For a segment, and an ellipse so thin that it may as well be one: distance to the longer axis decides before
 /// distance along it, the limit of ever thinner ellipses. What is beside a segment's line has an infinite level.
 template <class T>
 Place<T> nearest_of_needle(const RescaledPair<T>& p, T sx, T sy, T& level) noexcept {
@@ -125,7 +125,7 @@ Place<T> nearest_of_needle(const RescaledPair<T>& p, T sx, T sy, T& level) noexc
   return best;
 }
 
-/// Whether the shorter half length, beside the longer, is too small for squares.
+/// True if the shorter half length, beside the longer, is too small for squares.
 template <class T>
 bool is_needle(const Stretch<T>& s) noexcept {
   constexpr T least = ScalarTraits<T>::power(-22 * ScalarTraits<T>::range);

@@ -20,7 +20,7 @@ namespace vesica::methods {
 
 namespace detail {
 
-/// Whether two intervals about centres, with half lengths p0 q0 + p1 q1 and r0 s0 + r1 s1, are certainly apart. All but
+/// True if two intervals about centres, with half lengths p0 q0 + p1 q1 and r0 s0 + r1 s1, are certainly apart. All but
 /// the centres are at least 0.
 ///
 /// The sum of four products has a relative error of 4 roundoffs, the difference of the centres 1, the factor below 2;

@@ -50,7 +50,7 @@ VESICA_INLINE SampleFrame<T> sample_frame(T dx, T dy, T ux, T uy, T h0, T h1, T 
           wx * uy - wy * ux,    g0 * ww - error,   g1 * ww - error};
 }
 
-/// Whether one of the samples of a rectangle of half extents h0, h1 is in the other one. Each |s| <= h0, |t| <= h1 in
+/// True if one of the samples of a rectangle of half extents h0, h1 is in the other one. Each |s| <= h0, |t| <= h1 in
 /// spite of rounding, so every sample is a point of its rectangle.
 template <class T>
 bool holds_a_sample(const SampleFrame<T>& f, T h0, T h1, std::int32_t k) noexcept {

@@ -25,7 +25,7 @@ struct TurnedRect {
 
 namespace detail {
 
-/// Whether a line along an edge of the rectangle of half extents e0, e1 at the origin has beyond it all four corners
+/// True if a line along an edge of the rectangle of half extents e0, e1 at the origin has beyond it all four corners
 /// (x, y) +- p +- q of another.
 template <class T>
 VESICA_INLINE bool edge_line_separates(T e0, T e1, T x, T y, T px, T py, T qx, T qy) noexcept {

@@ -23,7 +23,7 @@ VESICA_INLINE T larger(T x, T y) noexcept {
   return x > y ? x : y;
 }
 
-/// Whether the numbers are near enough to 1 as they are: axes within 2^+-2 and the largest length within 2^+-10
+/// True if the numbers are near enough to 1 as they are: axes within 2^+-2 and the largest length within 2^+-10
 /// (double: the 8th powers).
 template <class T>
 VESICA_INLINE bool is_moderate(const RescaledPair<T>& p) noexcept {

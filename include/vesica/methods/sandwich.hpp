@@ -40,7 +40,7 @@ struct EllipseAndDisc {
   Vector<T> axis_error;    ///< 0 when each number of p and q is right to a few roundoffs, else what they may be off by
 };
 
-/// What of it the tests ask.
+/// The numbers that the tests use.
 template <class T>
 struct Disc {
   Vector<T> centre, error;    ///< the centre is within +-error of where it seems
@@ -70,7 +70,7 @@ VESICA_INLINE Disc<T> disc(const EllipseAndDisc<T>& s, std::int32_t n) noexcept 
   return {s.centre, error, growth, s.rr * (1 - 32 * u), s.rr * (1 + 32 * u), keeps_turning};
 }
 
-/// Whether the disc's centre is certainly in the ellipse.
+/// True if the disc's centre is certainly in the ellipse.
 template <class T>
 VESICA_INLINE bool holds_centre(const EllipseAndDisc<T>& s, const Disc<T>& d) noexcept {
   const Vector<T>& x = s.centre;
@@ -81,28 +81,28 @@ VESICA_INLINE bool holds_centre(const EllipseAndDisc<T>& s, const Disc<T>& d) no
   return lane::both(area > 0, along * along + across * across + Disc<T>::floor <= area * area);
 }
 
-/// Whether the disc certainly lies beyond a line across `out` that its centre seems to be `beyond` / |out| away from.
+/// True if the disc certainly lies beyond a line across `out` that its centre seems to be `beyond` / |out| away from.
 template <class T>
 VESICA_INLINE bool is_beyond(T beyond, const Vector<T>& out, const Disc<T>& d) noexcept {
   const T least = beyond - dot(magnitude(out), d.error);
   return lane::both(least > 0, least * least > d.squared_no * dot(out, out) + Disc<T>::floor);
 }
 
-/// Whether a line across the line of centres certainly separates disc and ellipse.
+/// True if a line across the line of centres certainly separates disc and ellipse.
 template <class T>
 VESICA_INLINE bool is_far(const EllipseAndDisc<T>& s, const Disc<T>& d) noexcept {
   const Vector<T>& x = s.centre;
   return is_beyond(dot(x, x) - (std::fabs(dot(s.p, x)) + std::fabs(dot(s.q, x))), x, d);
 }
 
-/// Whether a point, seen from the disc's centre, is certainly in the disc.
+/// True if a point, seen from the disc's centre, is certainly in the disc.
 template <class T>
 VESICA_INLINE bool reaches(const Vector<T>& point, const Disc<T>& d) noexcept {
   const Vector<T> most = plus(magnitude(point), d.error);
   return dot(most, most) <= d.squared_yes;
 }
 
-/// Whether the disc certainly reaches the chord of an arc.
+/// True if the disc certainly reaches the chord of an arc.
 template <class T>
 VESICA_INLINE bool reaches_chord(const Arc<T>& arc, const Disc<T>& d) noexcept {
   const Vector<T> from = minus(arc.from.at, d.centre), to = minus(arc.to.at, d.centre), chord = minus(to, from);
@@ -113,7 +113,7 @@ VESICA_INLINE bool reaches_chord(const Arc<T>& arc, const Disc<T>& d) noexcept {
   return lane::both(within, beside * beside + Disc<T>::floor <= d.squared_yes * square);
 }
 
-/// Whether the tangent at an end of an arc certainly has the disc beyond it, the ellipse on this side.
+/// True if the tangent at an end of an arc certainly has the disc beyond it, the ellipse on this side.
 template <class T>
 VESICA_INLINE bool tangent_separates(const ArcEnd<T>& end, const Disc<T>& d) noexcept {
   const Vector<T> out{end.tangent.y, -end.tangent.x};
@@ -121,7 +121,7 @@ VESICA_INLINE bool tangent_separates(const ArcEnd<T>& end, const Disc<T>& d) noe
   return separates && (d.keeps_turning || cross_magnitude(end.at, d.error) <= dot(magnitude(out), d.error));
 }
 
-/// Whether the disc certainly misses the wedge between the tangents at the ends of an arc halved `depth` times.
+/// True if the disc certainly misses the wedge between the tangents at the ends of an arc halved `depth` times.
 template <class T>
 VESICA_INLINE bool misses_wedge(const Arc<T>& arc, const Disc<T>& d, std::int32_t depth) noexcept {
   if (tangent_separates(arc.from, d) || tangent_separates(arc.to, d)) return true;
@@ -130,7 +130,7 @@ VESICA_INLINE bool misses_wedge(const Arc<T>& arc, const Disc<T>& d, std::int32_
   return corner_is_nearest && dot(out, corner) >= 0 && is_beyond(dot(out, out), out, d);
 }
 
-/// Whether p and q lie along the coordinate axes and the disc's centre between them.
+/// True if p and q lie along the coordinate axes and the disc's centre between them.
 template <class T>
 VESICA_INLINE bool is_upright(const EllipseAndDisc<T>& s) noexcept {
   return s.p.y == 0 && s.q.x == 0 && s.p.x >= 0 && s.q.y >= 0 && s.centre.x >= 0 && s.centre.y >= 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the named methods answer. Exact ones say yes or no; approximate ones may also say that they cannot tell.
+/// Answers of the named methods. Exact ones say yes or no; approximate ones may also leave a pair undecided.
 #pragma once
 
 #include <cstdint>

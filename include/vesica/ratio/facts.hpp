@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What a ratio must know of each shape: its area, and how far it reaches along the coordinate axes. Lengths of usual
+/// What a ratio needs from each shape: its area, and how far it reaches along the coordinate axes. Lengths of usual
 /// magnitudes are plain doubles. Others are taken in units of a power of two, and so overflow no more than these do.
 #pragma once
 
@@ -17,7 +17,7 @@ struct Facts {
   bool round;
 };
 
-/// Whether products and squares of such lengths, or quotients of such areas, are normal numbers.
+/// True if products and squares of such lengths, or quotients of such areas, are normal numbers.
 inline bool is_moderate(double x) noexcept { return x >= 0x1p-400 && x <= 0x1p400; }
 
 /// The parts of a form as doubles. Of coordinates so large that a difference may overflow they are halved before, and
@@ -37,7 +37,7 @@ struct Parts {
   double operator()(const form::HalfWidth<double>& w) const noexcept { return scale * w.to - scale * w.from; }
 };
 
-/// Of a valid shape with this area as a double, which says all if it is of usual magnitude.
+/// Facts of a valid shape with this area as a double, which suffices if it is of usual magnitude.
 template <class Shape>
 VESICA_INLINE Facts facts(const Shape& shape, double area) noexcept {
   const auto f = form::of(shape);
