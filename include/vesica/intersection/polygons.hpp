@@ -3,7 +3,8 @@
 /// vertices, and in which order. Only their coordinates are rounded.
 ///
 /// The line of an edge of a meets b in a chord. Where it enters and leaves b follows from the sides of that line on
-/// which b's corners are, and where the ends of the edge are by the sides of b's edges. So no two places are ever compared.
+/// which b's corners are, and where the ends of the edge are by the sides of b's edges. So no two places are ever
+/// compared.
 #pragma once
 
 #include <vesica/de9im/segment.hpp>
