@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "queries/overlap.hpp"
 
-#include <utility>
-
 #include "environment.hpp"
 #include "query.hpp"
 #include "vesica.h"
@@ -14,7 +12,7 @@ using vesica::ShapeTraits;
 template <class Shape>
 constexpr auto kind = static_cast<int32_t>(ShapeTraits<Shape>::kind);
 
-/// The answer in the default environment, for a caller in another one.
+/// For a caller in another environment than the default: the filter too is run in the default one.
 template <class A, class B>
 [[gnu::noinline, gnu::cold]] int32_t overlap_elsewhere(const void* a, const void* b) noexcept {
   using Pair = int32_t (*)(const void*, const void*, void*) noexcept;
@@ -22,58 +20,53 @@ template <class A, class B>
       static_cast<Pair>(vesica::answer_pair<vesica::queries::OverlapOfPair, A, B>), a, b, nullptr);
 }
 
-/// For calls that have not read the control register: in the default environment they left the pair undecided.
+/// For pairs that the filter left undecided in the caller's environment.
 template <class A, class B>
-int32_t rest_of_call(const void* a, const void* b) noexcept {
+[[gnu::noinline]] int32_t overlap_undecided(const void* a, const void* b) noexcept {
   if (!vesica::capi::in_default_environment()) return overlap_elsewhere<A, B>(a, b);
   return vesica::detail::decide_undecided(*static_cast<const A*>(a), *static_cast<const B*>(b));
 }
 
-/// The same for calls by kind.
-struct RestOfCalls {
-  vesica::RestOfCall of[vesica::kind_count][vesica::kind_count];
+/// What the filter decides is right in any rounding mode, so no control register is read before it has failed. The C
+/// structs are the core's shapes byte for byte, and are read in place.
+template <class A, class B>
+int32_t overlap_of(const void* a, const void* b) noexcept {
+  if (!vesica::capi::keeps_subnormals()) [[unlikely]]
+    return overlap_elsewhere<A, B>(a, b);
+  const int32_t answer =
+      vesica::detail::decide_by_filter(widen(*static_cast<const A*>(a)), widen(*static_cast<const B*>(b)));
+  if (answer >= 0) [[likely]]
+    return answer;
+  return overlap_undecided<A, B>(a, b);
+}
+
+/// By the two kinds in the order of shapes.
+struct Overlaps {
+  int32_t (*of[vesica::kind_count][vesica::kind_count])(const void*, const void*) noexcept;
 };
 template <class T>
-consteval RestOfCalls rest_of_calls() noexcept {
-  RestOfCalls rest{};
-#define VESICA_REST(a, A, b, B) \
-  rest.of[kind<vesica::A<T>>][kind<vesica::B<T>>] = rest_of_call<vesica::A<T>, vesica::B<T>>;
-  VESICA_EACH_PAIR(VESICA_REST)
-#undef VESICA_REST
-  return rest;
+consteval Overlaps overlaps_by_kind() noexcept {
+  Overlaps overlaps{};
+#define VESICA_ENTER(a, A, b, B) \
+  overlaps.of[kind<vesica::A<T>>][kind<vesica::B<T>>] = overlap_of<vesica::A<T>, vesica::B<T>>;
+  VESICA_EACH_PAIR(VESICA_ENTER)
+#undef VESICA_ENTER
+  return overlaps;
 }
 template <class T>
-constinit const RestOfCalls rest_by_kind = rest_of_calls<T>();
+constinit const Overlaps overlaps = overlaps_by_kind<T>();
 
-/// The C structs are the core's shapes byte for byte, and are read in place.
 template <class A, class B>
 VESICA_INLINE int32_t overlap_typed(const void* a, const void* b) noexcept {
-  using T = typename ShapeTraits<A>::Scalar;
   if (a == nullptr || b == nullptr) return VESICA_E_NULL;
-  const vesica::CallTable* const calls = vesica::chosen_calls();
-  if (calls != nullptr) [[likely]]
-    return calls->of(T{})[kind<A>][kind<B>](a, b, rest_of_call<A, B>);
-  if (!vesica::capi::in_default_environment()) [[unlikely]]
-    return overlap_elsewhere<A, B>(a, b);
-  return vesica::answer_pair<vesica::queries::OverlapOfPair, A, B>(a, b, nullptr);
-}
-
-template <class T>
-int32_t overlap_by_table(int32_t kind_a, const void* a, int32_t kind_b, const void* b) noexcept {
-  VESICA_DEFAULT_ENVIRONMENT(overlap_by_table<T>, kind_a, a, kind_b, b);
-  return vesica::ask<T>(vesica::queries::overlap, kind_a, a, kind_b, b, nullptr);
+  return overlap_of<A, B>(a, b);
 }
 
 template <class T>
 VESICA_INLINE int32_t overlap_by_kind(int32_t kind_a, const void* a, int32_t kind_b, const void* b) noexcept {
-  const vesica::CallTable* const calls = vesica::chosen_calls();
-  const bool asked_well = a != nullptr && b != nullptr && vesica::is_kind(kind_a) && vesica::is_kind(kind_b);
-  if (calls == nullptr || !asked_well) return overlap_by_table<T>(kind_a, a, kind_b, b);
-  if (kind_a > kind_b) {
-    std::swap(kind_a, kind_b);
-    std::swap(a, b);
-  }
-  return calls->of(T{})[kind_a][kind_b](a, b, rest_by_kind<T>.of[kind_a][kind_b]);
+  if (a == nullptr || b == nullptr) return VESICA_E_NULL;
+  if (!vesica::is_kind(kind_a) || !vesica::is_kind(kind_b)) return VESICA_E_KIND;
+  return kind_a <= kind_b ? overlaps<T>.of[kind_a][kind_b](a, b) : overlaps<T>.of[kind_b][kind_a](b, a);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 /// how many overlap. The answers are those of the library, bit for bit, and the device finds every one of them itself.
 ///
 /// A batch is three kernels. The first one runs the pair's filter in the arrays' own scalar, float or double, and lists
-/// the undecided pairs. The second one decides these in double, and those where nothing is rounded, and lists the rest.
+/// the undecided pairs. The second one decides these in double, and contact by integers, and lists the rest.
 /// The third one decides those exactly, in few threads, since each needs up to 40 kB of local memory. A list has no
 /// particular order, but each answer has its place: the results are always the same.
 ///
@@ -154,15 +154,14 @@ struct ByFilter {
     return vesica::detail::decide_by_filter(a, b);
   }
 };
-// Without the quick ways of overlap.hpp for ties: on a device they would take registers from all threads.
 struct InDouble {
   template <template <class> class A, template <class> class B, class T>
   __device__ std::int32_t operator()(const A<T>& a, const B<T>& b) const noexcept {
     const A<double> first = widen(a);
     const B<double> second = widen(b);
     const std::int32_t answer = vesica::detail::decide_by_filter(first, second);
-    if constexpr (vesica::filter::HasErrorFree<A<double>, B<double>>) {
-      if (answer < 0) return vesica::detail::answer_of(vesica::filter::error_free(first, second));
+    if constexpr (vesica::filter::HasIntegers<A<double>, B<double>>) {
+      if (answer < 0) return vesica::detail::answer_of(vesica::filter::by_integers(first, second));
     }
     return answer;
   }

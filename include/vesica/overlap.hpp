@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 /// overlap(a, b): do two shapes share a point? Exact for every valid input, touching included.
 ///
-/// Two stages. The pair's filter evaluates the predicate in floating point with a bound on its error and answers
-/// nearly always; what it leaves open is checked for validity and decided in exact arithmetic. There is no epsilon.
-/// Exact contact among short numbers is decided between the two, by an evaluation without errors.
+/// Three stages. The pair's filter evaluates the predicate in floating point with a bound on its error and answers
+/// nearly always. What it leaves open, mostly contact, integers of 256 bits decide, unless an ellipse is among the two
+/// or exponents are far apart. The rest is checked for validity and decided in exact arithmetic. There is no epsilon.
 ///
 /// Laws, each tested: overlap(a, b) == overlap(b, a); unchanged when both shapes are mirrored, turned by quarter turns,
 /// or scaled by a power of two without leaving the format; overlap(a, a); a shape's bounds overlap whatever it
@@ -11,11 +11,7 @@
 #pragma once
 
 #include <vesica/check.hpp>
-#include <vesica/filter/axes.hpp>
-#include <vesica/filter/disc_rect.hpp>
-#include <vesica/filter/error_free.hpp>
-#include <vesica/filter/reach.hpp>
-#include <vesica/filter/short_numbers.hpp>
+#include <vesica/filter/by_integers.hpp>
 #include <vesica/overlap/aabb_aabb.hpp>
 #include <vesica/overlap/aabb_ellipse.hpp>
 #include <vesica/overlap/aabb_rect.hpp>
@@ -54,80 +50,23 @@ VESICA_INLINE constexpr std::int32_t decide_by_filter(const A& a, const B& b) no
   return answer_of(detail::overlap::filter(a, b));
 }
 
-/// Exact contact, where a look at the numbers shows that a short evaluation is exact.
-template <class A, class B>
-VESICA_INLINE constexpr std::int32_t decide_short_tie(const A& a, const B& b) noexcept {
-  if constexpr (filter::HasResidues<A, B>) {
-    return answer_of(filter::by_residues<filter::NearUnit>(a, b));
-  } else if constexpr (filter::HasShortNumbers<A, B>) {
-    if constexpr (filter::HasAxes<A, B> || filter::HasSquares<A, B>) {
-      if (filter::has_long_axis(b, filter::most_digits<A, B>)) return -1;
-    }
-    return answer_of(filter::short_numbers(a, b));
-  } else {
-    return -1;
-  }
-}
-/// Other contacts, in integers of any length.
-template <class A, class B>
-VESICA_INLINE constexpr std::int32_t decide_long_tie(const A& a, const B& b) noexcept {
-  if constexpr (filter::has_wide_products && filter::HasResidues<A, B, filter::FarUnit>) {
-    return answer_of(filter::by_residues<filter::FarUnit>(a, b));
-  } else if constexpr (filter::HasAxes<A, B>) {
-    return answer_of(filter::by_axes<filter::Limbs::leading>(a, b));
-  } else if constexpr (filter::HasSquares<A, B>) {
-    return answer_of(filter::by_squares(a, b));
-  } else {
-    return -1;
-  }
-}
-/// Contacts of numbers of all digits, or whose exponents are far apart: there by an evaluation that detects that
-/// nothing was rounded.
-template <class A, class B>
-VESICA_INLINE constexpr std::int32_t decide_longest_tie(const A& a, const B& b) noexcept {
-  if constexpr (filter::HasAxes<A, B>) {
-    const std::int32_t answer = answer_of(filter::by_axes<filter::Limbs::all>(a, b));
-    if (answer >= 0) return answer;
-  }
-  if constexpr (filter::HasAxes<A, B> || filter::HasSquares<A, B>) {
-    if (filter::has_long_axis(b, 28)) return -1;  // its square has 57 digits or more
-  }
-  if constexpr (filter::HasErrorFree<A, B>) {
-    return answer_of(filter::error_free(a, b));
-  } else {
-    return -1;
-  }
-}
-
-/// A function of its own, as the next one: the registers that it saves would cost shorter ties time.
+/// The third stage. Invalid shapes get their error here.
 template <class A, class B>
 VESICA_COLD constexpr std::int32_t decide_exactly(const A& a, const B& b) noexcept {
-  if (!std::is_constant_evaluated()) {
-    const std::int32_t answer = decide_longest_tie(a, b);
-    if (answer >= 0) return answer;
-  }
   if (check(a) != 0 || check(b) != 0) return error_shape;
   return detail::overlap::exact(a, b) ? 1 : 0;
 }
 
-template <class A, class B>
-VESICA_CALLED constexpr std::int32_t decide_long(const A& a, const B& b) noexcept {
-  if (!std::is_constant_evaluated()) {
-    const std::int32_t answer = decide_long_tie(a, b);
-    if (answer >= 0) return answer;
-  }
-  return decide_exactly(a, b);
-}
-
-/// For pairs in double that a filter left undecided. Invalid shapes get their error here, valid ones their exact
-/// answer.
+/// For pairs in double that a filter left undecided.
 template <class A, class B>
 VESICA_CALLED constexpr std::int32_t decide_undecided(const A& a, const B& b) noexcept {
-  if (!std::is_constant_evaluated()) {
-    const std::int32_t answer = decide_short_tie(a, b);
-    if (answer >= 0) return answer;
+  if constexpr (filter::HasIntegers<A, B>) {
+    if (!std::is_constant_evaluated()) {
+      const std::int32_t answer = answer_of(filter::by_integers(a, b));
+      if (answer >= 0) return answer;
+    }
   }
-  return decide_long(a, b);
+  return decide_exactly(a, b);
 }
 /// Floats are widened here, in the cold code, so that the hot code does not.
 template <template <class> class A, template <class> class B>

@@ -9,7 +9,6 @@
 
 namespace vesica {
 
-constinit const KernelTable kernels_avx2 =
-    make_table("avx2", kernels_avx2_queries, kernels_avx2_ties, index::kernels_avx2);
+constinit const KernelTable kernels_avx2 = make_table("avx2", kernels_avx2_queries, index::kernels_avx2);
 
 }  // namespace vesica

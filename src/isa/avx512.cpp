@@ -9,7 +9,6 @@
 
 namespace vesica {
 
-constinit const KernelTable kernels_avx512 =
-    make_table("avx512", kernels_avx512_queries, kernels_avx512_ties, index::kernels_avx512);
+constinit const KernelTable kernels_avx512 = make_table("avx512", kernels_avx512_queries, index::kernels_avx512);
 
 }  // namespace vesica

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // clang-format off
 #include "kernels/flatten.hpp"
-#include "lanes/ordered.hpp"
 #include "lanes/steady.hpp"
 // clang-format on
-#include "kernels/calls.hpp"
 #include "kernels/cast_calls.hpp"
 
 namespace vesica {
 
-constinit const CallTable kernels_avx512_calls = with_casts(make_calls());
+constinit const CallTable kernels_avx512_calls = make_calls();
 
 }  // namespace vesica

@@ -9,7 +9,6 @@
 
 namespace vesica {
 
-constinit const KernelTable kernels_neon =
-    make_table("neon", kernels_neon_queries, kernels_neon_ties, index::kernels_neon);
+constinit const KernelTable kernels_neon = make_table("neon", kernels_neon_queries, index::kernels_neon);
 
 }  // namespace vesica

@@ -10,6 +10,6 @@
 namespace vesica {
 
 constinit const KernelTable kernels_portable =
-    make_table("portable", kernels_portable_queries, kernels_portable_ties, index::kernels_portable);
+    make_table("portable", kernels_portable_queries, index::kernels_portable);
 
 }  // namespace vesica

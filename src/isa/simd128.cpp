@@ -9,7 +9,6 @@
 
 namespace vesica {
 
-constinit const KernelTable kernels_simd128 =
-    make_table("simd128", kernels_simd128_queries, kernels_simd128_ties, index::kernels_simd128);
+constinit const KernelTable kernels_simd128 = make_table("simd128", kernels_simd128_queries, index::kernels_simd128);
 
 }  // namespace vesica

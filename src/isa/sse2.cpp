@@ -9,7 +9,6 @@
 
 namespace vesica {
 
-constinit const KernelTable kernels_sse2 =
-    make_table("sse2", kernels_sse2_queries, kernels_sse2_ties, index::kernels_sse2);
+constinit const KernelTable kernels_sse2 = make_table("sse2", kernels_sse2_queries, index::kernels_sse2);
 
 }  // namespace vesica

@@ -71,12 +71,10 @@ VESICA_KERNEL void widen_column(Unaligned<float> from, std::int32_t n, double* t
 }
 
 /// The tables of this instruction set, as constants.
-consteval KernelTable make_table(const char* name, const QueryTable& queries, const TieKernels& ties,
-                                 const index::Kernels& index) noexcept {
+consteval KernelTable make_table(const char* name, const QueryTable& queries, const index::Kernels& index) noexcept {
   KernelTable table{};
   table.name = name;
   table.queries = &queries;
-  table.ties = &ties;
   table.index = &index;
   table.width_f32 = Floats::width;
   table.width_f64 = Doubles::width;

@@ -1,12 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 // Casts of two shapes that miss, without reading the control register. Included once, by src/isa/<set>_calls.cpp, after
-// kernels/calls.hpp.
+// Steady, whose operations do not depend on it.
 #pragma once
 
 #include <vesica/cast/quick.hpp>
+#include <vesica/overlap.hpp>
+
+#include "kernels/table.hpp"
 
 namespace vesica {
 namespace {
+
+template <class Shape>
+struct Read;
+template <template <class> class Shape, class T>
+struct Read<Shape<T>> {
+  VESICA_INLINE static Shape<Steady> from(const void* numbers) noexcept {
+    return detail::with_numbers(*static_cast<const Shape<T>*>(numbers),
+                                [](const auto&... x) { return Shape<Steady>{Steady::load(x)...}; });
+  }
+};
 
 template <class A, class B, class T>
 VESICA_KERNEL std::int32_t cast_call(const void* a, const void* b, T vx, T vy, T end, void* out,
@@ -28,7 +41,8 @@ consteval void enter_cast(CallTable& calls) noexcept {
   calls.casts_f32[a][b] = cast_call<A<float>, B<float>, float>;
   calls.casts_f64[a][b] = cast_call<A<double>, B<double>, double>;
 }
-consteval CallTable with_casts(CallTable calls) noexcept {
+consteval CallTable make_calls() noexcept {
+  CallTable calls{};
   enter_cast<Segment, Point>(calls);
   enter_cast<Circle, Point>(calls);
   enter_cast<Aabb, Point>(calls);

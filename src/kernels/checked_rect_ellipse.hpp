@@ -48,7 +48,7 @@ VESICA_INLINE auto checked_box_ellipse(const Rect<V>& box, const PreparedEllipse
   const V x = kx - max(min(kx, box.hx), zero - box.hx), y = ky - max(min(ky, box.hy), zero - box.hy);
   const V m = gap_along_segment(p00, p01, x, ky, box.hy), n = gap_along_segment(p11, p01, y, kx, box.hx);
   const V gap = min(m * m + (x * x - e.r * p00), n * n + (y * y - e.r * p11));
-  const V bound = e.mean * ((roundoffs<V>(320) * h) * h + (roundoffs<V>(2816) * e.r) * e.mean);
+  const V bound = e.mean * ((nearest_roundoffs<V>(320) * h) * h + (nearest_roundoffs<V>(2816) * e.r) * e.mean);
   const auto known = abs(gap) > bound;
   return DecidedVerdict<decltype(gap > zero)>{greater_where(known, zero, gap), known};
 }

@@ -29,7 +29,7 @@ class CheckedBoxBox {
  public:
   /// reach: the greatest sum of half extents among the boxes that `one` is asked with.
   VESICA_INLINE CheckedBoxBox(const Rect<V>& one, V reach) noexcept
-      : bound_(roundoffs<V>(32) * ((one.hx + one.hy) + reach) + guard_power<V, -100>()) {}
+      : bound_(nearest_roundoffs<V>(32) * ((one.hx + one.hy) + reach) + guard_power<V, -100>()) {}
 
   VESICA_INLINE auto filter(const Rect<V>& a, const Rect<V>& b) const noexcept {
     const V dx = b.cx - a.cx, dy = b.cy - a.cy;

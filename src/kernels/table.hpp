@@ -58,12 +58,6 @@ struct PairKernels {
 template <class T>
 using ScalarKernels = PairKernels<T>[kind_count][kind_count];
 
-/// Kernels for pairs in step that decide what `general` does and most exact contacts too, but are slower if there are
-/// no contacts. Null for pairs with an ellipse, and for pairs that `general` always decides.
-struct TieKernels {
-  BlockKernel<double> of[kind_count][kind_count];
-};
-
 /// Kernels for two shapes of one kind where the second, and unless it is repeated the first, are records without gaps:
 /// in step, and one against many. They do what those of `unit` do for columns. Null where there are none.
 template <class T>
@@ -93,11 +87,8 @@ template <class T>
 using CopyRecords = void (*)(Unaligned<T> from, std::ptrdiff_t stride, int fields, std::int32_t n, T* columns,
                              std::int32_t column_length) noexcept;
 
-/// What a call asks where it does not know the answer: its filter leaves the pair undecided, or subnormals are flushed.
-using RestOfCall = std::int32_t (*)(const void* a, const void* b) noexcept;
-
-/// The same of a cast, where the quick filter knows no miss: what it does know, which is nothing where subnormals are
-/// flushed.
+/// What a cast asks where the quick filter knows no miss: it hands over what it does know, which is nothing where
+/// subnormals are flushed.
 namespace detail::cast {
 enum class Quick;
 }
@@ -105,21 +96,15 @@ template <class T>
 using RestOfCast = std::int32_t (*)(const void* a, const void* b, T vx, T vy, T end, void* out,
                                     detail::cast::Quick quick) noexcept;
 
-/// Whether two shapes overlap, in any floating-point environment, without reading the control register. By the two
-/// kinds in the order of shapes. kernels/calls.hpp has the functions. And casts by a quick filter; null where there is
-/// none.
+/// Casts by a quick filter, in any floating-point environment, without reading the control register. By the two kinds;
+/// null where there is none. kernels/cast_calls.hpp has the functions.
 struct CallTable {
-  using Call = std::int32_t (*)(const void* a, const void* b, RestOfCall rest) noexcept;
-  using Calls = Call[kind_count][kind_count];
   template <class T>
   using Cast = std::int32_t (*)(const void* a, const void* b, T vx, T vy, T end, void* out,
                                 RestOfCast<T> rest) noexcept;
-  Calls f32, f64;
   Cast<float> casts_f32[kind_count][kind_count];
   Cast<double> casts_f64[kind_count][kind_count];
 
-  const Calls& of(float) const noexcept { return f32; }
-  const Calls& of(double) const noexcept { return f64; }
   Cast<float> cast(float, int a, int b) const noexcept { return casts_f32[a][b]; }
   Cast<double> cast(double, int a, int b) const noexcept { return casts_f64[a][b]; }
 };
@@ -129,7 +114,6 @@ struct QueryTable;
 struct KernelTable {
   const char* name;
   const QueryTable* queries;          // of the same instruction set
-  const TieKernels* ties;             // likewise
   const index::Kernels* index;        // likewise
   std::int32_t width_f32, width_f64;  // lanes of a vector
   void (*widen_column)(Unaligned<float> from, std::int32_t n, double* to) noexcept;
@@ -153,15 +137,6 @@ struct KernelTable {
   const PackedKernels<float>& packed(float) const noexcept { return packed_f32; }
   const PackedKernels<double>& packed(double) const noexcept { return packed_f64; }
 };
-
-extern const TieKernels kernels_portable_ties;
-#if defined(__x86_64__)
-extern const TieKernels kernels_sse2_ties, kernels_avx2_ties, kernels_avx512_ties;
-#elif defined(__aarch64__)
-extern const TieKernels kernels_neon_ties;
-#elif defined(__wasm_simd128__)
-extern const TieKernels kernels_simd128_ties;
-#endif
 
 /// The instruction sets built for this machine's architecture. The portable one is a single lane and runs anywhere; the
 /// library has it only where the architecture's baseline has no vectors that it knows.

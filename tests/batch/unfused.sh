@@ -5,7 +5,7 @@
 # alternate between a sum and a difference: vfmaddsub and vfmsubadd, which nothing in the source asks for.
 #
 # Three rules, for x86-64:
-#   src/isa/<set>.cpp, _ties, _calls         may fuse: they only decide
+#   src/isa/<set>.cpp, _calls                may fuse: they only decide
 #   src/isa/<set>_queries.cpp                fuse where the source says so, but never in alternation
 #   all others                               fuse in functions for processors that do (quick_hit_fused,
 #                                            quick_meeting_fused, find_meeting_fused of src/queries/cast.cpp,

@@ -60,9 +60,13 @@ VESICA_INLINE constexpr BoxBox<V> separating_axes(const Box<V>& a, const Box<V>&
           farthest_out(q0, q1, k0, k1, f0, f1), farthest_out(p0, p1, h0, h1, e0, e1)};
 }
 
+/// Where sums of products with opposite signs saturate in p0, those in p1 have like signs and are as great. So the error
+/// is beyond its limit whenever an operation is beyond the range.
 template <class V>
 VESICA_INLINE constexpr auto box_box_usable(const BoxBox<V>& axes, const Box<V>& a, const Box<V>& b) noexcept {
-  return both(both(box_axis_in_range(axes.uu), box_axis_in_range(axes.ww)), at_least(V(0.0f), a.hx, a.hy, b.hx, b.hy));
+  const auto finite = axes.gap_a.error + axes.gap_b.error <= greatest_error<V>();
+  return both(both(both(box_axis_in_range(axes.uu), box_axis_in_range(axes.ww)), finite),
+              at_least(V(0.0f), a.hx, a.hy, b.hx, b.hy));
 }
 
 template <class V>
@@ -92,8 +96,9 @@ VESICA_INLINE constexpr Estimate<V> point_gap(const Box<V>& b, const Centre<V>& 
 template <class V>
 VESICA_INLINE constexpr auto point_box(const Box<V>& b, const Centre<V>& d) noexcept {
   const V uu = b.ux * b.ux + b.uy * b.uy;
-  const auto usable = both(box_axis_in_range(uu), at_least(V(0.0f), b.hx, b.hy));
-  return guarded(usable, point_gap(b, d, uu));
+  const Estimate<V> gap = point_gap(b, d, uu);
+  const auto finite = gap.error <= greatest_error<V>();
+  return guarded(both(both(box_axis_in_range(uu), finite), at_least(V(0.0f), b.hx, b.hy)), gap);
 }
 
 }  // namespace vesica::filter

@@ -8,7 +8,6 @@
 /// and alone: where most pairs are far apart they settle nearly all. Lanes never look: they cannot jump.
 #pragma once
 
-#include <limits>
 #include <vesica/filter/box.hpp>
 
 namespace vesica::filter {
@@ -16,19 +15,17 @@ namespace vesica::filter {
 /// Far above the errors of all that is compared here.
 inline constexpr double look_slack = 0x1p-40;
 
-template <class V>
-VESICA_INLINE constexpr V greatest_finite() noexcept {
-  constexpr double greatest = std::numeric_limits<double>::max();
-  return V(greatest);
-}
+/// Squares of lengths up to this: one that is beyond the range, times the least squared axis, is above it in any
+/// rounding mode.
+inline constexpr double greatest_square = 0x1p800;
 
 /// Are circles about two shapes apart? Of `distance` and `about`, the sum of the squared radii R and S, all errors
-/// together are below 16u (u = 2^-53), and (R + S)^2 <= 2 (R^2 + S^2). usable: sizes and squared axes are at least
+/// together are below 16u, and (R + S)^2 <= 2 (R^2 + S^2). usable: sizes and squared axes are at least
 /// 2^-48 (discs: their powers are, as in the contact cubic's guards), so that nothing underflows that counts, and none
 /// is NaN.
 template <class V, class Mask>
 VESICA_INLINE constexpr Mask circles_apart(V distance, V about, Mask usable) noexcept {
-  return both(usable, both(distance > V(2 + look_slack) * about, distance <= greatest_finite<V>()));
+  return both(usable, both(distance > V(2 + look_slack) * about, distance <= V(greatest_square)));
 }
 
 /// For what is left in the end, of magnitudes that only comparisons of squares bear: do circles within two shapes
@@ -38,7 +35,7 @@ template <class V, class Mask>
 VESICA_INLINE constexpr Verdict<Mask> circles_meet(const Centre<V>& d, V p, V q, V sum, Mask usable) noexcept {
   const V distance = d.x * d.x + d.y * d.y;
   const Mask meet = distance <= V(1 - look_slack) * ((p + q) + V(2.0f) * min(p, q));
-  return {both(both(usable, distance + sum <= greatest_finite<V>()), meet), Mask(false)};
+  return {both(both(usable, distance + sum <= V(greatest_square)), meet), Mask(false)};
 }
 
 /// By ellipses about the first shape's centre; D is the other's.
@@ -64,11 +61,5 @@ VESICA_INLINE constexpr Verdict<Mask> by_ellipses(V distance, V det, V room, V e
 /// Lanes do not look.
 template <class V>
 inline constexpr bool looks = std::is_same_v<V, double>;
-
-/// Whether circles around the shapes are looked at first. That is cheaper where few pairs overlap, but where more do, a
-/// jump that is often predicted wrong. Where masks make one jump of all that the ellipses tell, that alone is quicker
-/// but for shares of overlap below 5%.
-template <class V>
-inline constexpr bool looks_around = std::is_same_v<V, double>;
 
 }  // namespace vesica::filter

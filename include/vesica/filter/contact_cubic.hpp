@@ -57,7 +57,8 @@ VESICA_INLINE constexpr auto decide(const ContactCubic<V>& p) noexcept {
   return Verdict<decltype(least.value > least.error)>{certainly_positive(least), certainly_negative(least)};
 }
 
-/// Totals and leading terms together below 2^62 (double: 2^496): no square in least_value() overflows.
+/// Totals and leading terms together below 2^62 (double: 2^496): no square in least_value() overflows. Powers of t may;
+/// so the error's limit is looked at too.
 template <class V>
 VESICA_INLINE constexpr auto totals_in_range(const ContactCubic<V>& p) noexcept {
   return (p.d1 + p.d2) + (p.total1 + p.total2) <= guard_power<V, 62>();
@@ -157,22 +158,18 @@ VESICA_INLINE constexpr auto ellipse_ellipse(const Ellipse<V>& e, const Ellipse<
   const Centre<V> d = offset(place(e), place(f));
   if constexpr (looks<V>) {
     const auto usable = at_least(guard_power<V, -6>(), e.a, e.b, f.a, f.b, vv, ww);
-    if constexpr (looks_around<V>) {
-      if (circles_apart(e, f, d, vv, ww, usable)) return Verdict<bool>{false, true};
-    }
+    if (circles_apart(e, f, d, vv, ww, usable)) return Verdict<bool>{false, true};
     const auto look = look_at_ellipses(e, f, d, vv, ww, usable);
     if (either(look.overlap, look.disjoint)) return look;
   }
   const ContactCubic<V> p = contact_cubic(e, f, d, vv, ww);
-  const auto verdict = decide(p);
-  const auto answer = guarded(ellipse_ellipse_usable(p, e, f, vv, ww), verdict.overlap, verdict.disjoint);
+  const Estimate<V> least = least_value(p);
+  const auto usable = both(ellipse_ellipse_usable(p, e, f, vv, ww), least.error <= guard_power<V, 100>());
   if constexpr (looks<V>) {
     // One comparison: which of the two it is could not be predicted.
-    const Estimate<V> least = least_value(p);
-    if (!both(ellipse_ellipse_usable(p, e, f, vv, ww), abs(least.value) > least.error))
-      return circles_within_meet(e, f);
+    if (!both(usable, abs(least.value) > least.error)) return circles_within_meet(e, f);
   }
-  return answer;
+  return guarded(usable, certainly_positive(least), certainly_negative(least));
 }
 
 /// Circle and ellipse: the same cubic with x = t / r^2, times r^2, is monic:
@@ -236,20 +233,17 @@ VESICA_INLINE constexpr auto circle_ellipse(const Circle<V>& disc, const Ellipse
   const auto sizes = both(at_least(low, e.a, e.b, disc.r), vv >= guard_power<V, -16>());
   const Centre<V> d = offset(place(disc), place(e));
   if constexpr (looks<V>) {
-    if constexpr (looks_around<V>) {
-      if (circles_apart(disc, e, d, vv, sizes)) return Verdict<bool>{false, true};
-    }
+    if (circles_apart(disc, e, d, vv, sizes)) return Verdict<bool>{false, true};
     const auto look = look_at_ellipses(disc, e, d, vv, sizes);
     if (either(look.overlap, look.disjoint)) return look;
   }
   const ContactCubic<V> p = contact_cubic(disc, e, d, vv);
-  const auto verdict = decide(p);
-  const auto answer = guarded(both(sizes, totals_in_range(p)), verdict.overlap, verdict.disjoint);
+  const Estimate<V> least = least_value(p);
+  const auto usable = both(both(sizes, totals_in_range(p)), least.error <= guard_power<V, 100>());
   if constexpr (looks<V>) {
-    const Estimate<V> least = least_value(p);
-    if (!both(both(sizes, totals_in_range(p)), abs(least.value) > least.error)) return circles_within_meet(disc, e);
+    if (!both(usable, abs(least.value) > least.error)) return circles_within_meet(disc, e);
   }
-  return answer;
+  return guarded(usable, certainly_positive(least), certainly_negative(least));
 }
 
 }  // namespace vesica::filter

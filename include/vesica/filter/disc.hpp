@@ -18,13 +18,20 @@ VESICA_INLINE constexpr Estimate<V> beyond_reach(const Centre<V>& d, V reach) no
 }
 
 template <class V>
+VESICA_INLINE constexpr auto is_finite(const Estimate<V>& e) noexcept {
+  return e.error <= greatest_error<V>();
+}
+
+template <class V>
 VESICA_INLINE constexpr auto point_disc(const Centre<V>& d, V radius) noexcept {
-  return guarded(radius >= V(0.0f), beyond_reach(d, radius));
+  const Estimate<V> gap = beyond_reach(d, radius);
+  return guarded(both(radius >= V(0.0f), is_finite(gap)), gap);
 }
 
 template <class V>
 VESICA_INLINE constexpr auto disc_disc(const Centre<V>& d, V radius_a, V radius_b) noexcept {
-  return guarded(at_least(V(0.0f), radius_a, radius_b), beyond_reach(d, radius_a + radius_b));
+  const Estimate<V> gap = beyond_reach(d, radius_a + radius_b);
+  return guarded(both(at_least(V(0.0f), radius_a, radius_b), is_finite(gap)), gap);
 }
 
 /// One disc contains the other iff the centres are at most as far apart as the radii differ, and its radius is the
@@ -50,7 +57,7 @@ VESICA_INLINE constexpr auto disc_aabb(const Circle<V>& disc, const Aabb<V>& box
   const V width = box.max_x - box.min_x, height = box.max_y - box.min_y;
   Estimate<V> gap = beyond_reach(nearest_offset(disc, box), disc.r);
   gap.error = gap.error + ((width - width) + (height - height)) + ((disc.cx - disc.cx) + (disc.cy - disc.cy));
-  return guarded(at_least(V(0.0f), width, height, disc.r), gap);
+  return guarded(both(at_least(V(0.0f), width, height, disc.r), is_finite(gap)), gap);
 }
 
 /// The farthest corner of an AABB, as the nearest point.

@@ -2,9 +2,14 @@
 /// What filters are made of: a computed value with a bound on its error, and the answer that the bound allows.
 ///
 /// Every filter is a template over V: double for scalar calls, lanes of double or float for batches. In the comments
-/// u is the unit roundoff of V's element, and errors are to first order in u; the constants in the code leave room
-/// for the rest, and tests/filter measures observed error over bound. Fused operations only drop roundings, so
-/// the bounds hold with and without them.
+/// u is the greatest relative error of one operation, and errors are to first order in u; the constants in the code
+/// leave room for the rest, and tests/filter measures observed error over bound. Fused operations only drop roundings,
+/// so the bounds hold with and without them.
+///
+/// u is a whole unit in the last place, 2^-52 in double, so that bounds hold in every rounding mode: calls about two
+/// shapes run their filter in the caller's. Rounding to nearest errs by half of that. A directed rounding can make the
+/// largest finite number of what is infinite to nearest. So every filter limits its error, which has all magnitudes in
+/// it. Where subnormals are flushed callers do not run filters.
 ///
 /// Checks for validity cost almost nothing. NaN and infinity reach every bound by addition, and no comparison with a
 /// bound that is NaN or infinite is true: such input stays undecided. Only negative sizes and zero axes would pass
@@ -68,11 +73,11 @@ struct Element<float> {
   using Type = float;
 };
 
-/// n units of roundoff.
+/// n u.
 template <class V>
 VESICA_INLINE constexpr V roundoffs(int n) noexcept {
   using T = typename Element<V>::Type;
-  return V(static_cast<T>(n) * ScalarTraits<T>::roundoff);
+  return V(static_cast<T>(2 * n) * ScalarTraits<T>::roundoff);
 }
 
 /// 2^e for float, 2^(8 e) for double: a guard chosen by float's narrower range serves both.
@@ -80,6 +85,14 @@ template <class V, int e>
 VESICA_INLINE constexpr V guard_power() noexcept {
   using Traits = ScalarTraits<typename Element<V>::Type>;
   return V(Traits::power(Traits::range * e));
+}
+
+/// No magnitude of a degree-3 filter, nor one of squares of lengths, is beyond the range where its error is at most this:
+/// with axes of at least 2^-200, offsets of the largest finite number would make it 2^770.
+template <class V>
+VESICA_INLINE constexpr V greatest_error() noexcept {
+  using T = typename Element<V>::Type;
+  return V(ScalarTraits<T>::power(sizeof(T) == 4 ? 100 : 640));
 }
 
 /// Covers what underflow can add to the errors of degree-3 filters, with axes no longer than 2^25 (double: 2^200).
