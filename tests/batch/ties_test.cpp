@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lattices of touching shapes, on every instruction set. The scalar function decides ties by the same evaluation
-// without errors as the kernels do, so both are held against the exact stage.
+// Lattices of touching shapes, on every instruction set, held against the exact stage: the scalar function decides
+// contact by integers.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -44,7 +44,6 @@ std::vector<Lattice> lattices() {
   for (const double step : {1.0, 0.5, 0.01, 0x1p-10}) all.push_back({step, 0, 0});
   all.push_back({1, 0, 7});
   all.push_back({0.5, 3, -11});
-  // The rounding error may underflow, and a product may overflow.
   const int extremes_f32[] = {-149, -140, -60, 60, 120},
             extremes_f64[] = {-1074, -1000, -540, -360, -170, 170, 340, 1000};
   if constexpr (sizeof(T) == sizeof(float)) {
@@ -63,7 +62,7 @@ void move_away(int kind, Numbers<T>& shape, T by) {
   if (kind == VESICA_AABB || kind == VESICA_SEGMENT) shape[2] += by;
 }
 
-class Ties : public EveryCase {
+class Contacts : public EveryCase {
  protected:
   void SetUp() override {
     if (GetParam().kind_a == VESICA_ELLIPSE || GetParam().kind_b == VESICA_ELLIPSE) GTEST_SKIP() << "no lattice";
@@ -92,7 +91,7 @@ class Ties : public EveryCase {
   Random random_{properties::seed()};
 };
 
-TEST_P(Ties, AreThoseOfTheExactStage) {
+TEST_P(Contacts, AreThoseOfTheExactStage) {
   in_its_scalar([this]<class T>(T) {
     for (const Lattice& lattice : lattices<T>()) {
       for (const double far : {0.0, 0.9}) {
@@ -103,6 +102,6 @@ TEST_P(Ties, AreThoseOfTheExactStage) {
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(Sets, Ties, testing::ValuesIn(all_cases()), test_name);
+INSTANTIATE_TEST_SUITE_P(Sets, Contacts, testing::ValuesIn(all_cases()), test_name);
 
 }  // namespace

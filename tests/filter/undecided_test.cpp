@@ -143,7 +143,9 @@ std::ostream& operator<<(std::ostream& out, const Left& l) {
   return out << l.guard_within << '}';
 }
 
-bool is_open(const auto& verdict);
+bool is_open(const auto& verdict) { return !verdict.overlap && !verdict.disjoint; }
+bool is_open(const filter::CertainRelation<bool>& r) { return !r.disjoint && !r.cross && !r.inside && !r.contains; }
+
 bool is_undecided_by_integers(const auto& a, const auto& b) {
   if constexpr (filter::HasIntegers<std::decay_t<decltype(a)>, std::decay_t<decltype(b)>>) {
     return is_open(filter::by_integers(a, b));
@@ -151,9 +153,6 @@ bool is_undecided_by_integers(const auto& a, const auto& b) {
     return true;
   }
 }
-bool is_open(const auto& verdict) { return !verdict.overlap && !verdict.disjoint; }
-bool is_open(const filter::CertainRelation<bool>& r) { return !r.disjoint && !r.cross && !r.inside && !r.contains; }
-
 constexpr bool is_straight(int kind) {
   return kind != static_cast<int>(Kind::circle) && kind != static_cast<int>(Kind::ellipse);
 }
