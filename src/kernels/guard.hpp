@@ -136,13 +136,6 @@ VESICA_INLINE auto greater_where(Everywhere, V a, V b) noexcept {
 
 namespace filter {
 
-/// A filter's answer: overlap is false where it is not decided.
-template <class Mask>
-struct DecidedVerdict {
-  Mask overlap;
-  Mask decided;
-};
-
 /// Where `usable` is set, a gap beyond `bound` times 2^n roundoffs decides, and its sign says how: negative is overlap.
 /// The bound is 2^-100 (double: 2^-800) or more, or NaN. A gap too large to be multiplied by 2^(24 - n) (double:
 /// 2^(53 - n)) decides nothing.

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A look before a long filter: shapes are disjoint if circles about them are, or if their centres are beyond an
-/// ellipse about the sum of the shapes, and overlap if these are within an ellipse inside it.
+/// A look before a long filter: shapes are disjoint if their centres are beyond an ellipse about the sum of the shapes,
+/// and overlap if these are within an ellipse inside it. For relations: they are disjoint if circles about them are.
 ///
 /// Policy, the same for all pairs: a call looks first where its filter takes more than twice the time of the look and
 /// of a jump that could not be predicted. These are the pairs of round shapes, for their contact cubic. Others would
-/// lose more among shapes that are close than they gain among shapes that are apart. In double the circles come first
-/// and alone: where most pairs are far apart they settle nearly all. Lanes never look: they cannot jump.
+/// lose more among shapes that are close than they gain among shapes that are apart. Lanes never look: they cannot jump.
 #pragma once
 
 #include <vesica/filter/box.hpp>
@@ -54,8 +53,12 @@ VESICA_INLINE constexpr Verdict<Mask> circles_meet(const Centre<V>& d, V p, V q,
 /// distance: adj(Q) D.D. room: m (tr Q + m - |D|^2). error: above the errors of all, and NaN or infinite if a number of
 /// a shape is. most: beyond this a factor of what underflows could be too large.
 template <class V, class Mask>
-VESICA_INLINE constexpr Verdict<Mask> by_ellipses(V distance, V det, V room, V error, V most, Mask usable) noexcept {
-  return guarded(both(usable, error <= most), distance + error <= det + room, distance > V(2.0f) * det + error);
+VESICA_INLINE constexpr DecidedVerdict<Mask> by_ellipses(V distance, V det, V room, V error, V most,
+                                                         Mask usable) noexcept {
+  const V zero(0.0f), inside = (det + room) - (distance + error), outside = distance - (V(2.0f) * det + error);
+  // Is one of them 0 or more? In one comparison, so that compilers make one jump of it: which of the two it is could
+  // not be predicted.
+  return {inside >= zero, both(both(usable, error <= most), abs(inside - outside) >= -(inside + outside))};
 }
 
 /// Lanes do not look.

@@ -131,8 +131,8 @@ VESICA_INLINE constexpr bool circles_apart(const Ellipse<double>& e, const Ellip
 ///   - Underflow: xx and yy are at least 2^-144, and where xx yy <= 2^640, squares of half lengths are at most 2^832.
 ///     What underflows loses less than 2^-242 of an entry.
 template <class V, class Mask>
-VESICA_INLINE constexpr Verdict<Mask> look_at_ellipses(const Ellipse<V>& e, const Ellipse<V>& f, const Centre<V>& d,
-                                                       V vv, V ww, Mask usable) noexcept {
+VESICA_INLINE constexpr DecidedVerdict<Mask> look_at_ellipses(const Ellipse<V>& e, const Ellipse<V>& f,
+                                                              const Centre<V>& d, V vv, V ww, Mask usable) noexcept {
   const V a0 = e.a * e.a, a1 = e.b * e.b, b0 = f.a * f.a, b1 = f.b * f.b;
   const V dxx = d.x * d.x, dyy = d.y * d.y, square = dxx + dyy;
   const V exx = e.ux * e.ux, eyy = e.uy * e.uy, fxx = f.ux * f.ux, fyy = f.uy * f.uy;
@@ -158,9 +158,8 @@ VESICA_INLINE constexpr auto ellipse_ellipse(const Ellipse<V>& e, const Ellipse<
   const Centre<V> d = offset(place(e), place(f));
   if constexpr (looks<V>) {
     const auto usable = at_least(guard_power<V, -6>(), e.a, e.b, f.a, f.b, vv, ww);
-    if (circles_apart(e, f, d, vv, ww, usable)) return Verdict<bool>{false, true};
     const auto look = look_at_ellipses(e, f, d, vv, ww, usable);
-    if (either(look.overlap, look.disjoint)) return look;
+    if (look.decided) return Verdict<bool>{look.overlap, !look.overlap};
   }
   const ContactCubic<V> p = contact_cubic(e, f, d, vv, ww);
   const Estimate<V> least = least_value(p);
@@ -207,8 +206,8 @@ VESICA_INLINE constexpr bool circles_apart(const Circle<double>& disc, const Ell
 /// Underflow: p and q are at least 2^-128, and where V p q <= 2^340, at most 2^596. What underflows loses less than
 /// 2^-478, beside V p q >= 2^-384.
 template <class V, class Mask>
-VESICA_INLINE constexpr Verdict<Mask> look_at_ellipses(const Circle<V>& disc, const Ellipse<V>& e, const Centre<V>& d,
-                                                       V vv, Mask usable) noexcept {
+VESICA_INLINE constexpr DecidedVerdict<Mask> look_at_ellipses(const Circle<V>& disc, const Ellipse<V>& e,
+                                                              const Centre<V>& d, V vv, Mask usable) noexcept {
   const V aa = e.a * e.a, bb = e.b * e.b, rr = disc.r * disc.r;
   const V x0 = e.ux * d.x + e.uy * d.y, x1 = e.ux * d.y - e.uy * d.x, xx = x0 * x0, yy = x1 * x1;
   const V p = aa * vv + rr, q = bb * vv + rr, sum = p + q, m = V(2.0f) * min(rr, min(aa, bb) * vv);
@@ -233,9 +232,8 @@ VESICA_INLINE constexpr auto circle_ellipse(const Circle<V>& disc, const Ellipse
   const auto sizes = both(at_least(low, e.a, e.b, disc.r), vv >= guard_power<V, -16>());
   const Centre<V> d = offset(place(disc), place(e));
   if constexpr (looks<V>) {
-    if (circles_apart(disc, e, d, vv, sizes)) return Verdict<bool>{false, true};
     const auto look = look_at_ellipses(disc, e, d, vv, sizes);
-    if (either(look.overlap, look.disjoint)) return look;
+    if (look.decided) return Verdict<bool>{look.overlap, !look.overlap};
   }
   const ContactCubic<V> p = contact_cubic(disc, e, d, vv);
   const Estimate<V> least = least_value(p);

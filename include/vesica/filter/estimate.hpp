@@ -47,6 +47,13 @@ struct Verdict {
   Mask disjoint;
 };
 
+/// A filter's answer that means nothing where it is not decided.
+template <class Mask>
+struct DecidedVerdict {
+  Mask overlap;
+  Mask decided;
+};
+
 /// No answer outside the guard.
 template <class Mask>
 VESICA_INLINE constexpr Verdict<Mask> guarded(Mask guard, Mask overlap, Mask disjoint) noexcept {
