@@ -60,17 +60,11 @@ VESICA_INLINE constexpr BoxBox<V> separating_axes(const Box<V>& a, const Box<V>&
           farthest_out(q0, q1, k0, k1, f0, f1), farthest_out(p0, p1, h0, h1, e0, e1)};
 }
 
-/// For the greater of the two gaps: at least the error of either.
-template <class V>
-VESICA_INLINE constexpr V box_box_error(const BoxBox<V>& axes) noexcept {
-  return axes.gap_a.error + axes.gap_b.error;
-}
-
 /// Where sums of products with opposite signs saturate in p0, those in p1 have like signs and are as great. So the error
 /// is beyond its limit whenever an operation is beyond the range.
 template <class V>
 VESICA_INLINE constexpr auto box_box_usable(const BoxBox<V>& axes, const Box<V>& a, const Box<V>& b) noexcept {
-  const auto finite = box_box_error(axes) <= greatest_error<V>();
+  const auto finite = axes.gap_a.error + axes.gap_b.error <= greatest_error<V>();
   return both(both(both(box_axis_in_range(axes.uu), box_axis_in_range(axes.ww)), finite),
               at_least(V(0.0f), a.hx, a.hy, b.hx, b.hy));
 }
@@ -78,7 +72,8 @@ VESICA_INLINE constexpr auto box_box_usable(const BoxBox<V>& axes, const Box<V>&
 template <class V>
 VESICA_INLINE constexpr auto box_box(const Box<V>& a, const Box<V>& b, const Centre<V>& d) noexcept {
   const BoxBox<V> axes = separating_axes(a, b, d);
-  return guarded(box_box_usable(axes, a, b), Estimate<V>{max(axes.gap_a.value, axes.gap_b.value), box_box_error(axes)});
+  return guarded(box_box_usable(axes, a, b), both(certainly_negative(axes.gap_a), certainly_negative(axes.gap_b)),
+                 either(certainly_positive(axes.gap_a), certainly_positive(axes.gap_b)));
 }
 
 /// The gap tells whether the boxes cross or are disjoint; each box's own axes tell how far the other reaches out of it.

@@ -17,9 +17,10 @@ VESICA_INLINE constexpr Estimate<V> beyond_reach(const Centre<V>& d, V reach) no
   return {distance - reached, roundoffs<V>(8) * (distance + reached) + underflow_allowance<V>()};
 }
 
+/// Were anything beyond the range, the error would be 2^105 (double: 2^970) or more.
 template <class V>
 VESICA_INLINE constexpr auto is_finite(const Estimate<V>& e) noexcept {
-  return e.error <= greatest_error<V>();
+  return e.error <= guard_power < V, sizeof(typename Element<V>::Type) == 4 ? 104 : 120 > ();
 }
 
 template <class V>

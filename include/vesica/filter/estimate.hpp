@@ -6,8 +6,8 @@
 /// leave room for the rest, and tests/filter measures observed error over bound. Fused operations only drop roundings,
 /// so the bounds hold with and without them.
 ///
-/// u is a whole unit in the last place, 2^-52 in double, so that bounds hold in every rounding mode: calls about two
-/// shapes run their filter in the caller's. Rounding to nearest errs by half of that. A directed rounding can make the
+/// For double u is a whole unit in the last place, 2^-52, so that bounds hold in every rounding mode: calls about two
+/// shapes run their filter in the caller's. Lanes run in the default one, where u is half of that. A directed rounding can make the
 /// largest finite number of what is infinite to nearest. So every filter limits its error, which has all magnitudes in
 /// it. Where subnormals are flushed callers do not run filters.
 ///
@@ -84,7 +84,8 @@ struct Element<float> {
 template <class V>
 VESICA_INLINE constexpr V roundoffs(int n) noexcept {
   using T = typename Element<V>::Type;
-  return V(static_cast<T>(2 * n) * ScalarTraits<T>::roundoff);
+  constexpr int in_any_mode = std::is_same_v<V, double> ? 2 : 1;
+  return V(static_cast<T>(in_any_mode * n) * ScalarTraits<T>::roundoff);
 }
 
 /// 2^e for float, 2^(8 e) for double: a guard chosen by float's narrower range serves both.
@@ -94,12 +95,12 @@ VESICA_INLINE constexpr V guard_power() noexcept {
   return V(Traits::power(Traits::range * e));
 }
 
-/// No magnitude of a degree-3 filter, nor one of squares of lengths, is beyond the range where its error is at most this:
-/// with axes of at least 2^-200, offsets of the largest finite number would make it 2^770.
+/// No magnitude of a degree-3 filter is beyond the range where its error is at most this: with axes of at least 2^-200,
+/// offsets of the largest finite number would make it 2^770.
 template <class V>
 VESICA_INLINE constexpr V greatest_error() noexcept {
   using T = typename Element<V>::Type;
-  return V(ScalarTraits<T>::power(sizeof(T) == 4 ? 100 : 640));
+  return V(ScalarTraits<T>::power(sizeof(T) == 4 ? 100 : 760));
 }
 
 /// Covers what underflow can add to the errors of degree-3 filters, with axes no longer than 2^25 (double: 2^200).

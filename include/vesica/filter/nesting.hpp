@@ -7,11 +7,11 @@
 
 namespace vesica::filter {
 
-/// At least 48.3 sqrt(u): 2^-5 for float, 2^-20 for double.
+/// At least 64 sqrt(u): 2^-6 for float, 2^-20 for double.
 template <class V>
 VESICA_INLINE constexpr V coarse() noexcept {
   using T = typename Element<V>::Type;
-  return V(sizeof(T) == 4 ? T(0x1p-5) : T(0x1p-20));
+  return V(sizeof(T) == 4 ? T(0x1p-6) : T(0x1p-20));
 }
 
 /// What tells whether the first ellipse of a pencil lies within the second.
