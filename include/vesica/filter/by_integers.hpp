@@ -110,8 +110,6 @@ template <class Shape>
 inline constexpr bool is_rect = std::is_same_v<Shape, Rect<double>>;
 template <class Shape>
 inline constexpr bool is_circle = std::is_same_v<Shape, Circle<double>>;
-template <class Shape>
-inline constexpr bool is_ellipse = std::is_same_v<Shape, Ellipse<double>>;
 
 /// How far half sides reach along an axis: a half size times what that axis is along the side.
 VESICA_INLINE constexpr Wide<3> reach(std::int64_t half_size, const Wide<2>& along) noexcept {
@@ -163,10 +161,13 @@ VESICA_INLINE constexpr bool is_within(const IntegerBox& a, const WideVector& d,
   return !(reached - (product(x, x) + product(y, y))).is_negative();
 }
 
-/// Pairs that by_integers() decides. Comparisons decide points and AABBs.
+/// Pairs that by_integers() decides: of shapes that have magnitudes(). Comparisons decide points and AABBs.
 template <class A, class B>
-concept HasIntegers =
-    !is_ellipse<A> && !is_ellipse<B> && !(detail::form::FormOf<A>::is_upright && detail::form::FormOf<B>::is_upright);
+concept HasIntegers = requires(const A& a, const B& b) {
+  magnitudes(a);
+  magnitudes(b);
+}
+&&!(detail::form::FormOf<A>::is_upright && detail::form::FormOf<B>::is_upright);
 
 /// Whether two shapes overlap. Undecided where numbers do not fit their units, or a shape is invalid.
 template <class A, class B>
