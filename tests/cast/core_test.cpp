@@ -3,11 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <vesica/cast.hpp>
 
 #include "cast/motions.hpp"
 #include "properties/core_shape.hpp"
 #include "properties/generators.hpp"
+#include "properties/random.hpp"
 
 namespace {
 
@@ -75,6 +78,106 @@ TEST(CastOfTheHeader, TakesNumbersOfOtherTypes) {
   Aabb<double> box;
   EXPECT_EQ(sweep_bounds(disc, 0, 0, 3, box), 0);
   EXPECT_EQ(box.max_x, 1);
+}
+
+constexpr double never = std::numeric_limits<double>::infinity();
+double before(double x) { return std::nextafter(x, -never); }
+
+/// Head on: a zero of a normal has no sign, by the filter for these kinds and by the general path.
+TEST(CastOfTheHeader, NormalsHaveNoNegativeZero) {
+  const auto expect = [](const auto& a, const auto& b, double vx, double vy) {
+    Impact<double> quick, found;
+    const auto check = [&](const Impact<double>& i) {
+      EXPECT_FALSE(std::signbit(i.nx) && i.nx == 0) << vx << ' ' << vy;
+      EXPECT_FALSE(std::signbit(i.ny) && i.ny == 0) << vx << ' ' << vy;
+      EXPECT_EQ(i.nx, vx == 0 ? 0 : -vx);
+      EXPECT_EQ(i.ny, vy == 0 ? 0 : -vy);
+    };
+    if (detail::cast::quick_hit<detail::cast::UsualProducts>(a, b, {vx, vy, never}, quick) == detail::cast::Quick::hit)
+      check(quick);
+    ASSERT_EQ(detail::cast::cast_any(a, b, {vx, vy, never}, found), cast_hit);
+    check(found);
+    ASSERT_EQ(cast_or_error(a, b, vx, vy, never, found), cast_hit);
+    check(found);
+  };
+  for (const double v : {1.0, -1.0}) {
+    for (const double zero : {0.0, -0.0}) {
+      for (const double at : {0.0, -0.0}) {
+        const Ellipse<double> e{0, 0, 1, zero, 2, 1}, f{0, 0, zero, 1, 1.5, 1};
+        const Circle<double> c{0, 0, 2};
+        const double far = -8 * v;
+        expect(e, Ellipse<double>{far, at, 1, 0, 2, 1}, v, zero);
+        expect(f, Ellipse<double>{at, far, 0, 1, 2, 1}, zero, v);
+        expect(e, Point<double>{far, at}, v, zero);
+        expect(f, Point<double>{at, far}, zero, v);
+        expect(c, Point<double>{far, at}, v, zero);
+        expect(c, Circle<double>{at, far, 1}, zero, v);
+      }
+    }
+  }
+}
+
+/// Points at the flat side of a thin ellipse: contact at the start is the overlap, whether they come or go.
+TEST(CastOfTheHeader, StartsAtTheFlatSideOfAThinEllipse) {
+  properties::Random random(properties::seed());
+  int starts = 0, others = 0;
+  for (int i = 0; i < 4000 * properties::repeat(); ++i) {
+    const double side = random.sign(), a = 1 + random.unit(), thin = random.between(1, 20), b = a * std::exp2(-thin);
+    const double length = 1 + random.unit(), slope = random.chance(0.3) ? 0 : std::exp2(-random.between(1, 30));
+    const double along = b * random.between(-1, 1), off = random.integer(-4, 4) * 0x1p-53;
+    const double across = side * b * std::sqrt(1 - along / a * (along / a)) * (1 + off);
+    const Ellipse<double> e{0, 0, length, length * slope, a, b};
+    const Point<double> p{along * e.ux - across * e.uy, along * e.uy + across * e.ux};
+    const std::int32_t overlapping = overlap_or_error(e, p);
+    for (const double v : {1.0, -1.0}) {
+      Impact<double> out;
+      const std::int32_t code = cast_or_error(e, p, 0.125, v, never, out);
+      ASSERT_EQ(code == cast_start, overlapping == 1) << e.uy << ' ' << p.x << ' ' << p.y << ' ' << a << ' ' << b;
+    }
+    (overlapping == 1 ? starts : others) += 1;
+  }
+  EXPECT_GT(starts, 500 * properties::repeat());
+  EXPECT_GT(others, 500 * properties::repeat());
+}
+
+/// Contact at a double that the quotient of rounded numbers misses.
+TEST(CastOfTheHeader, ContactAtADouble) {
+  constexpr double v = 0x1.199999999999ap+0, t = 0x1.e666686b5e666p+0;
+  const Aabb<double> box{0x1.0b851fd4a71ecp+1, 0, 8, 1};
+  const Point<double> point{0x1.47ae12dd4e148p-53, 0.5};
+  ASSERT_NE((box.min_x - point.x) / v, t);
+  Impact<double> found;
+  EXPECT_EQ(cast_or_error(box, point, v, 0.0, never, found), cast_hit);
+  EXPECT_EQ(found.t, t);
+  EXPECT_EQ(cast_or_error(box, point, v, 0.0, t, found), cast_hit);
+  EXPECT_EQ(cast_or_error(box, point, v, 0.0, before(t), found), cast_miss);
+}
+
+/// Bad motions; and starts whose common point or depth is beyond the finite numbers.
+TEST(CastOfTheHeader, Errors) {
+  const double nan = std::numeric_limits<double>::quiet_NaN(), largest = std::numeric_limits<double>::max();
+  Impact<double> out{7, 7, 7, 7, 7};
+  const Circle<double> disc{0, 0, 1}, other{9, 0, 1};
+  EXPECT_EQ(cast_or_error(disc, other, nan, 0.0, 1.0, out), error_argument);
+  EXPECT_EQ(cast_or_error(disc, other, 0.0, never, 1.0, out), error_argument);
+  EXPECT_EQ(cast_or_error(disc, other, 1.0, 0.0, -1.0, out), error_argument);
+  const Aabb<double> all{-largest, -largest, largest, largest};
+  EXPECT_EQ(cast_or_error(all, all, 0.0, 0.0, 1.0, out), error_range);
+  // Two needles that cross beyond the numbers.
+  const Rect<double> down{1e308, 1e308, 1, -1, 1.2e308, 0}, up{1e308, -1e308, 1, 1, 1.2e308, 0};
+  ASSERT_EQ(overlap_or_error(down, up), 1);
+  EXPECT_EQ(cast_or_error(down, up, 0.0, 0.0, 1.0, out), error_range);
+  EXPECT_EQ(out.t, 7);
+}
+
+/// A slide along a face: the witness comes in the middle, after the end, and contact before.
+TEST(CastOfTheHeader, ASlideThatEndsBeforeItsMiddle) {
+  const Aabb<double> a{0, 0, 1, 1}, b{3, 1, 4, 2};
+  Impact<double> out;
+  EXPECT_EQ(cast_or_error(a, b, -1.0, 0.0, 2.5, out), cast_hit);
+  EXPECT_EQ(out.t, 2);
+  EXPECT_EQ(cast_or_error(a, b, -1.0, 0.0, 2.0, out), cast_hit);
+  EXPECT_EQ(cast_or_error(a, b, -1.0, 0.0, 1.5, out), cast_miss);
 }
 
 }  // namespace

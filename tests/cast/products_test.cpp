@@ -42,7 +42,7 @@ bool equal(const core::Offset& x, const core::Offset& y) { return x.x == y.x && 
 /// What the answer is made of, where the quick one tells the time.
 bool same_answer(const core::Scene& scene, const core::Meeting& quick, const core::Meeting& m, int& told) {
   const core::Found &x = quick.found, &y = m.found;
-  const double t = core::known_floor(scene, x.time), wanted = core::known_floor(scene, y.time);
+  const double t = core::time_from_bounds(scene, x.time), wanted = core::time_from_bounds(scene, y.time);
   told += t > 0;
   return same(x.normal.x, y.normal.x) && same(x.normal.y, y.normal.y) && (t < 0 || wanted < 0 || same(t, wanted)) &&
          equal(quick.of_a.middle, m.of_a.middle) && equal(quick.of_a.half, m.of_a.half) &&

@@ -82,7 +82,7 @@ bool is_told(const detail::cast::Body& a, const detail::cast::Body& b, const Mot
   cast::Meeting found;
   cast::set_scene(a, b, motion, scene);
   return cast::has_fused_products(scene) && cast::is_box_and_round(scene) &&
-         cast::quick_meeting<cast::SplitProducts>(scene, found) && cast::known_floor(scene, found.found.time) > 0;
+         cast::quick_meeting<cast::SplitProducts>(scene, found) && cast::time_from_bounds(scene, found.found.time) > 0;
 }
 
 template <class Shape>

@@ -45,27 +45,27 @@ struct Side {
 };
 
 /// A pair and its motion in a common unit of length 2^length and of time 2^time. The largest length, and the longer
-/// component of each axis and of v, are about 1. `faithful`: nothing but underflow, below 2^-900, was lost. `whole`: no
-/// component of an axis or of v vanished by that, so that what is across v is known.
+/// component of each axis and of v, are about 1. `faithful`: scaling has lost nothing above 2^-900. `exact_axes`: it has
+/// lost nothing at all of the axes and of v.
 struct Scene {
   Side a, b;
   Vector d;
   double vx, vy, size;
   int length, time;
-  bool faithful, whole;
+  bool faithful, exact_axes;
 
   double speed() const noexcept { return abs(vx) + abs(vy); }
 };
 
-/// Whether FusedProducts give the bits of SplitProducts: all numbers of the scene are 0, or multiples of 2^-112 up to
-/// 2^40.
+/// Whether FusedProducts give the bits of SplitProducts: all numbers of the scene are 0 or in [2^-40, 2^40], lower parts
+/// 0 or above 2^-60.
 ///
-/// Proved: then no product is above 0 and below 2^-960, so that the error of none underflows, in either way to find it.
-/// s is a multiple of 2^-102, and n = -v + s perp(v) of 2^-194. The longest products are squares of a size times u.n,
-/// multiples of 2^-836, and what is divided by the root of one, at most 2^136.
+/// Proved: no product is above 0 and below 2^-960, so no error of a product underflows. s is a multiple of 2^-102
+/// (FusedProducts::holds()), so n = -v + s perp(v) is one of 2^-194. The longest products are squares of a size times
+/// u.n, multiples of 2^-836. What is divided by the root of one is at most 2^136.
 inline bool has_fused_products(const Scene& s) noexcept {
   std::uint64_t out = 0;
-  // 0, or between two powers of two: by bits, for on ordinary numbers all is looked at.
+  // By bits, without branches: ordinary casts ask this too.
   const auto look = [&out](double x, double least) {
     const std::uint64_t size = std::bit_cast<std::uint64_t>(abs(x)), from = std::bit_cast<std::uint64_t>(least);
     out |= static_cast<std::uint64_t>(size - from > std::bit_cast<std::uint64_t>(0x1p40) - from) &
@@ -104,7 +104,7 @@ inline Side side(const nearest::ScaledShape& p) noexcept {
 }
 
 /// An ellipse smaller than 2^-120 of the pair is taken for a point, a thin one for a segment (nearest/scaled_pair.hpp).
-/// A circle's squares must not underflow either.
+/// The squares of a circle must not underflow either.
 inline bool is_faithful(const nearest::UnscaledShape& f, const nearest::ScaledShape& p) noexcept {
   return f.curved == p.curved && (f.radius == 0 || p.radius >= nearest::smallest);
 }
@@ -122,10 +122,12 @@ VESICA_COLD inline Scene scaled_scene(const Body& a, const Body& b, const Motion
   const bool faithful = is_faithful(fa, p.a) && is_faithful(fb, p.b) && eighths == 0;
   const auto kept = [](double x, double in_unit) { return (x == 0) == (in_unit == 0); };
   const auto axis_kept = [&](const nearest::UnscaledShape& f, const nearest::ScaledShape& s) {
-    return kept(f.box.u.x.high, s.box.u.x.high) && kept(f.box.u.y.high, s.box.u.y.high);
+    const Vector &from = f.box.u, &to = s.box.u;
+    return kept(from.x.high, to.x.high) && kept(from.y.high, to.y.high) && kept(from.x.low, to.x.low) &&
+           kept(from.y.low, to.y.low);
   };
-  const bool whole = kept(motion.vx, vx) && kept(motion.vy, vy) && axis_kept(fa, p.a) && axis_kept(fb, p.b);
-  return {side(p.a), side(p.b), p.d, vx, vy, p.size, length, length - speed, faithful, whole};
+  const bool exact_axes = kept(motion.vx, vx) && kept(motion.vy, vy) && axis_kept(fa, p.a) && axis_kept(fb, p.b);
+  return {side(p.a), side(p.b), p.d, vx, vy, p.size, length, length - speed, faithful, exact_axes};
 }
 
 inline Side side(const nearest::UnscaledShape& f) noexcept {
@@ -159,7 +161,7 @@ inline void set_scene(const Body& a, const Body& b, const Motion& motion, Scene&
   s.vx = motion.vx;
   s.vy = motion.vy;
   s.length = s.time = 0;
-  s.faithful = s.whole = true;
+  s.faithful = s.exact_axes = true;
   const double distance = abs(x.high) + abs(y.high);
   s.size = distance + (reach(s.a) + reach(s.b));
   const bool moderate = is_moderate(s.a) && is_moderate(s.b) && is_moderate(s.speed()) && is_moderate(distance);
@@ -167,14 +169,13 @@ inline void set_scene(const Body& a, const Body& b, const Motion& motion, Scene&
 }
 
 /// t0 is at least `value` - `error`, and if that is certain, at most `value` + `error` + `gain`. To within rounding, s
-/// should change by `step`. An error of 0 stands for a direction that tells nothing: it is across v, certainly or
-/// about.
+/// should change by `step`. An error of 0: the direction is across v, certainly or nearly, and gives no bound.
 struct TimeBounds {
   Twofold<double> value;
   double error, gain, step;
   bool certain;
 
-  bool tells() const noexcept { return error > 0; }
+  bool is_known() const noexcept { return error > 0; }
 };
 
 template <class V>
@@ -266,15 +267,31 @@ SideSupport support_of(const Side& s, const VectorFactor<Products>& n, const Vec
 
 inline bool finite(double x) noexcept { return x - x == 0; }
 
-/// T(n) by the support function of both shapes.
+/// Whether n.v = 0 exactly: the products are exact, and one is the negative of the other. A twofold sum does not show
+/// it, as it may lose a rest below 2^-106 of its terms. False for an n with lower parts.
+template <class Products>
+bool is_across(const VectorFactor<Products>& n, const VectorFactor<Products>& v) noexcept {
+  const auto product = [](double x, double y, Twofold<double>& out) {
+    out = Products::factor(x) * Products::factor(y);
+    return x == 0 || y == 0 || abs(out.high) >= 0x1p-960;
+  };
+  Twofold<double> x, y;
+  return n.x.low == 0 && n.y.low == 0 && product(n.x.high, v.x.high, x) && product(n.y.high, v.y.high, y) &&
+         x.high == -y.high && x.low == -y.low;
+}
+
+/// T(n) from the support function of both shapes. `certain`, across v: that n gives no bound.
 template <class Products>
 TimeBounds lower_bound(const Scene& scene, const VectorFactor<Products>& n, const VectorFactor<Products>& v,
                        const Twofold<double>& height) noexcept {
   const double n_size = abs(n.x.high) + abs(n.y.high), speed = scene.speed(), unit = 0x1p-97 * n_size;
   const Twofold<double> room = renormalised(dot(n, Products::factor(scene.d)) - height),
                         approach = renormalised(-dot(n, v));
-  TimeBounds out{{0, 0}, 0, 0, 0, scene.whole && is_zero(approach)};
-  if (!(approach.high > 0x1p-80 * n_size * speed)) return out;
+  TimeBounds out{{0, 0}, 0, 0, 0, false};
+  if (!(approach.high > 0x1p-80 * n_size * speed)) {
+    out.certain = scene.exact_axes && is_across<Products>(n, v);
+    return out;
+  }
   const double first = room.high / approach.high;
   const Twofold<double> rest = room - Products::factor(first) * Products::factor(approach);
   out.value = {first, arithmetic::rounded(rest) / approach.high};
@@ -294,7 +311,7 @@ TimeBounds time_bounds(const Scene& scene, const Vector& normal) noexcept {
   const double n_size = abs(n.x.high) + abs(n.y.high);
   const SideSupport a = support_of<Products>(scene.a, n, v, n_size), b = support_of<Products>(scene.b, n, v, n_size);
   TimeBounds out = lower_bound<Products>(scene, n, v, a.h + b.h);
-  if (!out.tells()) return out;
+  if (!out.is_known()) return out;
   out.certain = false;
   const Twofold<double> w = cross(v, Products::factor(scene.d));
   const double beside = arithmetic::rounded(w - (a.beside + b.beside)), speed = scene.speed();

@@ -321,7 +321,7 @@ Found latest_axis(const Scene& scene) noexcept {
     const auto n = Products::factor(normal);
     const TimeBounds time =
         lower_bound<Products>(scene, n, v, height_of<Products>(scene.a, n) + height_of<Products>(scene.b, n));
-    if (!time.tells()) {
+    if (!time.is_known()) {
       certain = certain && time.certain;
       if (!found && !time.certain) best.normal = normal;
       continue;
@@ -356,7 +356,7 @@ Found polished(const Scene& scene, double s) noexcept {
     if (!Products::holds(s)) return {};
     const Vector n = direction<Products>(scene, s);
     const TimeBounds t = time_bounds<Products>(scene, n);
-    if (i > 0 && (!t.tells() || (found.time.certain && !t.certain) || is_later(found.time, t))) return found;
+    if (i > 0 && (!t.is_known() || (found.time.certain && !t.certain) || is_later(found.time, t))) return found;
     found = {n, t};
     if (i == 3 || !finite(t.step) || (t.certain && t.gain <= 0x1p-70 * abs(t.value.high))) return found;
     s += t.step;
@@ -373,9 +373,9 @@ VESICA_COLD Found latest_beside_faces(const Scene& scene, const Side& box, const
   for (const Vector& u : {box.u, perpendicular(box.u)}) {
     const Vector n = against<Products>(scene, u);
     const TimeBounds time = time_bounds<Products>(scene, n);
-    if (time.tells() && (!found.time.tells() || is_later(time, found.time))) found = {n, time};
+    if (time.is_known() && (!found.time.is_known() || is_later(time, found.time))) found = {n, time};
   }
-  return at_vertex.time.tells() ? found : with_beside(found, at_vertex.normal);
+  return at_vertex.time.is_known() ? found : with_beside(found, at_vertex.normal);
 }
 
 /// steps: how many the search of two ellipses took, which tests look at.

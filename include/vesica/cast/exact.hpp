@@ -1,27 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Moving shapes, exactly. All shapes are symmetric about their centres. So a and b, moved by v t, share a point iff D
-/// + v t lies in M, the Minkowski sum of both about the origin; D leads from a's centre to b's. M is convex: the times
+/// Moving shapes in exact numbers: whether they touch, and when first.
+///
+/// All shapes are symmetric about their centres. Let D be the vector from a's centre to b's, and M the Minkowski sum of
+/// both shapes, centred at the origin. Then b, moved by v t, touches a iff D + v t lies in M. M is convex, so the times
 /// of contact are an interval, or there are none.
 ///
-/// With w = v x D, q = D.v and H the reach of M across v: the line of D + v t meets M iff |w| <= H. Then it is in M at
-/// the witness t_w = (w X / H - q) / v.v, where X = x.v of a point x of M that lies farthest across v: x scaled by w /
-/// H lies on the line, and M holds it with 0 and x. Of H = 0 the witness is -q / v.v. So whether there is contact
-/// within [0, e] takes the signs of |w| - H, of t_w and of t_w - e, and two overlap tests, at 0 and at e. No root is
-/// isolated.
+/// Let w = v x D, q = D.v, and H the largest |v x x| over the points x of M. The line of D + v t meets M iff |w| <= H.
+/// If it does, D + v t lies in M at the witness
+///
+///     t_w = (w X / H - q) / v.v,    X = x.v of a point x of M with v x x = H
+///
+/// because x w / H is on the line, and M contains it with 0 and x. If H = 0, t_w = -q / v.v. So contact within [0, e]
+/// takes the signs of |w| - H, of t_w and of t_w - e, and two overlap tests, at 0 and at e. No root is isolated.
 #pragma once
 
+#include <vesica/arithmetic/rounding.hpp>
 #include <vesica/cast/body.hpp>
-#include <vesica/crossings/rough.hpp>
 #include <vesica/depth/exact_zero.hpp>
 
 namespace vesica::detail::cast {
 
-using crossings::rough;
-using crossings::Rough;
 using exact::Leading;
 using exact::Number;
 
-/// A shape in its exact form; a round one has an area.
+/// A shape in exact numbers; a round one has an area.
 struct ExactBody {
   exact::Box box;
   bool round;
@@ -36,8 +38,9 @@ VESICA_COLD inline ExactBody exact_body(const Body& body) noexcept {
   return with_shape(body, [](const auto& s) { return exact_body(exact::form(s)); });
 }
 
-/// A shape's reach across v, h, and x.v for a point x that lies as far: h and x.v where it is a box, their square
-/// `squared` and product m where it is round. `edge` is half the x.v of an edge along v, x being its middle.
+/// A shape's reach h across v, and x.v for a point x at that reach. A box has h and x.v; if an edge lies along v, x is
+/// the middle of the edge, and `edge` is half the length of the edge times |v|. A round shape has `squared` = h^2 and m
+/// = h x.v.
 struct ExactReach {
   bool round;
   Number<3> h, along, edge;
@@ -82,7 +85,7 @@ int sum_of_roots(const Number<A>& a, const Number<X>& x, const Number<B>& b, con
   return a.sign * exact::compare_squares_times(a, x, b, y);
 }
 
-/// The same from leading digits: 0 where these do not tell.
+/// The same from leading digits: 0 where these do not decide.
 template <int limbs>
 int sum_of_roots(const Leading<limbs>& a, const Leading<limbs>& x, const Leading<limbs>& b,
                  const Leading<limbs>& y) noexcept {
@@ -92,20 +95,7 @@ int sum_of_roots(const Leading<limbs>& a, const Leading<limbs>& x, const Leading
   return difference.sign_is_certain() ? a.sign * difference.sign : 0;
 }
 
-/// a / sqrt(x) + b / sqrt(y), x, y > 0, to 2^-50 or better whatever cancels.
-template <int A, int X, int B, int Y>
-Rough sum_over_roots(const Number<A>& a, const Number<X>& x, const Number<B>& b, const Number<Y>& y) noexcept {
-  const Rough p = Rough(a) / root(Rough(x)), q = Rough(b) / root(Rough(y)), sum = p + q;
-  if (sum.is_precise()) return sum;
-  // (p^2 - q^2) / (p - q).
-  const auto difference = [](const auto& a1, const auto& y1, const auto& b1, const auto& x1) {
-    return square(a1) * y1 - square(b1) * x1;
-  };
-  const auto rest = exact::rounded_value(difference, a, y, b, x);
-  return Rough(crossings::Real(rest.value), 0x1p-53, rest.exponent) / (Rough(x) * Rough(y) * (p - q));
-}
-
-/// Sign of w X - q H, which is that of t_w - e where q = D.v + e v.v. Degree 6, 18 or 24.
+/// Sign of w X - q H. With q = D.v + e v.v it is the sign of t_w - e. Degree 6, 18 or 24.
 template <int Q>
 int witness_sign(const ExactReach& a, const ExactReach& b, const Number<2>& w, const Number<Q>& q) noexcept {
   if (!a.round && !b.round) {
@@ -126,21 +116,19 @@ int witness_sign(const ExactReach& a, const ExactReach& b, const Number<2>& w, c
   return exact::detail::sign_with_root(w * round.m - q * round.squared, w * box.along - q * box.h, round.squared);
 }
 
-/// The numbers of some lengths brought into the window for which exact numbers have storage. All lengths are multiplied
-/// by one power of 2^64, axes being lengths too. False where their digits span more than the window.
-class Window {
+/// The range of bits for which exact lengths have storage. Axes are lengths too. All lengths are multiplied by one power
+/// of 2^64, so that their bits lie in the range.
+class BitRange {
  public:
-  /// x times a number whose bits are in [below, above).
   template <int Degree>
-  void hold(const Number<Degree>& x, std::int64_t below = 0, std::int64_t above = 0) noexcept {
+  void hold(const Number<Degree>& x) noexcept {
     if (x.sign == 0) return;
-    const std::int64_t top = exact::detail::top_bit(x) + above;
-    const std::int64_t low = 64 * std::int64_t{x.low} + std::countr_zero(x.limb[0]) + below;
+    const std::int64_t top = exact::detail::top_bit(x);
+    const std::int64_t low = 64 * std::int64_t{x.low} + std::countr_zero(x.limb[0]);
     top_ = top > top_ ? top : top_;
     low_ = low < low_ ? low : low_;
   }
-  std::int64_t top() const noexcept { return top_; }
-  std::int64_t low() const noexcept { return low_; }
+  /// Chooses the power of 2^64. Returns false if the bits span more than the range.
   bool place() noexcept {
     if (top_ <= highest && low_ >= lowest) return true;
     // A shift by whole limbs is off by less than 64 bits.
@@ -160,9 +148,6 @@ class Window {
     return length;
   }
 
-  /// By how many limbs lengths are moved up.
-  std::int32_t limbs() const noexcept { return limbs_; }
-
   static constexpr std::int64_t lowest = -1075, highest = 1026, widest = highest - lowest - 64;
 
  private:
@@ -170,50 +155,8 @@ class Window {
   std::int32_t limbs_ = 0;
 };
 
-/// Where the bits are of what does not change, axes and the offset at the start, and of the velocity. So it takes no
-/// exact sum to see that the place at a time has room: a sum has at most a bit above its terms, and none below.
-struct PlaceBits {
-  Window fixed, velocity;
-
-  /// At a time t > 0.
-  bool have_room(double t) const noexcept {
-    const auto bits = std::bit_cast<std::uint64_t>(t);
-    const int field = static_cast<int>(bits >> 52);
-    const std::uint64_t fraction = bits & 0xfffffffffffffu, digits = field == 0 ? fraction : fraction | 1ull << 52;
-    const int place = (field == 0 ? 1 : field) - 1075;
-    const Extent e = extent(place + std::countr_zero(digits), place + 64 - std::countl_zero(digits));
-    return e.is_within_window() || e.is_as_narrow();
-  }
-  /// At each time between two, 0 < least <= most. With the exponent of the time the highest and the lowest bit of a
-  /// coordinate rise as convex and concave functions. So they span at most what they do at either end.
-  bool have_room(double least, double most) const noexcept {
-    const int first = arithmetic::exponent_of(least), last = arithmetic::exponent_of(most);
-    const Extent low = extent(first - 53, first), high = extent(last - 53, last);
-    return Extent{low.low, high.top}.is_within_window() || (low.is_as_narrow() && high.is_as_narrow());
-  }
-
- private:
-  struct Extent {
-    std::int64_t low, top;
-
-    bool is_within_window() const noexcept { return top <= Window::highest && low >= Window::lowest; }
-    bool is_as_narrow() const noexcept { return top - low <= Window::widest; }
-  };
-  /// At times t > 0 whose bits are in [below, above).
-  Extent extent(int below, int above) const noexcept {
-    const std::int64_t low = velocity.low() + below, top = velocity.top() + above;
-    return {low < fixed.low() ? low : fixed.low(), (top > fixed.top() ? top : fixed.top()) + 1};
-  }
-};
-
-/// What contact is at a time: none, of outlines alone, or of insides. `beyond` where the place has more digits than
-/// exact numbers hold.
+/// How the shapes touch at a time. `beyond`: the position has more bits than exact numbers hold.
 enum class Contact { none, touch, inside, beyond };
-
-struct WideTime;
-struct ByExtent;
-struct KnownCubic;
-class LeadingContact;
 
 /// A pair and its motion, v != 0, in exact numbers.
 class ExactPair {
@@ -230,53 +173,32 @@ class ExactPair {
         vv_(exact::dot(vx_, vy_, vx_, vy_)),
         reach_a_(a_, vx_, vy_),
         reach_b_(b_, vx_, vy_),
-        gap_(line_gap(reach_a_, reach_b_, w_)) {
-    if (keeps_witness()) witness_ = find_witness();
-  }
+        gap_(line_gap(reach_a_, reach_b_, w_)) {}
 
+  bool of_boxes() const noexcept { return !a_.round && !b_.round; }
   bool line_misses() const noexcept { return gap_ > 0; }
   /// The line only touches M, or M has no extent across it.
   bool line_grazes() const noexcept { return gap_ == 0; }
   /// On which side of the line through the first centre along v the second lies: the sign of w.
   int side() const noexcept { return w_.sign; }
 
-  /// t_w, above 0, for a line that meets M.
-  Rough rough_witness() const noexcept { return keeps_witness() ? witness_ : find_witness(); }
-
   /// Sign of t_w - t for a line that meets M.
   int witness_after(double t) const noexcept {
-    if (keeps_witness()) {
-      const Rough left = witness_ - Rough(exact::from_double(t));
-      if (left.sign_is_known()) return left.sign();
-    }
     if (t == 0) return witness_sign(reach_a_, reach_b_, w_, q_);
     return witness_sign(reach_a_, reach_b_, w_, q_ + exact::from_double(t) * vv_);
   }
 
-  /// The end is often the time of contact too, so that the last answer is remembered.
+  /// Remembers the last answer: the end is often the time of contact.
   Contact contact_at(double t) const noexcept {
     if (t != asked_.time) asked_ = {t, find_contact(t)};
     return asked_.contact;
   }
 
-  /// Whether contact_at() has storage for the place at this time.
-  bool holds_place(double t) const noexcept { return Place(*this, t).window.place(); }
-  PlaceBits place_bits() const noexcept {
-    PlaceBits bits;
-    for (const ExactBody* body : {&a_, &b_}) {
-      bits.fixed.hold(body->box.ux);
-      bits.fixed.hold(body->box.uy);
-    }
-    bits.fixed.hold(dx_);
-    bits.fixed.hold(dy_);
-    bits.velocity.hold(vx_);
-    bits.velocity.hold(vy_);
-    return bits;
-  }
-
-  /// Whether there is contact before t, given that there is some after 0: 1, 0, or error_range where that is beyond
-  /// exact numbers. The witness is in the inside of the interval of contact unless the line grazes. So up to it contact
-  /// of outlines is the first. A line that grazes meets M in an edge along v, with the witness in its middle.
+  /// 1 if there is contact before t, else 0, or error_range if the position at t is beyond exact numbers. The shapes
+  /// must touch at some time above 0.
+  ///
+  /// Unless the line grazes, the witness lies inside the interval of contact. So contact of outlines alone, up to the
+  /// witness, is the first contact. A line that grazes meets M in an edge along v, the witness being the middle.
   int contact_before(double t) const noexcept {
     if (!(t > 0)) return 0;
     if (line_grazes()) {
@@ -285,95 +207,31 @@ class ExactPair {
       const auto q = q_ + exact::from_double(t) * vv_ + edge;
       return witness_sign(reach_a_, reach_b_, w_, q) < 0 ? 1 : 0;
     }
-    // Where insides meet, contact is in the inside of its interval.
     if (t == asked_.time && asked_.contact == Contact::inside) return 1;
     if (witness_after(t) < 0) return 1;
     const Contact contact = contact_at(t);
     return contact == Contact::beyond ? error_range : contact == Contact::inside ? 1 : 0;
   }
 
-  bool of_ellipses() const noexcept { return a_.round && b_.round; }
-  bool is_long() const noexcept { return reach_a_.is_long() || reach_b_.is_long(); }
-
-  friend WideTime wide_time(const ExactPair& pair) noexcept;
-  friend WideTime wide_time_of_circles(const ExactPair& pair) noexcept;
-  friend WideTime wide_time_of_thin(const ExactPair& pair, const ByExtent& by_extent) noexcept;
-  friend WideTime wide_grazing_time(const ExactPair& pair) noexcept;
-  friend struct ByExtent;
-  friend struct KnownCubic;
-  friend class LeadingContact;
-
  private:
-  /// Where it saves exact signs: of long numbers they are dear, and of a line that grazes many are asked.
-  bool keeps_witness() const noexcept { return !line_misses() && (is_long() || line_grazes()); }
-  Rough find_witness() const noexcept {
-    const auto reach = [](const ExactReach& r) { return r.round ? root(Rough(r.squared)) : Rough(r.h); };
-    const Rough across = reach(reach_a_) + reach(reach_b_);
-    if (across.sign() == 0) return -Rough(q_) / Rough(vv_);
-    const Rough way = way_to_witness_from_digits();
-    return (way.is_precise() ? way : way_to_witness()) / (across * Rough(vv_));
-  }
-  /// w X - q H from leading digits: precise unless its terms cancel.
-  Rough way_to_witness_from_digits() const noexcept {
-    using Few = Leading<exact::few_limbs>;
-    const Few w(w_), q(q_);
-    const auto part = [&](const ExactReach& r) {
-      return r.round ? rough(w * Few(r.m) - q * Few(r.squared)) / root(Rough(r.squared))
-                     : rough(w * Few(r.along) - q * Few(r.h));
-    };
-    return part(reach_a_) + part(reach_b_);
-  }
-  /// To 2^-50 or better whatever cancels.
-  Rough way_to_witness() const noexcept {
-    const ExactReach &a = reach_a_, &b = reach_b_;
-    // Of a round shape over a root.
-    const auto round = [this](const ExactReach& r) { return w_ * r.m - q_ * r.squared; };
-    if (a.round && b.round) return sum_over_roots(round(a), a.squared, round(b), b.squared);
-    const Number<5> straight = w_ * (a.along + b.along) - q_ * (a.h + b.h);
-    if (!a.round && !b.round) return Rough(straight);
-    const ExactReach& r = a.round ? a : b;
-    return sum_over_roots(straight, exact::integer(1), round(r), r.squared);
-  }
-
-  /// The offset of centres at a time, and the window of all lengths then.
-  struct Place {
-    Number<2> x, y;
-    Window window;
-
-    Place(const ExactPair& pair, double t) noexcept
-        : x(pair.dx_ + exact::from_double(t) * pair.vx_), y(pair.dy_ + exact::from_double(t) * pair.vy_) {
-      window.hold(x);
-      window.hold(y);
-      for (const ExactBody* body : {&pair.a_, &pair.b_}) {
-        window.hold(body->box.ux);
-        window.hold(body->box.uy);
-      }
-    }
-  };
-
-  /// action(a, b, window) for both bodies as they are at a time; false where there is no storage.
-  template <class Action>
-  bool with_placed(double t, const Action& action) const noexcept {
-    const Place place(*this, t);
-    Window window = place.window;
-    if (!window.place()) return false;
-    action(placed(a_, {}, {}, window), placed(b_, window.moved(place.x), window.moved(place.y), window), window);
-    return true;
-  }
   VESICA_COLD Contact find_contact(double t) const noexcept {
-    Contact found = Contact::beyond;
-    with_placed(t, [&found](const ExactBody& a, const ExactBody& b, const Window&) {
-      if (a.round) {
-        found = b.round ? contact(a.ellipse(), b.ellipse()) : contact(b.box, a.ellipse());
-      } else {
-        found = b.round ? contact(a.box, b.ellipse()) : contact(a.box, b.box);
-      }
-    });
-    return found;
+    const auto time = exact::from_double(t);
+    const Number<2> x = dx_ + time * vx_, y = dy_ + time * vy_;
+    BitRange range;
+    range.hold(x);
+    range.hold(y);
+    for (const ExactBody* body : {&a_, &b_}) {
+      range.hold(body->box.ux);
+      range.hold(body->box.uy);
+    }
+    if (!range.place()) return Contact::beyond;
+    const ExactBody a = placed(a_, {}, {}, range), b = placed(b_, range.moved(x), range.moved(y), range);
+    if (a.round) return b.round ? contact(a.ellipse(), b.ellipse()) : contact(b.box, a.ellipse());
+    return b.round ? contact(a.box, b.ellipse()) : contact(a.box, b.box);
   }
   static ExactBody placed(const ExactBody& body, const exact::Length& x, const exact::Length& y,
-                          const Window& window) noexcept {
-    return {{x, y, window.moved(body.box.ux), window.moved(body.box.uy), body.box.hx, body.box.hy}, body.round};
+                          const BitRange& range) noexcept {
+    return {{x, y, range.moved(body.box.ux), range.moved(body.box.uy), body.box.hx, body.box.hy}, body.round};
   }
   template <class A, class B>
   static Contact contact(const A& a, const B& b) noexcept {
@@ -387,11 +245,63 @@ class ExactPair {
   Number<2> w_, q_, vv_;
   ExactReach reach_a_, reach_b_;
   int gap_;
-  Rough witness_;  ///< where it is kept
   mutable struct {
     double time;
     Contact contact;
   } asked_{-1, Contact::none};
 };
+
+/// Whether the line meets M after the start. If so: whether the witness comes after the end, whether the line only
+/// grazes M, and the side on which it passes (the sign of w).
+struct LineMeeting {
+  bool meets, late, grazes;
+  int side;
+};
+VESICA_COLD inline LineMeeting exact_line(const ExactPair& pair, double end) noexcept {
+  if (pair.line_misses() || pair.witness_after(0) <= 0) return {false, false, false, 0};
+  const bool late = end < std::numeric_limits<double>::infinity() && pair.witness_after(end) > 0;
+  return {true, late, pair.line_grazes(), pair.side()};
+}
+
+/// 1 if the shapes touch at t, else 0, or error_range.
+inline std::int32_t exact_contact_at(const ExactPair& pair, double t) noexcept {
+  const Contact contact = pair.contact_at(t);
+  return contact == Contact::beyond ? static_cast<std::int32_t>(error_range) : contact != Contact::none ? 1 : 0;
+}
+
+/// The greatest double with no contact before it, by bisection from a start. Returns 1, or error_range if the time, or a
+/// position on the way to it, is beyond the numbers.
+VESICA_COLD inline std::int32_t exact_time_from(const ExactPair& pair, double start, double& out) noexcept {
+  std::int32_t before = 0;
+  const auto has_contact_before = [&](double t) {
+    if (before >= 0) before = pair.contact_before(t);
+    return before != 0;
+  };
+  double after;
+  if (!arithmetic::search_up(start, has_contact_before, after) || before < 0) return error_range;
+  out = arithmetic::at_rank<double>(arithmetic::rank(after) - 1);
+  return 1;
+}
+
+/// The same from an estimate, or from 1. Requires that the line enters M after the start.
+VESICA_COLD inline std::int32_t exact_time(const ExactPair& pair, double estimate, double& out) noexcept {
+  constexpr double largest = std::numeric_limits<double>::max();
+  const bool is_estimate = estimate > 0 && estimate < largest;
+  const double start = is_estimate ? arithmetic::at_rank<double>(arithmetic::rank(estimate) + 1) : 1;
+  if (exact_time_from(pair, start, out) > 0) return 1;
+  // Where boxes have a normal nearly across v the estimate is poor, and may lead to positions of too many bits.
+  if (is_estimate && pair.of_boxes() && exact_time_from(pair, 1, out) > 0) return 1;
+  // The largest double may be the time of contact.
+  out = largest;
+  const bool at_largest = pair.contact_before(largest) == 0 && exact_contact_at(pair, largest) > 0;
+  return at_largest ? 1 : static_cast<std::int32_t>(error_range);
+}
+
+/// exact_time(), or 0 if there is no contact up to the end. `late`: the witness comes after the end.
+VESICA_COLD inline std::int32_t exact_time_by(const ExactPair& pair, double end, bool late, double estimate,
+                                              double& out) noexcept {
+  const std::int32_t at_end = late ? exact_contact_at(pair, end) : 1;
+  return at_end > 0 ? exact_time(pair, estimate, out) : at_end;
+}
 
 }  // namespace vesica::detail::cast

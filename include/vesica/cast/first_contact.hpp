@@ -6,9 +6,8 @@
 /// and for extreme magnitudes, doubles are tried: exact predicates tell whether there is contact before one of them.
 #pragma once
 
-#include <vesica/arithmetic/rounding.hpp>
 #include <vesica/cast/direction.hpp>
-#include <vesica/cast/exact_floor.hpp>
+#include <vesica/cast/exact.hpp>
 #include <vesica/cast/filter.hpp>
 #include <vesica/cast/place.hpp>
 
@@ -38,31 +37,17 @@ constexpr Impact<T> no_impact() noexcept {
   return {std::numeric_limits<T>::infinity(), none, none, none, none};
 }
 
-/// A line that grazes, and on which side of it the second shape's centre passes.
-struct Graze {
-  bool grazes;
-  int side;
-};
-
-/// The greatest double that is at most t0; negative where the bounds leave it open.
-inline double known_floor(const Scene& scene, const TimeBounds& time) noexcept {
+/// The time rounded down to a double; negative if the bounds do not decide it.
+inline double time_from_bounds(const Scene& scene, const TimeBounds& time) noexcept {
   const Twofold<double> t = arithmetic::renormalised(time.value);
   const double above = time.error + time.gain;
-  if (!scene.faithful || !time.tells() || !time.certain || !(above < 0x1p-56 * t.high)) return -1;
+  if (!scene.faithful || !time.is_known() || !time.certain || !(above < 0x1p-56 * t.high)) return -1;
   const bool usual = scene.time == 0 && t.high >= 0x1p-1000 && t.high <= 0x1p1000;
   const int exponent = usual ? 0 : form::length_exponent(t.high, scene.time);
   if (exponent < -1000 || exponent > 1020) return -1;
   if (t.low - time.error <= 0 && t.low + above >= 0) return -1;
   const double nearest = in_units(t.high, scene.time);
   return t.low < 0 ? arithmetic::at_rank<double>(arithmetic::rank(nearest) - 1) : nearest;
-}
-
-/// What the bounds tell of t0.
-inline WideTime as_wide(const Scene& scene, const TimeBounds& time) noexcept {
-  const double error = time.error + time.gain;
-  if (!scene.faithful || !time.tells() || !time.certain) return {};
-  const Twofold<double> t = arithmetic::renormalised(time.value);
-  return {Rough({t.high, t.low}, 1.01 * error, scene.time), true};
 }
 
 /// Where a line that grazes enters: the point of M farthest across v, of an edge along v the end that comes first.
@@ -117,44 +102,15 @@ bool find_meeting(const Scene& scene, Meeting& out) noexcept {
 /// find_meeting by fused products, or null where the processor has none.
 using FindMeeting = bool (*)(const Scene&, Meeting&);
 
-inline void meet(const Scene& scene, const Graze& graze, FindMeeting fused, Meeting& m) noexcept {
-  if (graze.grazes) {
-    m.found = grazing(scene, graze.side);
+/// `line`: the exact line test's result, if that was needed.
+inline void meet(const Scene& scene, const LineMeeting* line, FindMeeting fused, Meeting& m) noexcept {
+  if (line != nullptr && line->grazes) {
+    m.found = grazing(scene, line->side);
     look_along_normal<SplitProducts>(scene, m);
   } else if (fused == nullptr || !has_fused_products(scene) || !fused(scene, m)) {
     find_meeting<SplitProducts>(scene, m);
   }
 }
-
-/// Whether the line meets M after the start; if so, whether its witness comes after the end, and how it meets M.
-struct LineMeeting {
-  bool meets, late;
-  Graze graze;
-};
-VESICA_COLD inline LineMeeting exact_line(const ExactPair& pair, double end) noexcept {
-  if (pair.line_misses() || pair.witness_after(0) <= 0) return {false, false, {false, 0}};
-  const bool late = end < std::numeric_limits<double>::infinity() && pair.witness_after(end) > 0;
-  return {true, late, {pair.line_grazes(), pair.side()}};
-}
-
-/// A pair that moves. Exact numbers are formed where they are asked for, unless they are there already; in functions of
-/// its own, so that they are not twice on the stack.
-struct MovingPair {
-  const Body &a, &b;
-  const Motion& motion;
-  const ExactPair* known = nullptr;
-
-  template <class Question>
-  std::int32_t exactly(const Question& question) const noexcept {
-    return known != nullptr ? question(*known) : exactly_anew(question);
-  }
-
- private:
-  template <class Question>
-  VESICA_COLD std::int32_t exactly_anew(const Question& question) const noexcept {
-    return question(ExactPair(a, b, motion));
-  }
-};
 
 /// The time in units of the scene, and what it means.
 inline Impact<double> impact(const Body& a, const Scene& scene, const Meeting& m, double t) noexcept {
@@ -166,52 +122,61 @@ inline Impact<double> impact(const Body& a, const Scene& scene, const Meeting& m
   return {t, at.x, at.y, x / length + 0.0, y / length + 0.0};
 }
 
-/// For shapes that do not overlap at the start, and a line that meets M after it. late: whether the witness comes after
-/// the end, so that there may be contact only then.
-[[gnu::noinline]] inline std::int32_t first_contact(const MovingPair& pair, bool late, const Graze& graze,
-                                                    FindMeeting fused, Impact<double>& out) noexcept {
-  const double end = pair.motion.end;
-  Scene seen;
-  set_scene(pair.a, pair.b, pair.motion, seen);
+/// The exact stage of first_contact(). A function of its own: its numbers need a lot of stack.
+VESICA_COLD inline std::int32_t exact_time_of(const Body& a, const Body& b, const Motion& motion, bool late,
+                                              double estimate, double& out) noexcept {
+  return exact_time_by(ExactPair(a, b, motion), motion.end, late, estimate, out);
+}
+VESICA_COLD inline std::int32_t exact_contact_at_end(const Body& a, const Body& b, const Motion& motion) noexcept {
+  return exact_contact_at(ExactPair(a, b, motion), motion.end);
+}
+VESICA_COLD inline LineMeeting exact_line_of(const Body& a, const Body& b, const Motion& motion) noexcept {
+  return exact_line(ExactPair(a, b, motion), motion.end);
+}
+
+/// Requires shapes that are apart at the start, and a line that enters M after it. `late`: the witness comes after the
+/// end, so there may be contact only then. `line`: the exact line test's result, if that was needed.
+[[gnu::noinline]] inline std::int32_t first_contact(const Body& a, const Body& b, const Motion& motion, bool late,
+                                                    const LineMeeting* line, FindMeeting fused,
+                                                    Impact<double>& out) noexcept {
+  Scene scene;
+  set_scene(a, b, motion, scene);
   Meeting met;
-  meet(seen, graze, fused, met);
+  meet(scene, line, fused, met);
   const Found& found = met.found;
-  double t = graze.grazes ? -1 : known_floor(seen, found.time);
+  double t = line != nullptr && line->grazes ? -1 : time_from_bounds(scene, found.time);
   std::int32_t reached = 1;
   if (t < 0) {
-    const double estimate = arithmetic::scale_far(arithmetic::rounded(found.time.value), seen.time);
-    const WideTime bounds = graze.grazes ? WideTime{} : as_wide(seen, found.time);
-    reached = pair.exactly([&](const ExactPair& exact) { return exact_floor(exact, end, late, estimate, bounds, t); });
-  } else if (late && t >= end) {
-    reached = t > end ? 0 : pair.exactly([t](const ExactPair& exact) { return exact_contact_at(exact, t); });
+    const double estimate = arithmetic::scale_far(arithmetic::rounded(found.time.value), scene.time);
+    reached = exact_time_of(a, b, motion, late, estimate, t);
+  } else if (late && t >= motion.end) {
+    reached = t > motion.end ? 0 : exact_contact_at_end(a, b, motion);
   }
   if (reached <= 0) return reached;
-  if (found.is_met_beside(in_units(t, -seen.time))) look_beside(seen, met);
-  const Impact<double> impact = cast::impact(pair.a, seen, met, t);
+  if (found.is_met_beside(in_units(t, -scene.time))) look_beside(scene, met);
+  const Impact<double> impact = cast::impact(a, scene, met, t);
   if (!all_finite(impact.x, impact.y, impact.nx, impact.ny)) return error_range;
   out = impact;
   return cast_hit;
 }
 
-/// The same, where whether the line meets M is still to be asked.
+/// first_contact() after the exact line test.
 VESICA_COLD inline std::int32_t first_contact_of_undecided(const Body& a, const Body& b, const Motion& motion,
                                                            FindMeeting fused, Impact<double>& out) noexcept {
-  const ExactPair exact(a, b, motion);
-  const LineMeeting line = exact_line(exact, motion.end);
-  return line.meets ? first_contact({a, b, motion, &exact}, line.late, line.graze, fused, out)
-                    : static_cast<std::int32_t>(cast_miss);
+  const LineMeeting line = exact_line_of(a, b, motion);
+  return line.meets ? first_contact(a, b, motion, line.late, &line, fused, out) : static_cast<std::int32_t>(cast_miss);
 }
 
-/// Whether a line that is still to be asked meets M after the start and by the end: 1, or 0, or error_range where the
-/// place at the end is beyond exact numbers. Neither the time nor a point has to be a number.
+/// 1 if the shapes touch after the start and by the end, else 0, or error_range. For pairs that the filter leaves open.
+/// Computes no time and no point, so these need not be finite.
 VESICA_COLD inline std::int32_t exactly_meets(const Body& a, const Body& b, const Motion& motion) noexcept {
   const ExactPair exact(a, b, motion);
   const LineMeeting line = exact_line(exact, motion.end);
   return line.late ? exact_contact_at(exact, motion.end) : line.meets ? 1 : 0;
 }
 
-/// The answer, or error_range, where the filter has told `known`. Contact at the start is for the caller to describe.
-/// overlap_at_start() answers as overlap_or_error() does.
+/// The answer after the filter, or error_range. The caller describes contact at the start. overlap_at_start() answers
+/// as overlap_or_error() does.
 template <class Overlap>
 VESICA_INLINE std::int32_t cast_bodies(const Body& a, const Body& b, const Motion& motion, const Filtered& known,
                                        const Overlap& overlap_at_start, FindMeeting fused,
@@ -222,7 +187,7 @@ VESICA_INLINE std::int32_t cast_bodies(const Body& a, const Body& b, const Motio
   if (overlapping != 0) return overlapping < 0 ? overlapping : static_cast<std::int32_t>(cast_start);
   if (verdict == Verdict::passed || motion.is_still()) return cast_miss;
   if (verdict == Verdict::undecided) return first_contact_of_undecided(a, b, motion, fused, out);
-  return first_contact({a, b, motion}, verdict == Verdict::late, {false, 0}, fused, out);
+  return first_contact(a, b, motion, verdict == Verdict::late, nullptr, fused, out);
 }
 
 }  // namespace detail::cast
