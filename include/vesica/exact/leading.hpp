@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <vesica/exact/number.hpp>
-#include <vesica/exact/rounded.hpp>
 
 namespace vesica::exact {
 
@@ -152,28 +151,4 @@ template <int Degree>
 constexpr bool is_long(const Number<Degree>& x) noexcept {
   return x.size > least_long;
 }
-namespace detail {
-
-/// The digits that are kept, as a number of a degree that has room for them.
-template <int limbs>
-constexpr auto digits_of(const Leading<limbs>& x) noexcept {
-  Number<(limbs + 31) / 32 + 1> kept;
-  static_assert(limbs <= kept.capacity);
-  kept.sign = x.sign;
-  kept.low = x.low;
-  kept.size = x.sign == 0 ? 0 : limbs;
-  for (int i = 0; i < kept.size; ++i) kept.limb[i] = x.limb[i];
-  kept.strip();
-  return kept;
-}
-
-}  // namespace detail
-
-/// rounded() of a polynomial in these numbers.
-template <class Polynomial, int... Degree>
-constexpr vesica::detail::arithmetic::Scaled rounded_value(const Polynomial& value,
-                                                           const Number<Degree>&... x) noexcept {
-  return rounded(value(x...));
-}
-
 }  // namespace vesica::exact
