@@ -52,8 +52,12 @@ bool check(const cast_test::Pair& p, const cast_test::Motion& m) {
   if (t < 0) return false;
   expect_contact_at_ends(pair, t);
   const cast_test::Answer r = cast_test::cast(cast_test::Scalar::f64, p, m);
-  if (r.code == VESICA_CAST_HIT) EXPECT_EQ(r.t, t) << std::hexfloat << t;
-  if (r.code == VESICA_CAST_MISS) EXPECT_GE(t, m.end) << std::hexfloat << t;
+  if (r.code == VESICA_CAST_HIT) {
+    EXPECT_EQ(r.t, t) << std::hexfloat << t;
+  }
+  if (r.code == VESICA_CAST_MISS) {
+    EXPECT_GE(t, m.end) << std::hexfloat << t;
+  }
   if (pair.contact_before(next(t)) < 0) return true;
   EXPECT_EQ(pair.contact_before(t), 0) << std::hexfloat << t;
   EXPECT_EQ(pair.contact_before(next(t)), 1) << std::hexfloat << t;
