@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Overlap of two shapes with numbers that a floating-point environment treats in its own way, in each environment:
 // subnormals, zeros of both signs, infinities, NaN of both kinds. The answer is that of an array of one pair in the
-// default environment. Where a call does not read the control register, as with AVX-512, it must find out in another
-// way or do without; the same program runs with VESICA_ISA=sse2 for calls that read it.
+// default environment. The filter runs in the caller's environment, so it must be right there or leave the pair open.
 #include <gtest/gtest.h>
 #include <vesica.h>
 
@@ -103,6 +102,7 @@ void check(const Kinds& kinds, int cases) {
     ASSERT_TRUE(expected == 0 || expected == 1 || expected == VESICA_E_SHAPE);
     ++found[expected < 0 ? 2 : static_cast<std::size_t>(expected)];
     for (const environment::Environment& e : environment::all_environments) {
+      if (e.traps) continue;  // overlap of two shapes computes before it masks exceptions, as vesica.h says
       std::int32_t typed = -99, by_kind = -99, reversed = -99;
       const bool kept = environment::ask_in(e, [&] {
         for (const auto& pair : capi::Api<T>::typed_pairs) {

@@ -68,9 +68,9 @@ void call(Bytes& bytes, Memory& memory) {
 
 void call_boxes(Bytes& bytes, Memory& memory) {
   if (bytes.below(2) == 0) {
-    call<double>(bytes, memory);
+    boxes::call<double>(bytes, memory);
   } else {
-    call<float>(bytes, memory);
+    boxes::call<float>(bytes, memory);
   }
 }
 

@@ -163,9 +163,9 @@ void call(Bytes& bytes, Memory& memory) {
 
 void call_index(Bytes& bytes, Memory& memory) {
   if (bytes.below(2) == 0) {
-    call<double>(bytes, memory);
+    index::call<double>(bytes, memory);
   } else {
-    call<float>(bytes, memory);
+    index::call<float>(bytes, memory);
   }
 }
 

@@ -124,9 +124,9 @@ void call(Bytes& bytes, Memory& memory) {
 
 void call_motion(Bytes& bytes, Memory& memory) {
   if (bytes.below(2) == 0) {
-    call<double>(bytes, memory);
+    motion::call<double>(bytes, memory);
   } else {
-    call<float>(bytes, memory);
+    motion::call<float>(bytes, memory);
   }
 }
 

@@ -127,9 +127,9 @@ void call(Bytes& bytes, Memory& memory) {
 
 void call_topology(Bytes& bytes, Memory& memory) {
   if (bytes.below(2) == 0) {
-    call<double>(bytes, memory);
+    topology::call<double>(bytes, memory);
   } else {
-    call<float>(bytes, memory);
+    topology::call<float>(bytes, memory);
   }
 }
 
