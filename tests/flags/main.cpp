@@ -57,9 +57,9 @@ class Comparison {
       b[i] = static_cast<T>(pair.b[i]);
     }
     ++asked;
-    const std::int32_t answer = vesica::ask(overlap_, pair.kind_a, a, pair.kind_b, b, nullptr);
+    const std::int32_t answer = vesica::ask<T>(overlap_, pair.kind_a, a, pair.kind_b, b, nullptr);
     T found[5] = {}, expected[5] = {};
-    const std::int32_t error = vesica::ask(nearest_, pair.kind_a, a, pair.kind_b, b, found);
+    const std::int32_t error = vesica::ask<T>(nearest_, pair.kind_a, a, pair.kind_b, b, found);
     const bool right = answer == Library::overlap(pair.kind_a, a, pair.kind_b, b) &&
                        error == Library::nearest(pair.kind_a, a, pair.kind_b, b, expected) && agree(found, expected);
     if (!right && wrong++ < 5) std::printf("wrong: %s\n", describe(pair).c_str());
