@@ -67,8 +67,9 @@ VESICA_INLINE UnitBoxEllipse<V, Usable> unit_box_ellipse(const Box<V>& box, cons
   const V p00 = ac * ac + bs * bs, p11 = as * as + bc * bc, p01 = flip_sign(flip_sign(ac * as - bc * bs, kx), ky);
   const V root = ellipse.a * ellipse.b, sum = ellipse.a + ellipse.b;
   const V reach = (abs(kx) + abs(ky)) + ((box.hx + box.hy) + sum), qr = (p00 + p11) * reach;
-  return {abs(kx), abs(ky), box.hx, box.hy, p00, p01, p11, root * root, qr * (root * sum + nearest_roundoffs<V>(16) * qr),
-          usable};
+  return {
+      abs(kx), abs(ky), box.hx, box.hy, p00, p01, p11, root * root, qr * (root * sum + nearest_roundoffs<V>(16) * qr),
+      usable};
 }
 template <class V>
 VESICA_INLINE auto unit_box_ellipse(const Box<V>& box, const Ellipse<V>& ellipse, const Centre<V>& d) noexcept {

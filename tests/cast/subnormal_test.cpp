@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Casts with subnormal gaps and velocities. A point at (4, z), z = 2^-1074, moved by (-2, -z) over a box with its top
-/// at y = 0 reached the box at 0.5, where it is still above: the product of the normal (0, 1/2) with v underflowed to 0,
-/// and the normal was taken for one across v. Right is 1.
+/// at y = 0. The cast returned 0.5, where the point is still above the box; right is 1. The product of the normal
+/// (0, 1/2) with v underflowed to 0, so the normal was taken for one across v.
 #include <gtest/gtest.h>
 
 #include <algorithm>

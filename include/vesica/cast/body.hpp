@@ -29,9 +29,7 @@ VESICA_INLINE Body body(const Shape& s) noexcept {
 
 template <template <class> class Shape>
 VESICA_INLINE Shape<double> shape(const Body& body) noexcept {
-  return [&]<std::size_t... field>(std::index_sequence<field...>) {
-    return Shape<double>{body.number[field]...};
-  }
+  return [&]<std::size_t... field>(std::index_sequence<field...>) { return Shape<double>{body.number[field]...}; }
   (std::make_index_sequence<ShapeTraits<Shape<double>>::fields>{});
 }
 

@@ -4,7 +4,7 @@
 ///
 /// Policy, the same for all pairs: a call looks first where its filter takes more than twice the time of the look and
 /// of a jump that could not be predicted. These are the pairs of round shapes, for their contact cubic. Others would
-/// lose more among shapes that are close than they gain among shapes that are apart. Lanes never look: they cannot jump.
+/// lose more among close shapes than they gain among distant ones. Lanes never look: they cannot jump.
 #pragma once
 
 #include <vesica/filter/box.hpp>

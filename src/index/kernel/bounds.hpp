@@ -82,9 +82,7 @@ inline void bounds_of_oblique(const Fields& f, int n, Boxes& out) noexcept {
   }
 }
 
-inline void bounds_of(Named<Rect>, const Fields& f, int n, Boxes& out) noexcept {
-  bounds_of_oblique<false>(f, n, out);
-}
+inline void bounds_of(Named<Rect>, const Fields& f, int n, Boxes& out) noexcept { bounds_of_oblique<false>(f, n, out); }
 inline void bounds_of(Named<Ellipse>, const Fields& f, int n, Boxes& out) noexcept {
   bounds_of_oblique<true>(f, n, out);
 }
