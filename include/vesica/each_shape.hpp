@@ -3,8 +3,8 @@
 /// are made from these two, so that a new shape is entered here once.
 #pragma once
 
-/// Shapes that no query but overlap answers yet, and their pairs: with every shape, the new kind second. There are none.
-/// tests/kinds defines one, to check that every function refuses it.
+/// Shapes that no query but overlap answers yet, and their pairs: with every shape, the new kind second. There are
+/// none. tests/kinds defines one, to check that every function refuses it.
 #ifndef VESICA_EACH_SHAPE_WITHOUT_FORM
 #define VESICA_EACH_SHAPE_WITHOUT_FORM(X)
 #define VESICA_EACH_PAIR_WITHOUT_FORM(X)

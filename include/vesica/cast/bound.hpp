@@ -45,8 +45,8 @@ struct Side {
 };
 
 /// A pair and its motion in a common unit of length 2^length and of time 2^time. The largest length, and the longer
-/// component of each axis and of v, are about 1. `faithful`: scaling has lost nothing above 2^-900. `exact_axes`: it has
-/// lost nothing at all of the axes and of v.
+/// component of each axis and of v, are about 1. `faithful`: scaling has lost nothing above 2^-900. `exact_axes`: it
+/// has lost nothing at all of the axes and of v.
 struct Scene {
   Side a, b;
   Vector d;
@@ -57,8 +57,8 @@ struct Scene {
   double speed() const noexcept { return abs(vx) + abs(vy); }
 };
 
-/// Whether FusedProducts give the bits of SplitProducts: all numbers of the scene are 0 or in [2^-40, 2^40], lower parts
-/// 0 or above 2^-60.
+/// Whether FusedProducts give the bits of SplitProducts: all numbers of the scene are 0 or in [2^-40, 2^40], lower
+/// parts 0 or above 2^-60.
 ///
 /// Proved: no product is above 0 and below 2^-960, so no error of a product underflows. s is a multiple of 2^-102
 /// (FusedProducts::holds()), so n = -v + s perp(v) is one of 2^-194. The longest products are squares of a size times

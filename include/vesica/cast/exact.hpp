@@ -116,8 +116,8 @@ int witness_sign(const ExactReach& a, const ExactReach& b, const Number<2>& w, c
   return exact::detail::sign_with_root(w * round.m - q * round.squared, w * box.along - q * box.h, round.squared);
 }
 
-/// The range of bits for which exact lengths have storage. Axes are lengths too. All lengths are multiplied by one power
-/// of 2^64, so that their bits lie in the range.
+/// The range of bits for which exact lengths have storage. Axes are lengths too. All lengths are multiplied by one
+/// power of 2^64, so that their bits lie in the range.
 class BitRange {
  public:
   template <int Degree>
@@ -269,8 +269,8 @@ inline std::int32_t exact_contact_at(const ExactPair& pair, double t) noexcept {
   return contact == Contact::beyond ? static_cast<std::int32_t>(error_range) : contact != Contact::none ? 1 : 0;
 }
 
-/// The greatest double with no contact before it, by bisection from a start. Returns 1, or error_range if the time, or a
-/// position on the way to it, is beyond the numbers.
+/// The greatest double with no contact before it, by bisection from a start. Returns 1, or error_range if the time, or
+/// a position on the way to it, is beyond the numbers.
 VESICA_COLD inline std::int32_t exact_time_from(const ExactPair& pair, double start, double& out) noexcept {
   std::int32_t before = 0;
   const auto has_contact_before = [&](double t) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The places where outlines of two boxes meet: which corners lie on the other outline, and which edges cross, by exact signs.
+/// The places where outlines of two boxes meet: which corners lie on the other outline, and which edges cross, by exact
+/// signs.
 #pragma once
 
 #include <limits>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The places where outlines of a box and an ellipse meet. Along an edge P + t E the ellipse's quadratic form less 1 is a
-/// quadratic in t, whose signs at the corners, slopes and discriminant are exact; and so accurate are its roots.
+/// The places where outlines of a box and an ellipse meet. Along an edge P + t E the ellipse's quadratic form less 1 is
+/// a quadratic in t, whose signs at the corners, slopes and discriminant are exact; and so accurate are its roots.
 #pragma once
 
 #include <vesica/arithmetic/spectrum.hpp>

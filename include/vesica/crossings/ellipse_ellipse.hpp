@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The places where outlines of two ellipses meet. The form of one along a quarter of the other's outline is a quartic, formed
-/// exactly and rounded once to 370 bits; its zeros are found to 2^-96 of a turn. Mostly each is certainly one
+/// The places where outlines of two ellipses meet. The form of one along a quarter of the other's outline is a quartic,
+/// formed exactly and rounded once to 370 bits; its zeros are found to 2^-96 of a turn. Mostly each is certainly one
 /// zero at which the sign changes, so that it is known how many there are. Else exact signs tell that, and how many
 /// places only touch: zeros closer than 2^-95 may be one spot with as many places as are missing.
 #pragma once

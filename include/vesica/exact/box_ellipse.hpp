@@ -54,8 +54,8 @@ struct VisibleEdges {
     centre_inside = near_x.sign <= 0 && near_y.sign <= 0;
   }
 
-  /// The lesser gap of the two edges; that of the first if it is at most `enough`. In the frame the ellipse is { z : z .
-  /// P^-1 z <= 1 } with P = a^2 (c, s)(c, s)^T + b^2 (-s, c) (-s, c)^T.
+  /// The lesser gap of the two edges, or the gap of the first if it is at most `enough`. In the frame the ellipse is
+  /// { z : z . P^-1 z <= 1 } with P = a^2 (c, s)(c, s)^T + b^2 (-s, c) (-s, c)^T.
   VESICA_CALLED constexpr int gap(int enough) const noexcept {
     const auto aa = square(a), bb = square(b);
     const auto cc = square(c), ss = square(s);
@@ -100,8 +100,8 @@ VESICA_CALLED constexpr bool overlap(const Box& box, const Ellipse& ellipse) noe
   return degenerate(ellipse) ? overlap(box, as_box(ellipse)) : detail::contact(box, ellipse, 0) <= 0;
 }
 
-/// How far a box stays within an ellipse that is not degenerate: 1 clear of the outline, 0 up to it, -1 not within. Seen
-/// from the ellipse's centre in a frame in which the ellipse is a disc, all corners must be inside. Degree 8.
+/// How far a box stays within an ellipse that is not degenerate: 1 clear of the outline, 0 up to it, -1 not within.
+/// Seen from the ellipse's centre in a frame in which the ellipse is a disc, all corners must be inside. Degree 8.
 constexpr int clearance(const Box& box, const Ellipse& ellipse) noexcept {
   const auto& [cx, cy, vx, vy, a, b] = ellipse;
   const Length dx = box.cx - cx, dy = box.cy - cy;

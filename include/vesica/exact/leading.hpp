@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The leading digits of long numbers, with a bound on the rest. They mostly decide the sign of a polynomial, in a small
-/// part of the time that all digits take.
+/// The leading digits of long numbers, with a bound on the rest. They mostly decide the sign of a polynomial, in a
+/// small part of the time that all digits take.
 #pragma once
 
 #include <cstddef>

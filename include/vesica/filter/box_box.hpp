@@ -60,8 +60,8 @@ VESICA_INLINE constexpr BoxBox<V> separating_axes(const Box<V>& a, const Box<V>&
           farthest_out(q0, q1, k0, k1, f0, f1), farthest_out(p0, p1, h0, h1, e0, e1)};
 }
 
-/// Where sums of products with opposite signs saturate in p0, those in p1 have like signs and are as great. So the error
-/// is beyond its limit whenever an operation is beyond the range.
+/// Where sums of products with opposite signs saturate in p0, those in p1 have like signs and are as great. So the
+/// error is beyond its limit whenever an operation is beyond the range.
 template <class V>
 VESICA_INLINE constexpr auto box_box_usable(const BoxBox<V>& axes, const Box<V>& a, const Box<V>& b) noexcept {
   const auto finite = axes.gap_a.error + axes.gap_b.error <= greatest_error<V>();

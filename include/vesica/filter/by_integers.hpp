@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Exact contact of points, segments, AABBs, rectangles and circles in integers of 256 bits (squares: 512). This decides
-/// what a filter leaves undecided, unless exponents of a pair are too far apart: then the exact stage does.
+/// Exact contact of points, segments, AABBs, rectangles and circles in integers of 256 bits (squares: 512). This
+/// decides what a filter leaves undecided, unless exponents of a pair are too far apart: then the exact stage does.
 ///
 /// Coordinates are multiples of one power of two, components of axes of another, sizes and radii of a third. Doubled,
 /// centres and half sizes are whole numbers. What is compared is shifted to one unit.

@@ -8,8 +8,8 @@
 ///
 /// For double u is a whole unit in the last place, 2^-52, so that bounds hold in every rounding mode: calls about two
 /// shapes run their filter in the caller's mode. Lanes run in the default mode, where u is half a unit. A directed
-/// rounding may give the largest finite number in place of infinity. So every filter limits its error, which includes all
-/// magnitudes. If subnormals are flushed, callers do not run filters.
+/// rounding may give the largest finite number in place of infinity. So every filter limits its error, which includes
+/// all magnitudes. If subnormals are flushed, callers do not run filters.
 ///
 /// Checks for validity cost almost nothing. NaN and infinity reach every bound by addition, and no comparison with a
 /// bound that is NaN or infinite is true: such input stays undecided. Only negative sizes and zero axes would pass
