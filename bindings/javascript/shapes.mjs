@@ -12,7 +12,7 @@ export const fields = Object.freeze({
 });
 export const kinds = Object.freeze(Object.keys(fields));
 /** sizeof(vesica_shapes_f64) in the module, whose pointers have 4 bytes. */
-export const shapesSize = 48;
+export const shapesSize = 72;
 export const scalars = Object.freeze({ f64: Float64Array, f32: Float32Array });
 
 /** Numbers that are rounded to the scalar type of an array: none may become infinite by that. */

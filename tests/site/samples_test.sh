@@ -17,7 +17,7 @@ says() {
   failures=$((failures + 1))
 }
 
-"$CC" -std=c99 -Wall -Wextra -Wpedantic -Werror -o "$work/in_c" "$samples/first.c" "${flags[@]}"
+"$CC" -std=c11 -Wall -Wextra -Wpedantic -Werror -o "$work/in_c" "$samples/first.c" "${flags[@]}"
 says first.c "$work/in_c"
 "$CXX" -std=c++20 -Wall -Wextra -Wpedantic -Werror -o "$work/in_cpp" "$samples/first.cpp" "${flags[@]}"
 says first.cpp "$work/in_cpp"

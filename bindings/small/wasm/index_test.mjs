@@ -5,7 +5,7 @@ import { readFileSync } from 'node:fs';
 import { kinds, load } from './vesica.mjs';
 
 const mask = (1n << 64n) - 1n;
-const descriptorSize = 48;
+const descriptorSize = 72;
 
 /** Rectangles, circles and points over 20 scales, many of which touch. */
 function touching(count, seed) {
