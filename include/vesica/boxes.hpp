@@ -20,8 +20,8 @@ int check_box(const TurnedBox<T>& box) noexcept {
   return box.width < 0 || box.height < 0 ? error_negative_size : 0;
 }
 
-/// One coordinate of a rectangle's corners, c +- h0 u0 +- h1 u1: to 1 roundoff of itself plus 2^-98 of the largest of
-/// its three terms.
+/// One coordinate of a rectangle's corners, c +- h0 u0 +- h1 u1, right to 1 roundoff of the coordinate plus 2^-98
+/// of the largest of the three terms.
 template <class V>
 class CornerCoordinate {
  public:

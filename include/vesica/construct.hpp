@@ -39,7 +39,7 @@ inline arithmetic::Scaled take_apart(double x) noexcept {
   return {arithmetic::scale(x, -exponent), exponent};
 }
 
-/// a + b + c + d to 1 roundoff of itself plus 2^-100 of the largest term.
+/// a + b + c + d, right to 1 roundoff of the sum plus 2^-100 of the largest term.
 template <class V>
 VESICA_INLINE V sum_of_four(V a, V b, V c, V d) noexcept {
   const auto ab = arithmetic::two_sum(a, b), cd = arithmetic::two_sum(c, d),

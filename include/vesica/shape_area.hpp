@@ -44,7 +44,7 @@ bool is_flat(const Shape& s) noexcept {
   return is_flat(sizes(s));
 }
 
-/// The area to 2^-98 of itself, for numbers in the range of in_area_range().
+/// The area with a relative error of at most 2^-98, for numbers in the range of in_area_range().
 inline DoubleDouble area_estimate(const Sizes& s) noexcept {
   const arithmetic::Pair<double> xx = arithmetic::two_product_fused(s.ux, s.ux),
                                  yy = arithmetic::two_product_fused(s.uy, s.uy);
@@ -53,7 +53,7 @@ inline DoubleDouble area_estimate(const Sizes& s) noexcept {
   return s.size_0 * s.size_1 * squared_axis * factor;
 }
 
-/// True if every number in 2^-98 of itself about the estimate rounds to the estimate's first double.
+/// True if every number within 2^-98 |e.high| of the estimate rounds to the estimate's first double.
 inline bool rounds_one_way(const DoubleDouble& e) noexcept {
   const double error = std::fabs(e.high) * 0x1p-98;
   return e.high + (e.low + error) == e.high && e.high + (e.low - error) == e.high;

@@ -10,8 +10,8 @@ namespace vesica::detail::area {
 /// The tangents of pi / 8 and 3 pi / 8. Arguments are reduced to the interval up to the first.
 inline constexpr double tan_eighth = 0x1.a827999fcef32p-2, tan_three_eighths = 0x1.3504f333f9de6p+1;
 
-/// (t - arctan t) / t^3 as a polynomial in z = t^2, within 2^-52 of itself for |t| <= tan(pi / 8): interpolated
-/// at Chebyshev's points.
+/// (t - arctan t) / t^3 as a polynomial in z = t^2, interpolated at Chebyshev's points. Its relative error is at most
+/// 2^-52 for |t| <= tan(pi / 8).
 inline double arctangent_defect(double z) noexcept {
   double p = 0x1.3a31b1c0fd3b7p-6;
   p = p * z - 0x1.4162c02b1dda3p-5;

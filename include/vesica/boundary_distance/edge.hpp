@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Where an edge meets, or comes closest to, the outline of a shape.
+/// Places where an edge meets, or comes closest to, the outline of a shape.
 #pragma once
 
 #include <vesica/support_minimum/frame.hpp>

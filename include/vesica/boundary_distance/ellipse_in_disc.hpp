@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Where the outlines of two ellipses meet, in the frame in which the first is the unit disc.
+/// Places where the outlines of two ellipses meet, in the frame in which the first is the unit disc.
 #pragma once
 
 #include <vesica/support_minimum/arc_bound.hpp>
@@ -47,7 +47,7 @@ class EllipseInDisc {
     const PlaneVector x = at(w);
     return dot(x, x) - 1;
   }
-  /// Of at(w) by the angle of w.
+  /// Derivative of at(w) by the angle of w.
   PlaneVector slope_at(const PlaneVector& w) const noexcept { return w.x * q_ + -(w.y * p_); }
 
   /// The w of an end of an axis of the mapped ellipse: where at(w) - centre is longest or shortest.

@@ -42,7 +42,7 @@ VESICA_INLINE LaneAnswer<V> points_exchanged(const LaneAnswer<V>& c) noexcept {
   return {c.distance, c.bx, c.by, c.ax, c.ay, c.settled};
 }
 
-/// The outlines of a and b, of which one is strictly inside the other: which one a mask tells, for each lane.
+/// The outlines of a and b, one strictly inside the other. For each lane a_inside says if the inner one is a.
 template <class V>
 VESICA_INLINE LaneAnswer<V> lane_nested(const Ellipse<V>& a, const Ellipse<V>& b, MaskOf<V> a_inside,
                                         MaskOf<V> idle) noexcept {

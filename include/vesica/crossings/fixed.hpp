@@ -36,7 +36,7 @@ struct Fixed {
     each<n - 1>([&](int i) { differing |= limb[i + 1] ^ fill; });
     return differing == 0;
   }
-  /// The magnitude, right to 2^-52 of itself.
+  /// The magnitude, with a relative error of at most 2^-52.
   double size() const noexcept;
   /// The limbs above the lowest n repeat the sign, as in numbers that these hold.
   template <int n>
@@ -279,7 +279,7 @@ inline HalvesChanges halve(Quartic& to_high, Quartic& low, int limbs) noexcept {
 struct InDoubles {
   double coefficient[5];
   int exponent;
-  int limbs;  ///< so many of the lowest hold the coefficients with two bits to spare; at least 2
+  int limbs;  ///< this many of the lowest hold the coefficients with two bits to spare; at least 2
 
   /// The coefficients must fit the lowest `most_limbs` limbs.
   explicit InDoubles(const Quartic& q, int most_limbs = Fixed::limbs) noexcept {

@@ -32,7 +32,7 @@ constexpr Intervals intervals(T a0, T a1, T b0, T b1) noexcept {
           a0 <= b0 && b1 <= a1, (a0 < b0 && b1 < a1) || equal_points};
 }
 
-/// Of valid AABBs.
+/// Relation of two valid AABBs.
 template <class T>
 constexpr Relation aabb_aabb(const Aabb<T>& a, const Aabb<T>& b) noexcept {
   const Intervals x = intervals(a.min_x, a.max_x, b.min_x, b.max_x), y = intervals(a.min_y, a.max_y, b.min_y, b.max_y);

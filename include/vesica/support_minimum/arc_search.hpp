@@ -43,9 +43,9 @@ struct Minimum {
 inline constexpr int evaluation_limit = 400;
 inline constexpr int arc_limit = 24;
 inline constexpr int polish_limit = 12;
-/// Two values at the same minimum differ by their rounding, which is up to so many tolerances.
+/// Two values at the same minimum differ by their rounding, which is up to this many tolerances.
 inline constexpr double polish_slack = 16;
-/// So many tolerances of slope, or a step of such an angle, count as none.
+/// A slope of up to this many tolerances, or a step of up to this angle, counts as none.
 inline constexpr double level_slack = 4, level_turn = 0x1p-48;
 /// F differs by less than 2^-68 along a shorter arc.
 inline constexpr double least_depth_arc = 0x1p-72;
@@ -356,7 +356,7 @@ class ArcSearch {
     }
   }
 
-  /// Where boxes' corners tie to within rounding, takes others at the same direction; not for the depth.
+  /// If boxes' corners tie to within rounding, takes others at the same direction; not for the depth.
   bool exchange_corners(const Corners& corners) noexcept {
     if (objective_.sign > 0) return false;
     const Sample other = evaluate(minimum_.at.n, corners.e);

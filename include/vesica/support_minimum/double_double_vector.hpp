@@ -13,7 +13,7 @@ struct DoubleDoubleVector {
   FastDoubleDouble<V> x, y;
 };
 
-/// Of exact vectors, and of an exact one with another.
+/// Products of exact vectors, and of an exact one with another.
 template <class V>
 VESICA_INLINE FastDoubleDouble<V> dot(V ux, V uy, V vx, V vy) noexcept {
   return arithmetic::product(ux, vx) + arithmetic::product(uy, vy);

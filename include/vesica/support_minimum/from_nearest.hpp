@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the minimum over directions shares with nearest/: axes, directions and the support function of an ellipse.
+/// Parts of nearest/ for the minimum over directions: axes, directions and the support function of an ellipse.
 #pragma once
 
 #include <vesica/nearest/box_ellipse.hpp>

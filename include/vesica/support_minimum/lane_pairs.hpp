@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What depth/lane_pairs.hpp and boundary_distance/lane_pairs.hpp share: the sizes of a pair that batches run in lanes.
+/// Shared by the lane_pairs.hpp of depth and boundary_distance: the sizes of a pair that batches run in lanes.
 #pragma once
 
 #include <vesica/support_minimum/box_ellipse.hpp>

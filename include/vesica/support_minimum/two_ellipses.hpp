@@ -153,7 +153,7 @@ VESICA_INLINE Heron<V> heron(const Polynomial<4, V>& a, const Polynomial<4, V>& 
   return {deflated(doubled(a) * doubled(b)), deflated(rest * rest)};
 }
 
-/// Beyond this many pieces the degree 6 tells little that the degree 4 does not.
+/// Beyond this many pieces degree 6 decides little that degree 4 does not.
 inline constexpr int heron_pieces = 7;
 
 // Where the circle of directions is cut on either side of the minimum: tangents of half the angles (8 to 165 degrees;
