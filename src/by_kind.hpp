@@ -98,12 +98,12 @@ VESICA_INLINE constexpr void with_field_count(int n, Action action) noexcept {
   (std::make_integer_sequence<int, max_fields>{});
 }
 
-/// Whether shapes of this kind have a form.
+/// True if shapes of this kind have a form.
 constexpr bool has_form(std::int32_t kind) noexcept {
   return with_form(kind, []<template <class> class Shape>(Named<Shape>) { return 1; }) == 1;
 }
 
-/// Whether shapes of this kind may have an area.
+/// True if shapes of this kind may have an area.
 constexpr bool has_area(std::int32_t kind) noexcept {
   return with_form(kind, []<template <class> class Shape>(Named<Shape>) {
            return detail::form::FormOf<Shape<double>>::has_area ? 1 : 0;

@@ -41,13 +41,13 @@ void read_element(const Shapes<T>& shapes, std::int64_t i, double (&out)[max_fie
   }
 }
 
-/// Whether any stretch of the array can be read where it lies.
+/// True if any stretch of the array can be read where it lies.
 template <class T>
 bool lies_in_columns(const Shapes<T>& shapes) noexcept {
   return shapes.stride == sizeof(T);
 }
 
-/// Whether each shape's numbers lie side by side.
+/// True if each shape's numbers lie side by side.
 template <class T>
 VESICA_CALLED bool lies_in_records(const Shapes<T>& shapes, int fields) noexcept {
   std::uintptr_t next = shapes.field[0].address();

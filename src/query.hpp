@@ -54,7 +54,7 @@ struct Query {
   constexpr int columns() const noexcept { return numbers == 0 ? 1 : numbers; }
   /// The query that batches run.
   const Query& asked() const noexcept { return asked_instead == nullptr ? *this : *asked_instead; }
-  /// Whether the query knows these kinds; both are kinds. Today each query knows all; a new shape begins with some.
+  /// True if the query knows these kinds; both are kinds. Today each query knows all; a new shape begins with some.
   bool answers(std::int32_t kind_a, std::int32_t kind_b) const noexcept {
     return asked().doubles.of[kind_a][kind_b] != unknown_pair;
   }

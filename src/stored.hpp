@@ -18,14 +18,14 @@ using Results = double[max_results][query_block];
 template <class Out>
 using Stored = Out[max_results][query_block];
 
-/// Whether any of n floats is infinite. By their bits, since compilers do not vectorise comparisons of floats here.
+/// True if any of n floats is infinite. By their bits, since compilers do not vectorise comparisons of floats here.
 bool any_infinite(const float* numbers, std::int32_t n) noexcept {
   std::uint32_t any = 0;
   for (std::int32_t i = 0; i < n; ++i) any |= (std::bit_cast<std::uint32_t>(numbers[i]) & 0x7fffffffu) == 0x7f800000u;
   return any != 0;
 }
 
-/// Whether rounding made any of n lengths 0. By their bits too.
+/// True if rounding made any of n lengths 0. By their bits too.
 bool any_lost(const double* lengths, const float* rounded, std::int32_t n) noexcept {
   std::uint64_t any = 0;
   for (std::int32_t i = 0; i < n; ++i) {

@@ -150,7 +150,7 @@ class Builder {
               {levels, &at<double>(layout_.node), &at<Cell>(layout_.cell), &at<Frame>(layout_.frame)});
   }
 
-  /// Whether the shape can be a sample: valid, with finite bounds.
+  /// True if the shape can be a sample: valid, with finite bounds.
   static bool take_sample(const Boxes& b, int i, Sample& out) noexcept {
     const double wide = b.max_x[i] - b.min_x[i], tall = b.max_y[i] - b.min_y[i];
     const double x = b.min_x[i] * 0.5 + b.max_x[i] * 0.5, y = b.min_y[i] * 0.5 + b.max_y[i] * 0.5;
@@ -350,7 +350,7 @@ class Builder {
   }
   void note_run(const Run& run) noexcept { at<Run>(layout_.runs, state().runs++) = run; }
 
-  /// Whether the index surely has room for these cells, and for one frame for each run if nothing finds a place in
+  /// True if the index surely has room for these cells, and for one frame for each run if nothing finds a place in
   /// them. 12.25 bytes an item, 520 a block and 48 in the directory at most.
   bool has_room(std::int64_t cells) const noexcept {
     const State& s = state();

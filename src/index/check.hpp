@@ -8,7 +8,7 @@
 
 namespace vesica::index {
 
-/// Whether a header's fields are consistent: magic, byte order, version, and parts that lie within `size` bytes.
+/// True if a header's fields are consistent: magic, byte order, version, and parts that lie within `size` bytes.
 bool header_is_sound(const void* index, std::int64_t size) noexcept;
 
 /// The same for all of it: every query stays within these bytes, and the checksum is right.

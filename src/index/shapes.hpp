@@ -53,7 +53,7 @@ void load_field(const unsigned char* field, std::ptrdiff_t stride, std::int64_t 
   }
 }
 
-/// Whether a set's shapes are records, their numbers side by side.
+/// True if a set's shapes are records, their numbers side by side.
 template <class T>
 bool lies_in_records(const Set& set) noexcept {
   auto next = reinterpret_cast<std::uintptr_t>(set.field[0]);

@@ -108,7 +108,7 @@ SweptBox::Sides<GridRow> item_sides(const Frame& frame, const Leaf& leaf) noexce
 SweptBox::Sides<const double*> child_sides(const Node& node) noexcept {
   return {node.min_x, node.min_y, node.max_x, node.max_y};
 }
-/// Whether there is such a node, or on the lowest level such a block.
+/// True if there is such a node, or on the lowest level such a block.
 bool is_there(const Node& node, int child) noexcept { return node.min_x[child] <= node.max_x[child]; }
 
 /// Numbers in the order of their times.

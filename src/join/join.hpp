@@ -30,7 +30,7 @@ std::int64_t join_scratch_bytes() noexcept;
 /// Pairs of the whole part.
 std::int64_t count_pairs(const Join& join) noexcept;
 
-/// Whether a state is one that such a join returns.
+/// True if a state is one that such a join returns.
 bool state_is_sound(const Join& join, const std::int64_t* state) noexcept;
 
 /// Writes up to `capacity` > 0 pairs; returns how many, and moves the state on.

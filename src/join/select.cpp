@@ -22,7 +22,7 @@ class Selector {
 
   void seek(std::int64_t block) noexcept { from_ = block; }
 
-  /// Whether there is more: the next items, though of some blocks none may be left.
+  /// True if there is more: the next items, though of some blocks none may be left.
   bool next() noexcept {
     count_ = segments_ = 0;
     while (count_ < wanted && segments_ < most_segments) {

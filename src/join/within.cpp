@@ -22,7 +22,7 @@ struct Run {
   }
 };
 
-/// Whether shapes of this kind may be found near to what is farther away (vesica/within.hpp).
+/// True if shapes of this kind may be found near to what is farther away (vesica/within.hpp).
 bool is_approximate(std::int32_t kind) noexcept {
   return with_form(kind, []<template <class> class Shape>(Named<Shape>) {
            return detail::form::FormOf<Shape<double>>::outline == detail::form::Outline::round ? 1 : 0;

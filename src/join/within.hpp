@@ -21,7 +21,7 @@ struct JoinWithin {
   std::int64_t part, parts;
 };
 
-/// Whether a state is one that such a join returns: the place of an item of A in its order, the block of B, the pairs
+/// True if a state is one that such a join returns: the place of an item of A in its order, the block of B, the pairs
 /// of both that were written, and a mark.
 bool within_state_is_sound(const JoinWithin& join, const std::int64_t* state) noexcept;
 

@@ -72,7 +72,7 @@ inline Bit operator>=(Steady a, Steady b) { return compare<_CMP_GE_OQ>(a, b); }
 inline Steady select(Bit m, Steady yes, Steady no) { return _mm_mask_move_sd(no.v, m.k, no.v, yes.v); }
 inline Steady flip_sign(Steady x, Steady y) { return _mm_xor_pd(x.v, _mm_and_pd(y.v, _mm_set1_pd(-0.0))); }
 
-/// Whether subnormal operands and results are what they are: with denormals-are-zero this sum is 0 + 0, and with
+/// True if subnormal operands and results are what they are: with denormals-are-zero this sum is 0 + 0, and with
 /// flush-to-zero it is 0. A sum, since products of subnormals are slow on some processors.
 inline bool keeps_subnormals() {
   Steady least(0x1p-1074);
