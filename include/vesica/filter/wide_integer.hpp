@@ -13,7 +13,7 @@ namespace vesica::filter {
 /// An integer in two's complement, least limb first.
 template <int limbs>
 struct Wide {
-  std::uint64_t limb[limbs];
+  std::uint64_t limb[static_cast<std::size_t>(limbs)];
 
   VESICA_INLINE constexpr bool is_negative() const noexcept { return limb[limbs - 1] >> 63 != 0; }
 };
