@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the kernels of casts are given: any two kinds as columns of their forms, in either order.
+// Input of the kernels of casts: any two kinds as columns of their forms, in either order.
 #pragma once
 
 #include <cstddef>

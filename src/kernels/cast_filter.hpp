@@ -19,7 +19,7 @@ VESICA_INLINE Doubles load(const ColumnDifference& d, std::int32_t i) noexcept {
   return load(d.to, i) - load(d.from, i);
 }
 
-/// What detail::cast::Sketch and Reach have of one operand, and whether it is usable.
+/// One operand's part of detail::cast::Sketch and Reach, and a mask: is it usable?
 struct SketchLanes {
   Doubles h, h_error, forward, size;
   CastMask usable;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the kernels of first contacts share: how they read a pair and write what was found. Points and normals are made
+// Shared by the kernels of first contacts: how they read a pair and write what was found. Points and normals are made
 // of the operations of the scalar functions in their order, so that bits are the same. The time is the one double that
 // is right, whichever way it is found.
 #pragma once
@@ -63,7 +63,7 @@ VESICA_INLINE void store_impacts(const CastColumns& columns, std::int32_t i, Dou
   const SideColumns& a = columns.a;
   const Doubles x0 = load(a.x0, i), x1 = load(a.x1, i), y0 = load(a.y0, i), y1 = load(a.y1, i);
   settled = both(settled, both(abs(x0) + abs(x1) < large, abs(y0) + abs(y1) < large));
-  // At the very end it is the exact stage that tells.
+  // Exactly at the end, the exact stage decides.
   const Doubles t = select(time < end, time, select(time > end, infinity, none)), length = sqrt(nx * nx + ny * ny);
   select(settled, t, none).store(results[0] + i);
   located_lanes(x0, x1, at.x).store(results[1] + i);

@@ -36,7 +36,7 @@ struct CheckedEllipses {
 template <template <class> class Shape>
 inline constexpr bool is_ellipse = kind_of<Shape> == Kind::ellipse;
 
-/// Whether the kernel may be used for the row's shape and a block of that extent, see checked_rect_ellipse.hpp.
+/// True if the kernel may be used for the row's shape and a block of that extent, see checked_rect_ellipse.hpp.
 template <template <class> class One, template <class> class Many, class V>
 VESICA_INLINE bool is_usable(const One<V>& one, V extent_of_many) noexcept {
   if (!all(filter::checked(one))) return false;

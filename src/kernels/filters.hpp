@@ -39,8 +39,8 @@ struct UnitAxes {
   }
 };
 
-/// What a filter in two halves returns after the first. decide() computes the second half and returns the verdict, so
-/// that a loop can do other work between the two.
+/// The result of a filter's first half. decide() computes the second half and returns the verdict, so that a loop
+/// can do other work between the two.
 template <class Answer>
 concept HalfDone = requires(const Answer& answer) {
   decide(answer);

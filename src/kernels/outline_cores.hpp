@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the kernels of depth and of boundary distance compute, in the form that query_cores.hpp describes.
+// The cores of depth and of boundary distance, in the form that query_cores.hpp describes.
 #pragma once
 
 #include <vesica/boundary_distance.hpp>
@@ -39,7 +39,7 @@ VESICA_INLINE detail::nearest::LaneAnswer<Doubles> nested_outlines(const A& a, c
   return detail::boundary_distance::lane_nested(a, b, a_inside, idle);
 }
 
-/// Whether lanes gain where one shape is inside the other. Of a rectangle and an ellipse, two lanes of SSE2 take as
+/// True if lanes gain where one shape is inside the other. For a rectangle and an ellipse, two lanes of SSE2 take as
 /// long as two scalar calls.
 template <class A, class B>
 inline constexpr bool lanes_gain = true;

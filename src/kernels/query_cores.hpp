@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What each query's kernel computes for one vector of pairs: the core's templates, as the scalar functions use them.
+// Each query's computation for one vector of pairs: the core's templates, as the scalar functions use them.
 //
 // evaluate(a, b, known, out) writes the results and returns the lanes in which they are final. For the other lanes the
 // scalar function is asked, which begins with the same step and then continues with slower ones.
@@ -17,7 +17,7 @@ namespace {
 using detail::nearest::MaskOf;
 using PairMask = MaskOf<Doubles>;
 
-/// What is known about a vector of pairs beforehand, if the query needs it.
+/// Facts known about a vector of pairs beforehand, if the query needs it.
 template <class V>
 struct KnownLanes {
   V overlap;  // 1 or 0

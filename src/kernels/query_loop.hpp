@@ -35,7 +35,7 @@ VESICA_INLINE Shape<V> load_shape(const double* const* field, std::int32_t i) no
   return load_shape<Shape, V>(field, i, std::make_index_sequence<ShapeTraits<Shape<double>>::fields>{});
 }
 
-// Whether a shape is valid, by the rules of check(): finite numbers, no negative size, an axis that is not zero.
+// True if a shape is valid, by the rules of check(): finite numbers, no negative size, an axis that is not zero.
 // Relations need none of these: a filter decides nothing about an invalid shape. Areas need none either: the radius of
 // an invalid rectangle is NaN.
 template <class V>
@@ -64,7 +64,7 @@ VESICA_INLINE MaskOf<V> valid(const Ellipse<V>& s) noexcept {
 namespace vesica {
 namespace {
 
-/// Whether the core continues from results that an earlier kernel wrote.
+/// True if the core continues from results that an earlier kernel wrote.
 template <class Core>
 inline constexpr bool goes_on = std::is_same_v<Core, NestedCore>;
 

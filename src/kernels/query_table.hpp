@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an instruction set offers for the queries other than overlap: kernels over columns of doubles.
+// An instruction set's table for the queries other than overlap: kernels over columns of doubles.
 #pragma once
 
 #include <cstdint>
@@ -49,7 +49,7 @@ using QueryKernels = QueryKernel[kind_count][kind_count];
 
 struct CastColumns;  // cast_columns.hpp
 
-/// What the filter of casts knows of valid pairs, a byte each, 1 or 0.
+/// Verdicts of the filter of casts on valid pairs, a byte each, 1 or 0.
 struct CastBytes {
   std::uint8_t* missed;  // no contact from 0 to the end
   std::uint8_t* meets;   // not missed, and in contact at some time, which may be before the start
@@ -68,7 +68,7 @@ struct CastTable {
   CastKernel contact[kind_count][kind_count];  // by the kinds of the shape at rest and of that which moves, or null
 };
 
-/// Whether there are kernels of casts, and of one rectangle or ellipse, at all. Two lanes of SSE2 gain nothing: 0.9 to
+/// True if there are kernels of casts, and of one rectangle or ellipse, at all. Two lanes of SSE2 gain nothing: 0.9 to
 /// 1.3 of single calls.
 #if defined(__x86_64__)
 inline constexpr bool has_cast_kernels = true;
@@ -77,8 +77,8 @@ inline constexpr bool has_cast_kernels = false;
 #endif
 inline constexpr bool has_box_kernels = has_cast_kernels;
 
-/// What each of n rectangles or ellipses has for itself, n as above, by columns of six numbers: the bits of the scalar
-/// function. results[0][i] is NaN where it must be asked, as for invalid shapes.
+/// Bounds and corners of n rectangles or ellipses, n as above, by columns of six numbers: the scalar function's bits.
+/// results[0][i] is NaN where the scalar function must be called, as for invalid shapes.
 struct BoxKernels {
   /// min_x, min_y, max_x, max_y.
   void (*bounds)(const double* const* number, bool is_ellipse, std::int32_t n, double* const* results) noexcept;

@@ -40,7 +40,7 @@ VESICA_INLINE NumberVector<T, length> load_pairs(Unaligned<T> from, std::ptrdiff
   }
 }
 
-/// Of each group the first (which = 0) or the second numbers of all pairs, those of a before those of b.
+/// The first (which = 0) or second numbers of all pairs in each group, a's before b's.
 template <int which, int length, class Vector>
 VESICA_INLINE Vector one_of_each_pair(const Vector& a, const Vector& b) noexcept {
   constexpr int size = group<std::remove_cvref_t<decltype(a[0])>>;
@@ -91,7 +91,7 @@ std::int32_t copy_whole_vectors(Unaligned<T> from, std::ptrdiff_t stride, int fi
     return whole;
   }
   const std::int32_t whole = n - n % record_vector<T>;
-  // Of an odd number of fields the last two overlap the two before.
+  // If the number of fields is odd, the last two overlap the two before.
   for (int k = 0; k < fields; k += 2) {
     const int field = k + 2 <= fields ? k : fields - 2;
     T* const column = columns + field * column_length;

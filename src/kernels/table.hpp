@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an instruction set offers: for each pair of kinds and scalar, a kernel that answers one block.
+// An instruction set's tables: for each pair of kinds and scalar, a kernel that answers one block.
 #pragma once
 
 #include <cstdint>
@@ -73,7 +73,7 @@ inline constexpr bool has_packed_kernels = false;
 template <class T>
 struct CheckedKernels {
   struct Pair {
-    /// Whether answer() may be asked; checked.hpp says what else it does.
+    /// True if answer() may be called; checked.hpp says what else it does.
     bool (*check_block)(Block<T>& block, T* space, std::int32_t stride) noexcept;
     /// Returns row_is_unusable as the number of undecided pairs if it cannot take the row's shape.
     BlockKernel<T> answer;
@@ -87,8 +87,8 @@ template <class T>
 using CopyRecords = void (*)(Unaligned<T> from, std::ptrdiff_t stride, int fields, std::int32_t n, T* columns,
                              std::int32_t column_length) noexcept;
 
-/// What a cast asks where the quick filter knows no miss: it hands over what it does know, which is nothing where
-/// subnormals are flushed.
+/// Fallback of a cast if the quick filter finds no miss. The filter's verdict is passed on: `open` where subnormals are
+/// flushed.
 namespace detail::cast {
 enum class Quick;
 }

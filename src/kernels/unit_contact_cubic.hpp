@@ -72,7 +72,7 @@ VESICA_INLINE SquaredEllipse<V> squared(const Ellipse<V>& e) noexcept {
   return {e.cx, e.cy, e.ux, e.uy, e.a * e.a, e.b * e.b};
 }
 
-/// The cubic of two ellipses of which both hold what require_moderate() and require_unit_axes() ask.
+/// The cubic of two ellipses that both pass require_moderate() and require_unit_axes().
 template <class V, class Usable>
 VESICA_INLINE UnitCubic<V, Usable> unit_contact_cubic(const SquaredEllipse<V>& e, const SquaredEllipse<V>& f,
                                                       Usable usable) noexcept {

@@ -57,7 +57,7 @@ VESICA_INLINE void require_sizes(Guard<V>& guard, const Ellipse<V>& e) noexcept 
   guard.within(guard_power<T, -16>(), guard_power<T, 16>(), e.a, e.b);
 }
 
-/// Of a box and an ellipse of which both hold what require_sizes() and require_unit_axes() ask.
+/// The terms of a box and an ellipse that both pass require_sizes() and require_unit_axes().
 template <class V, class Usable>
 VESICA_INLINE UnitBoxEllipse<V, Usable> unit_box_ellipse(const Box<V>& box, const Ellipse<V>& ellipse,
                                                          const Centre<V>& d, Usable usable) noexcept {

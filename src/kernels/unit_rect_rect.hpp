@@ -8,7 +8,7 @@
 
 namespace vesica::filter {
 
-/// Whether numbers are in the range of the next filter.
+/// True if numbers are in the range of the next filter.
 template <class V>
 VESICA_INLINE auto unit_box_box_usable(const Box<V>& a, const Box<V>& b) noexcept {
   using T = typename Element<V>::Type;

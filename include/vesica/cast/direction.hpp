@@ -33,7 +33,7 @@ template <class V>
 struct CurveOf {
   V s, al, de, reach;
 
-  /// Of al (s - s_i)^2 + de the root's slope.
+  /// Slope of sqrt(al (s - s_i)^2 + de).
   VESICA_INLINE V slope(V at) const noexcept {
     const auto bent = [&] {
       const V y = at - s;
@@ -131,7 +131,7 @@ VESICA_INLINE V gap_of(const Twofold<V>& reach, const Twofold<V>& w) noexcept {
   return max(arithmetic::rounded(reach - flipped(side, side.high)), V(0x1p-106) * reach.high);
 }
 
-/// Where the slope of one curve is w.
+/// Returns the s at which the curve's slope is w.
 template <class V>
 VESICA_INLINE V maximum_of_one(const CurveOf<V>& e, V w, V gap) noexcept {
   const V side = abs(w);
@@ -191,7 +191,7 @@ inline double maximum_of_two(const Curve& a, const Curve& b, double gap, int& st
   return s;
 }
 
-/// Of two ellipses: seen in a mirror where w < 0.
+/// The maximum for two ellipses. If w < 0, it is found in the mirror image.
 template <class Products>
 double maximum_of_ellipses(const Scene& scene, int& steps) noexcept {
   const Twofold<double> w = arithmetic::renormalised(cross(factor_of_v<Products>(scene), Products::factor(scene.d)));
@@ -257,13 +257,13 @@ Axis axis(const Scene& scene, const Vector& normal) noexcept {
   return {n, t - error, t + error};
 }
 
-/// What was found, with the normal of a face that is met instead where contact comes after the time told so far.
+/// Adds a face's normal to what was found: contact after the time found so far is with that face.
 VESICA_COLD inline Found with_beside(const Found& found, const Vector& beside) noexcept {
   const double t = found.time.value.high;
   return {found.normal, found.time, beside, t + (0x1p-50 * abs(t) + found.time.error)};
 }
 
-/// Of two axes whose times cannot be told apart; only the second may have a normal beside it.
+/// Chooses between two axes whose times are equal within their errors. Only the second may have a normal beside it.
 VESICA_COLD inline Found preferred_of(const Scene& scene, const Found& n, const Found& m) noexcept {
   const bool is_first = n.time.error < m.time.error;
   const Found &nearer = is_first ? n : m, &farther = is_first ? m : n;
@@ -277,8 +277,8 @@ VESICA_COLD inline Found preferred_of(const Scene& scene, const Found& n, const 
   return with_beside(nearer, farther.normal);
 }
 
-/// Where no axis separates after the start, and yet the shapes touch then: a thin ellipse that is taken for a segment
-/// is met beside that, along v.
+/// Fallback if no axis separates after the start, and yet the shapes touch then: the axis most nearly across v. A thin
+/// ellipse that is taken for a segment is hit beside the segment, along v.
 VESICA_COLD inline Vector across_way(const Scene& scene, const Axis* axes, int count) noexcept {
   const auto share = [&](const Axis& x) {
     return abs(dot_of(scene, x.normal)) / (abs(x.normal.x.high) + abs(x.normal.y.high));
@@ -290,7 +290,7 @@ VESICA_COLD inline Vector across_way(const Scene& scene, const Axis* axes, int c
 }
 
 /// Two boxes: the latest of the times at which an axis separates no more. An axis across v separates always or never,
-/// and the line test has told which. Double tells which axes may be the latest, mostly one.
+/// and the line test has decided which. Double selects the axes that may be the latest, usually one.
 template <class Products>
 Found latest_axis(const Scene& scene) noexcept {
   Axis axes[4];
@@ -312,7 +312,7 @@ Found latest_axis(const Scene& scene) noexcept {
   bool found = false, certain = true;
   double error = 0;
   const auto v = factor_of_v<Products>(scene);
-  // By bits: mostly one is left, and which cannot be foreseen.
+  // Bits, not branches: usually one axis is left, and which one is unpredictable.
   unsigned left = 0;
   for (int i = 0; i < count; ++i) left |= static_cast<unsigned>(!(axes[i].most < least)) << i;
   for (; left != 0; left &= left - 1) {
@@ -348,7 +348,7 @@ inline bool is_later(const TimeBounds& a, const TimeBounds& b) noexcept {
   return difference(a.value, b.value) > a.error + b.error;
 }
 
-/// Where a curve is met: the slope that is left over is removed by Newton's method until the gain no longer counts.
+/// Contact with a curve: Newton's method removes the remaining slope until the gain no longer counts.
 template <class Products>
 Found polished(const Scene& scene, double s) noexcept {
   Found found{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Where two shapes touch, given the normal.
+/// The point at which two shapes touch, given the normal.
 #pragma once
 
 #include <vesica/cast/bound.hpp>
@@ -11,7 +11,7 @@ template <class V>
 using OffsetOf = support_minimum::PlaneVectorOf<V>;
 using Offset = OffsetOf<double>;
 
-/// What of a shape lies farthest along a normal: a point, or an edge by its middle and half of it.
+/// The part of a shape farthest along a normal: a point, or an edge by its middle and half of it.
 struct Foremost {
   Offset middle, half;
 
@@ -34,8 +34,8 @@ inline Slopes slopes_of(const Side& box, const Vector& normal) noexcept {
   return {ux * nx + uy * ny, ux * ny - uy * nx, beside_face * ((abs(ux) + abs(uy)) * (abs(nx) + abs(ny)))};
 }
 
-/// Of a box that is met beside a face the face's normal. Its ends are then met at nearly the same time, and where on
-/// the face the other shape is tells which of them is met, if either.
+/// If a box is hit next to a face, use that face's normal. Both ends of the face are then hit at nearly the same time.
+/// The other shape's place along the face decides which end is hit, if either.
 inline Vector settled(const Side& s, const Vector& normal) noexcept {
   if (s.round || has_no_size(s)) return normal;
   const Slopes slopes = slopes_of(s, normal);
@@ -51,7 +51,7 @@ Foremost foremost(const Side& s, const Vector& normal) noexcept {
   const double a = s.hx.high, b = s.hy.high;
   if (a == 0 && b == 0) return {{0, 0}, {0, 0}};
   if (!s.round) {
-    // Of a box signs suffice, and double mostly knows them.
+    // For a box only signs matter, and double usually decides them.
     const Slopes slopes = slopes_of(s, normal);
     if (!slopes.nearly_across() && !slopes.nearly_along()) {
       return {lane::flip_sign(a, slopes.p) * along + lane::flip_sign(b, slopes.q) * across, {0, 0}};

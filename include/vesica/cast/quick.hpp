@@ -31,7 +31,8 @@ template <class V>
 VESICA_INLINE auto in_quick_range(V square) noexcept {
   return both(square >= V(0x1p-80), square <= V(0x1p80));
 }
-/// Of a motion, by v.v. Places at an earlier end may have more digits than exact numbers hold, which is not told here.
+/// True if a motion is in the quick path's range; vv is v.v. Earlier ends are left out: places there may have more
+/// digits than exact numbers hold, and this check does not see that.
 template <class V>
 VESICA_INLINE auto is_quick(const MotionOf<V>& v, V vv) noexcept {
   return all_hold(vv >= V(0x1p-80), vv <= V(0x1p80), v.end >= V(0x1p-300));
@@ -65,11 +66,11 @@ VESICA_INLINE V ends_outside(V f, V q, V ww, V sizes, V speed, V end) noexcept {
   constexpr double u = 0x1p-53;
   const V at_end = q + end * ww, extent = sizes + end * speed;
   const V outside = (f + end * (q + at_end)) - (V(32 * u) * (extent * extent) + V(quick_tiny));
-  // Of two of which the first is NaN the second is the lesser.
+  // min(NaN, x) is x.
   return min(outside, -at_end - (V(16 * u) * (extent * speed) + V(quick_tiny)));
 }
 
-/// Of a disc of radius r about the origin, and a point at (dx, dy), with w = v x D and q = D.v.
+/// Filter for a disc of radius r about the origin and a point at (dx, dy), with w = v x D and q = D.v.
 ///
 /// Proved: the errors that the code takes, 8u and 16u of sums of magnitudes, are above the true ones.
 ///
@@ -100,9 +101,9 @@ VESICA_INLINE Quick quick_filter(const Circle<V>& a, const Circle<V>& b, const M
   return filter_disc<V>(b.cx - a.cx, b.cy - a.cy, r, v);
 }
 
-/// Of an ellipse and a point, in the ellipse's frame, times |u|. The ellipse is f = (b X)^2 + (a Y)^2 - (a b u.u)^2 <=
-/// 0 with X = u.D and Y = u x D, and half the slope of f along v is b^2 X c + a^2 Y k, with c = u.v and k = u x v. The
-/// line meets it where w^2 <= al = (a k)^2 + (b c)^2.
+/// Filter for an ellipse and a point, in the ellipse's frame, times |u|. The ellipse is
+/// f = (b X)^2 + (a Y)^2 - (a b u.u)^2 <= 0 with X = u.D and Y = u x D. Half the slope of f along v is
+/// b^2 X c + a^2 Y k, with c = u.v and k = u x v. The line meets the ellipse where w^2 <= al = (a k)^2 + (b c)^2.
 ///
 /// Proved: the errors that the code takes, 16u of sums of magnitudes, are above the true ones.
 ///
@@ -129,17 +130,17 @@ VESICA_INLINE Quick quick_filter(const Ellipse<V>& e, const Point<V>& p, const M
                  [&] { return ends_outside<V>(f, q, al, away + area, across, v.end); });
 }
 
-/// Of a box, whose sizes may be 0, and a point, in the box's frame, times |u|. The box is |X| <= hx u.u, |Y| <= hy u.u,
-/// and its reach across v is hx |k| + hy |c|.
+/// Filter for a box, whose sizes may be 0, and a point, in the box's frame, times |u|. The box is |X| <= hx u.u,
+/// |Y| <= hy u.u, and its reach across v is hx |k| + hy |c|.
 ///
-/// Proved: what is told is true of the exact numbers.
+/// Proved: every verdict is true of the exact numbers.
 ///
 ///   - The way of the ray, a segment, misses the box iff one of three lines divides them: the ray's own, or one along a
 ///     side. The ray starts beyond that side, and moves away from it or ends before it.
 ///   - A ray that starts before a side, and whose line passes through the inside, meets the box some time later.
 ///   - With A, D, V as above and H = hx + hy, offsets of the centre are off by 2u D + u H A, X and Y by 5u A (D + H A),
 ///     c and k by 5u A V where they are of differences, and the reach by twice that times H. The code takes 16u.
-///   - So the signs of c and k are not always known. A ray is told to move away only where they are, and quick_hit()
+///   - So the signs of c and k are not always known. The verdict that a ray moves away needs them, and quick_hit()
 ///     leaves open the hits where c or k is that small.
 template <class V>
 struct BoxFrame {
@@ -161,7 +162,7 @@ VESICA_INLINE Quick filter_box(const BoxFrame<V>& f, V dx, V dy, const MotionOf<
   const V away = max(min((x - wide) - error, along_x - turning), min((y - high) - error, along_y - turning));
   const V before_x = (-x - wide) - error, before_y = (-y - high) - error;
   const auto early = [&]() -> V {
-    // What an infinite end is multiplied by is above 0.
+    // The factor is positive, so infinity times it is not NaN.
     return max(before_x - v.end * (along_x + turning), before_y - v.end * (along_y + turning));
   };
   return decided(usable, V(max(away, -inside - line_error)), V(min(max(before_x, before_y), inside - line_error)),
@@ -201,7 +202,7 @@ VESICA_INLINE Quick quick_filter(const Segment<V>& a, const Point<V>& b, const M
   return quick_filter_of_box(a, b, v);
 }
 
-/// Of two ellipses, by the filter for all kinds. It misses shapes that are beside each other at any end, even at none
+/// Two ellipses, by the filter for all kinds. It misses shapes that are beside each other at any end, even at none
 /// that is valid.
 VESICA_INLINE Quick quick_filter(const Ellipse<double>& a, const Ellipse<double>& b, const Motion& v) noexcept {
   if (!(v.end >= 0)) return Quick::open;

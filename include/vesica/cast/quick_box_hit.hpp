@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The contact of a ray with a box or a segment, after quick.hpp has decided that they meet. Points and normals are
 /// computed by the operations of first_contact.hpp, in a scene that needs no scaling. The time is T(n) rounded down,
-/// n being the normal of the face that is met.
+/// n being the normal of the face that is hit.
 #pragma once
 
 #include <vesica/arithmetic/side_by_side.hpp>
@@ -9,8 +9,8 @@
 
 namespace vesica::detail::cast {
 
-/// Where the ray passes a side: the time at which it is there, rounded down, in the end. `way` is exact, and so is its
-/// quotient's remainder, which is 0 where the time is a double.
+/// The ray at a side: t becomes the time at which it is there, rounded down. `way` is exact, and so is its quotient's
+/// remainder, which is 0 where the time is a double.
 struct QuickSide {
   Twofold<double> way;
   double v, t, rest;
@@ -26,7 +26,7 @@ VESICA_INLINE void set_rest(QuickSide& side) noexcept {
   side.rest = ((side.way.high - product.high) - product.low) + side.way.low;
 }
 
-/// Of an AABB: the times of both sides are quotients of exact numbers, and the later one is that of the contact. The
+/// An AABB: the times of both sides are quotients of exact numbers, and the later one is the time of contact. The
 /// floor of the later is the later floor, so that nothing need be selected before.
 template <class Products>
 VESICA_INLINE Quick quick_hit(const Aabb<double>& a, const Point<double>& b, const Motion& v,
@@ -51,7 +51,7 @@ VESICA_INLINE Quick quick_hit(const Aabb<double>& a, const Point<double>& b, con
   if (t > v.end) return Quick::missed;
   if (t == v.end && (on_x ? x.rest : y.rest) != 0) return Quick::open;
   const double half_x = width * 0.5, half_y = height * 0.5;
-  // Along the side that is met: where on it.
+  // The place along the side that is hit.
   const double half = lane::select(on_x, half_y, half_x);
   const double at = lane::select(on_x, d.y.high, d.x.high) + t * lane::select(on_x, v.vy, v.vx);
   const double share = lane::min(lane::max(at * half / (half * half), -1.0), 1.0);

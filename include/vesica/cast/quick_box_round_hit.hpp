@@ -3,14 +3,14 @@
 /// vertex or face of the box is met, and along which normal, is found by the operations of direction.hpp, so that the
 /// bits are those of the general path. The time is T(n) of bound.hpp, whose bounds are computed in double.
 ///
-/// What lanes use too has a type V of numbers, double or lanes of it.
+/// Templates on V serve scalars and SIMD lanes: V is double or lanes of it.
 #pragma once
 
 #include <vesica/cast/quick_round_hit.hpp>
 
 namespace vesica::detail::cast {
 
-/// Of a box, as SideSupport has it, in double but for h; p = u.n, q = u x n.
+/// A box's support as in SideSupport. Only h is a twofold, the other numbers are double; p = u.n, q = u x n.
 template <class V>
 struct QuickBoxSupport {
   Twofold<V> h;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What quick hits of round shapes and of boxes have in common: numbers whose products are exact to all digits that
+/// Common to quick hits of round shapes and of boxes: numbers whose products are exact to all digits that
 /// count, and the floor of a time that is known to twice the precision.
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace vesica::detail::cast {
 
-/// Whether a number is 0 or moderate: products with it are exact to all digits that count.
+/// True if a number is 0 or moderate: products with it are exact to all digits that count.
 template <class V>
 VESICA_INLINE MaskOf<V> is_plain(V x) noexcept {
   return either(x == V(0.0), both(abs(x) >= V(least_moderate), abs(x) <= V(most_moderate)));
@@ -58,7 +58,7 @@ VESICA_INLINE Vector exact_offset(const Point<double>& p, const form::Corners<do
   return {{0.5 * x.high, 0.5 * x.low}, {0.5 * y.high, 0.5 * y.low}};
 }
 
-/// An axis or a velocity, of which nothing was rounded, as factors.
+/// An unrounded axis or velocity, as factors.
 template <class Products, class V>
 VESICA_INLINE auto plain_factor(V x, V y) noexcept {
   return arithmetic::VectorFactor<decltype(Products::factor(x))>{Products::factor(x), Products::factor(y)};

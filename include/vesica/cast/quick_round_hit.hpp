@@ -3,7 +3,7 @@
 /// operations of first_contact.hpp, in a scene that needs no scaling. The time is one step of Newton's method for
 /// f(t) = 0, f being convex along the ray, rounded down; for two ellipses it is T(n), as in bound.hpp.
 ///
-/// What lanes use too has a type V of numbers, double or lanes of it.
+/// Templates on V serve scalars and SIMD lanes: V is double or lanes of it.
 #pragma once
 
 #include <vesica/arithmetic/side_by_side.hpp>
@@ -39,7 +39,7 @@ VESICA_INLINE Twofold<V> reach_of(const Twofold<V>& p, const Twofold<V>& q) noex
   return renormalised(Products::root(square(Products::factor(p)) + square(Products::factor(q))).value);
 }
 
-/// What of a disc direction.hpp asks for, to the bit.
+/// The disc's terms for direction.hpp, bit for bit.
 template <class Products>
 VESICA_INLINE Twofold<double> disc_reach(double r, const Motion& v) noexcept {
   const auto factor = Products::factor(r);
@@ -50,7 +50,7 @@ VESICA_INLINE Curve disc_curve(double r, const Motion& v) noexcept {
   return {0, al, area * area / al, sqrt(al)};
 }
 
-/// Of an ellipse, or a disc, the point farthest along a direction that is (p, q) in its frame.
+/// The point of an ellipse or a disc farthest along the direction (p, q) in its frame.
 template <class V>
 VESICA_INLINE OffsetOf<V> foremost_of(V a, V b, V p, V q) noexcept {
   const V h = sqrt((a * p) * (a * p) + (b * q) * (b * q));
@@ -131,7 +131,7 @@ struct QuickEllipse {
   }
 };
 
-/// Whether the search for the best direction ends where it begins, at n. Then n is the normal that the general path
+/// True if the search for the best direction ends where it begins, at n. Then n is the normal that the general path
 /// finds, bit for bit, and the search can be left out. (gx, gy) is the contact's own normal m but for 2^-48 of itself,
 /// (p, q) is n in the same frame.
 ///
@@ -143,7 +143,7 @@ struct QuickEllipse {
 ///   - Here z < 2^-44 and H |n| / (v.v) < 2^13 t.
 ///   - What support_of() may be off by counts less where lengths are below 2^16 of the shortest.
 ///
-/// What is nearly along a coordinate is left open.
+/// Normals almost parallel to a coordinate axis are left open.
 VESICA_INLINE bool ends_at(const Vector& n, const Offset& in_frame, const QuickTime& time, double radius, double vv,
                            double t) noexcept {
   const double x = abs(n.x.high), y = abs(n.y.high), longer = x + y, p = in_frame.x, q = in_frame.y;
@@ -166,7 +166,7 @@ VESICA_INLINE Impact<double> round_impact(double t, double cx, double cy, const 
           support_minimum::located_coordinate(cy, cy, at.y) + 0.0, x / length + 0.0, y / length + 0.0};
 }
 
-/// Where the offset of centres d meets the sum of round shapes; (cx, cy) is the first's centre.
+/// The contact of the offset of centres d with the sum of round shapes; (cx, cy) is the first's centre.
 template <class Products, class Sum>
 VESICA_INLINE Quick round_hit(const Sum& sum, const Vector& d, const Motion& v, double cx, double cy,
                               Impact<double>& out) noexcept {

@@ -169,7 +169,7 @@ concept HasIntegers = requires(const A& a, const B& b) {
 }
 &&!(detail::form::FormOf<A>::is_upright && detail::form::FormOf<B>::is_upright);
 
-/// Whether two shapes overlap. Undecided where numbers do not fit their units, or a shape is invalid.
+/// Decides if two shapes overlap. Undecided where numbers do not fit their units, or a shape is invalid.
 template <class A, class B>
 requires HasIntegers<A, B>
 constexpr Verdict<bool> by_integers(const A& a, const B& b) noexcept {

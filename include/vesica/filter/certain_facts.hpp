@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What a filter knows for certain about the relation of two shapes.
+/// Certain facts about the relation of two shapes, as filters find them.
 #pragma once
 
 #include <vesica/filter/estimate.hpp>
@@ -17,13 +17,13 @@ struct CertainFacts {
   Mask not_inside;    ///< b does not contain a
   Mask not_contains;  ///< a does not contain b
 
-  /// Of b to a.
+  /// The facts with a and b exchanged.
   constexpr CertainFacts exchanged() const noexcept {
     return {disjoint, crossing, contains, inside, neither, not_contains, not_inside};
   }
 };
 
-/// Of shapes that are known to be disjoint.
+/// The facts about shapes that are known to be disjoint.
 VESICA_INLINE constexpr CertainFacts<bool> apart() noexcept { return {true, false, false, false, true, true, true}; }
 
 /// Nothing outside the guard.
@@ -33,7 +33,7 @@ VESICA_INLINE constexpr CertainFacts<Mask> guarded(Mask guard, const CertainFact
           both(guard, s.neither),  both(guard, s.not_inside), both(guard, s.not_contains)};
 }
 
-/// Of three estimates: the gap between a and b, how far a reaches out of b, and b out of a.
+/// The facts from three estimates: the gap between a and b, how far a reaches out of b, and b out of a.
 template <class V>
 VESICA_INLINE constexpr auto certain_facts(const Estimate<V>& gap, const Estimate<V>& a_out_of_b,
                                            const Estimate<V>& b_out_of_a) noexcept {
@@ -47,7 +47,7 @@ VESICA_INLINE constexpr auto certain_facts(const Estimate<V>& gap, const Estimat
                                                        not_contains};
 }
 
-/// Where at most one shape can contain the other, and which of the two is known: `nested` and `neither` say whether.
+/// The facts if only one known shape of the two can contain the other: `nested` and `neither` say whether it does.
 template <class Mask>
 VESICA_INLINE constexpr CertainFacts<Mask> certain_facts(const Verdict<Mask>& v, Mask nested, Mask neither,
                                                          Mask first_greater) noexcept {
@@ -55,7 +55,7 @@ VESICA_INLINE constexpr CertainFacts<Mask> certain_facts(const Verdict<Mask>& v,
   return {v.disjoint, v.overlap, inside, contains, neither, either(neither, contains), either(neither, inside)};
 }
 
-/// Of a point, first, and a solid shape, which it never contains.
+/// The facts about a point, first, and a solid shape, which the point never contains.
 template <class Mask>
 VESICA_INLINE constexpr CertainFacts<Mask> of_point(const Verdict<Mask>& v) noexcept {
   const Mask never = both(v.overlap, v.disjoint), certain = either(v.overlap, v.disjoint);
@@ -73,7 +73,7 @@ VESICA_INLINE constexpr CertainRelation<Mask> certain_relation(const CertainFact
   return {s.disjoint, both(s.crossing, s.neither), s.inside, s.contains};
 }
 
-/// Whether a contains b: `overlap` where it certainly does, `disjoint` where it certainly does not.
+/// Containment of b in a: `overlap` if a certainly contains b, `disjoint` if it certainly does not.
 template <class Mask>
 VESICA_INLINE constexpr Verdict<Mask> certain_containment(const CertainFacts<Mask>& s) noexcept {
   return {s.contains, either(s.disjoint, s.not_contains)};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What filters are made of: a computed value with a bound on its error, and the answer that the bound allows.
+/// The parts of filters: a computed value with a bound on its error, and the answer that the bound allows.
 ///
 /// Every filter is a template over V: double for scalar calls, lanes of double or float for batches. In the comments
 /// u is the greatest relative error of one operation, and errors are to first order in u; the constants in the code

@@ -118,13 +118,13 @@ class Unit {
     if (is_zero_) exponent_ = 0;
   }
 
-  /// Whether all numbers are finite, and their sum is 0 or from 2^-300 to 2^300. Only then may numbers be made.
+  /// True if all numbers are finite, and their sum is 0 or from 2^-300 to 2^300. Only then may numbers be made.
   VESICA_INLINE constexpr bool is_usable() const noexcept { return usable_; }
-  /// Whether all numbers are 0, which are multiples of any unit.
+  /// True if all numbers are 0, which are multiples of any unit.
   VESICA_INLINE constexpr bool is_zero() const noexcept { return is_zero_; }
   /// log2 of the unit.
   VESICA_INLINE constexpr int exponent() const noexcept { return exponent_; }
-  /// Whether all numbers so far were multiples of the unit.
+  /// True if all numbers so far were multiples of the unit.
   VESICA_INLINE constexpr bool divides() const noexcept { return divides_; }
 
   /// x in units. No product is rounded, unless x is too small to count.
