@@ -42,6 +42,6 @@ test('the reference has every function, each once', async () => {
     .map((page) => readFileSync(`${process.env.VESICA_SITE}/reference/${page}.html`, 'utf8'))
     .join();
   for (const { name } of description.functions) assert.equal(text.split(`</span>${name}()</h2>`).length, 2, name);
-  assert.equal(text.split('These rules hold for every function').length, 2);
+  assert.equal(text.split('The rules here hold for every function').length, 2);
   await closeQuietly(await open('reference/index.html'));
 });
