@@ -38,44 +38,67 @@ VESICA_COLD inline ExactBody exact_body(const Body& body) noexcept {
   return with_shape(body, [](const auto& s) { return exact_body(exact::form(s)); });
 }
 
-/// A shape's reach h across v, and x.v for a point x at that reach. A box has h and x.v; if an edge lies along v, x is
-/// the middle of the edge, and `edge` is half the length of the edge times |v|. A round shape has `squared` = h^2 and m
-/// = h x.v.
-struct ExactReach {
-  bool round;
+/// How far the boxes of a pair reach across v together: h, and x.v of a point x at that reach. If an edge lies along v,
+/// x is its middle, and `edge` is half its length times |v|.
+struct BoxReach {
   Number<3> h, along, edge;
-  Number<6> squared, m;
 
-  ExactReach(const ExactBody& b, const Number<1>& vx, const Number<1>& vy) noexcept : round(b.round) {
-    const auto& [cx, cy, ux, uy, hx, hy] = b.box;
-    const auto c = exact::dot(ux, uy, vx, vy), k = exact::cross(ux, uy, vx, vy);
-    if (round) {
-      squared = exact::square(hx * k) + exact::square(hy * c);
-      m = (exact::square(hy) - exact::square(hx)) * (c * k);
-      return;
-    }
-    auto first = hx * c, second = hy * k;
-    h = hx * exact::abs(k) + hy * exact::abs(c);
-    if (k.sign == 0) edge = exact::abs(first);
-    if (c.sign == 0) edge = edge + exact::abs(second);
-    first.sign *= -k.sign;
-    second.sign *= c.sign;
-    along = first + second;
+  void add(const exact::Box& box, const Number<1>& vx, const Number<1>& vy) noexcept {
+    const auto c = exact::dot(box.ux, box.uy, vx, vy), k = exact::cross(box.ux, box.uy, vx, vy);
+    add(box.hx, c, k);
+    add(box.hy, k, c, -1);
   }
 
-  bool is_long() const noexcept { return exact::is_long(squared) || exact::is_long(h); }
+ private:
+  /// One half axis: its length times |u| reaches `forward` along v and `across` it.
+  void add(const exact::Length& half, const Number<2>& forward, const Number<2>& across, int turn = 1) noexcept {
+    auto reach = half * forward;
+    h = h + half * exact::abs(across);
+    if (across.sign == 0) edge = edge + exact::abs(reach);
+    reach.sign *= -turn * across.sign;
+    along = along + reach;
+  }
+};
+
+/// The reach h of a round shape across v: `squared` = h^2, and m = h x.v.
+struct RoundReach {
+  Number<6> squared, m;
+
+  void set(const exact::Box& round, const Number<1>& vx, const Number<1>& vy) noexcept {
+    const auto c = exact::dot(round.ux, round.uy, vx, vy), k = exact::cross(round.ux, round.uy, vx, vy);
+    const auto p = round.hx * k, q = round.hy * c;
+    squared = exact::dot(p, q, p, q);
+    m = (exact::square(round.hy) - exact::square(round.hx)) * (c * k);
+  }
+};
+
+/// The reach H of M across v: that of the boxes, and of so many round shapes.
+struct ExactReach {
+  BoxReach box;
+  RoundReach round[2];
+  int rounds = 0;
+
+  void add(const ExactBody& body, const Number<1>& vx, const Number<1>& vy) noexcept {
+    if (body.round) {
+      round[rounds++].set(body.box, vx, vy);
+    } else {
+      box.add(body.box, vx, vy);
+    }
+  }
+  bool is_long() const noexcept { return exact::is_long(round[0].squared) || exact::is_long(round[1].squared); }
 };
 
 /// Sign of |w| - H. Degree 3, 6 or 12.
-inline int line_gap(const ExactReach& a, const ExactReach& b, const Number<2>& w) noexcept {
-  if (!a.round && !b.round) return exact::compare(exact::abs(w), a.h + b.h);
-  if (a.round && b.round) {
+VESICA_CALLED inline int line_gap(const ExactReach& reach, const Number<2>& w) noexcept {
+  const RoundReach &a = reach.round[0], &b = reach.round[1];
+  if (reach.rounds == 2) {
     const auto rest = exact::square(w) - a.squared - b.squared;
     if (rest.sign < 0) return -1;
     return -exact::compare_product_with_square(exact::integer(4) * a.squared, b.squared, rest);
   }
-  const auto rest = exact::abs(w) - (a.round ? b.h : a.h);
-  return rest.sign < 0 ? -1 : exact::compare(exact::square(rest), a.round ? a.squared : b.squared);
+  const auto rest = exact::abs(w) - reach.box.h;
+  if (reach.rounds == 0 || rest.sign < 0) return rest.sign;
+  return exact::compare(exact::square(rest), a.squared);
 }
 
 /// Sign of a sqrt(x) + b sqrt(y), x, y > 0.
@@ -96,24 +119,22 @@ int sum_of_roots(const Leading<limbs>& a, const Leading<limbs>& x, const Leading
 }
 
 /// Sign of w X - q H. With q = D.v + e v.v it is the sign of t_w - e. Degree 6, 18 or 24.
-template <int Q>
-int witness_sign(const ExactReach& a, const ExactReach& b, const Number<2>& w, const Number<Q>& q) noexcept {
-  if (!a.round && !b.round) {
-    const auto reach = a.h + b.h;
-    return reach.sign == 0 ? -q.sign : exact::compare(w * (a.along + b.along), q * reach);
+VESICA_CALLED inline int witness_sign(const ExactReach& reach, const Number<2>& w, const Number<3>& q) noexcept {
+  using exact::cross;
+  const BoxReach& box = reach.box;
+  const RoundReach &a = reach.round[0], &b = reach.round[1];
+  if (reach.rounds == 0) return box.h.sign == 0 ? -q.sign : exact::compare_products(w, box.along, q, box.h);
+  if (reach.rounds == 1) {
+    return exact::detail::sign_with_root(cross(w, q, a.squared, a.m), cross(w, q, box.h, box.along), a.squared);
   }
-  const auto of_round = [&](const auto& x, const auto& y, const auto& m_a, const auto& squared_a, const auto& m_b,
+  const auto of_rounds = [](const auto& x, const auto& y, const auto& m_a, const auto& squared_a, const auto& m_b,
                             const auto& squared_b) {
-    return sum_of_roots(x * m_a - y * squared_a, squared_b, x * m_b - y * squared_b, squared_a);
+    return sum_of_roots(cross(x, y, squared_a, m_a), squared_b, cross(x, y, squared_b, m_b), squared_a);
   };
-  if (a.round && b.round) {
-    using Few = Leading<exact::few_limbs>;
-    const bool is_long = a.is_long() || b.is_long();
-    const int sign = is_long ? of_round(Few(w), Few(q), Few(a.m), Few(a.squared), Few(b.m), Few(b.squared)) : 0;
-    return sign != 0 ? sign : of_round(w, q, a.m, a.squared, b.m, b.squared);
-  }
-  const ExactReach &round = a.round ? a : b, &box = a.round ? b : a;
-  return exact::detail::sign_with_root(w * round.m - q * round.squared, w * box.along - q * box.h, round.squared);
+  using Few = Leading<exact::few_limbs>;
+  const int sign =
+      reach.is_long() ? of_rounds(Few(w), Few(q), Few(a.m), Few(a.squared), Few(b.m), Few(b.squared)) : 0;
+  return sign != 0 ? sign : of_rounds(w, q, a.m, a.squared, b.m, b.squared);
 }
 
 /// The range of bits for which exact lengths have storage. Axes are lengths too. All lengths are multiplied by one
@@ -161,21 +182,12 @@ enum class Contact { none, touch, inside, beyond };
 /// A pair and its motion, v != 0, in exact numbers.
 class ExactPair {
  public:
-  ExactPair(const Body& a, const Body& b, const Motion& motion) noexcept
-      : a_(exact_body(a)),
-        b_(exact_body(b)),
-        vx_(exact::from_double(motion.vx)),
-        vy_(exact::from_double(motion.vy)),
-        dx_(b_.box.cx - a_.box.cx),
-        dy_(b_.box.cy - a_.box.cy),
-        w_(exact::cross(vx_, vy_, dx_, dy_)),
-        q_(exact::dot(dx_, dy_, vx_, vy_)),
-        vv_(exact::dot(vx_, vy_, vx_, vy_)),
-        reach_a_(a_, vx_, vy_),
-        reach_b_(b_, vx_, vy_),
-        gap_(line_gap(reach_a_, reach_b_, w_)) {}
+  ExactPair(const Body& a, const Body& b, const Motion& motion) noexcept : a_(a), b_(b), motion_(motion) {
+    set();
+    gap_ = line_gap(reach_, w_);
+  }
 
-  bool of_boxes() const noexcept { return !a_.round && !b_.round; }
+  bool of_boxes() const noexcept { return reach_.rounds == 0; }
   bool line_misses() const noexcept { return gap_ > 0; }
   /// The line only touches M, or M has no extent across it.
   bool line_grazes() const noexcept { return gap_ == 0; }
@@ -183,10 +195,7 @@ class ExactPair {
   int side() const noexcept { return w_.sign; }
 
   /// Sign of t_w - t for a line that meets M.
-  int witness_after(double t) const noexcept {
-    if (t == 0) return witness_sign(reach_a_, reach_b_, w_, q_);
-    return witness_sign(reach_a_, reach_b_, w_, q_ + exact::from_double(t) * vv_);
-  }
+  int witness_after(double t) const noexcept { return witness_sign(reach_, w_, q_at(t)); }
 
   /// Remembers the last answer: the end is often the time of contact.
   Contact contact_at(double t) const noexcept {
@@ -201,12 +210,7 @@ class ExactPair {
   /// witness, is the first contact. A line that grazes meets M in an edge along v, the witness being the middle.
   int contact_before(double t) const noexcept {
     if (!(t > 0)) return 0;
-    if (line_grazes()) {
-      const auto edge = reach_a_.edge + reach_b_.edge;
-      if (edge.sign == 0) return witness_after(t) < 0 ? 1 : 0;
-      const auto q = q_ + exact::from_double(t) * vv_ + edge;
-      return witness_sign(reach_a_, reach_b_, w_, q) < 0 ? 1 : 0;
-    }
+    if (line_grazes()) return witness_sign(reach_, w_, q_at(t) + reach_.box.edge) < 0 ? 1 : 0;
     if (t == asked_.time && asked_.contact == Contact::inside) return 1;
     if (witness_after(t) < 0) return 1;
     const Contact contact = contact_at(t);
@@ -214,36 +218,58 @@ class ExactPair {
   }
 
  private:
-  VESICA_COLD Contact find_contact(double t) const noexcept {
+  VESICA_CALLED void set() noexcept {
+    const ExactBody a = exact_body(a_), b = exact_body(b_);
+    const auto vx = exact::from_double(motion_.vx), vy = exact::from_double(motion_.vy);
+    const auto dx = b.box.cx - a.box.cx, dy = b.box.cy - a.box.cy;
+    w_ = exact::cross(vx, vy, dx, dy);
+    q_ = exact::dot(dx, dy, vx, vy);
+    vv_ = exact::dot(vx, vy, vx, vy);
+    reach_.add(a, vx, vy);
+    reach_.add(b, vx, vy);
+  }
+  /// D.v + t v.v
+  Number<3> q_at(double t) const noexcept { return q_ + exact::from_double(t) * vv_; }
+
+  /// b's place in a's frame at t: the shapes with a's centre at 0.
+  VESICA_CALLED bool place(double t, ExactBody& a, ExactBody& b) const noexcept {
     const auto time = exact::from_double(t);
-    const Number<2> x = dx_ + time * vx_, y = dy_ + time * vy_;
+    const Number<2> x = (b.box.cx - a.box.cx) + time * exact::from_double(motion_.vx),
+                    y = (b.box.cy - a.box.cy) + time * exact::from_double(motion_.vy);
     BitRange range;
     range.hold(x);
     range.hold(y);
-    for (const ExactBody* body : {&a_, &b_}) {
+    for (const ExactBody* body : {&a, &b}) {
       range.hold(body->box.ux);
       range.hold(body->box.uy);
     }
-    if (!range.place()) return Contact::beyond;
-    const ExactBody a = placed(a_, {}, {}, range), b = placed(b_, range.moved(x), range.moved(y), range);
-    if (a.round) return b.round ? contact(a.ellipse(), b.ellipse()) : contact(b.box, a.ellipse());
-    return b.round ? contact(a.box, b.ellipse()) : contact(a.box, b.box);
+    if (!range.place()) return false;
+    for (ExactBody* body : {&a, &b}) {
+      body->box.ux = range.moved(body->box.ux);
+      body->box.uy = range.moved(body->box.uy);
+    }
+    a.box.cx = a.box.cy = {};
+    b.box.cx = range.moved(x);
+    b.box.cy = range.moved(y);
+    return true;
   }
-  static ExactBody placed(const ExactBody& body, const exact::Length& x, const exact::Length& y,
-                          const BitRange& range) noexcept {
-    return {{x, y, range.moved(body.box.ux), range.moved(body.box.uy), body.box.hx, body.box.hy}, body.round};
+  VESICA_CALLED Contact find_contact(double t) const noexcept {
+    ExactBody a = exact_body(a_), b = exact_body(b_);
+    if (!place(t, a, b)) return Contact::beyond;
+    if (!a.round) return b.round ? contact(a.box, b.ellipse()) : contact(a.box, b.box);
+    return b.round ? contact(a.ellipse(), b.ellipse()) : contact(a.ellipse(), b.box);
   }
   template <class A, class B>
-  static Contact contact(const A& a, const B& b) noexcept {
+  VESICA_CALLED static Contact contact(const A& a, const B& b) noexcept {
     const depth::Overlap found = depth::overlap_and_depth(a, b);
     if (found == depth::Overlap::none) return Contact::none;
     return found == depth::Overlap::some_without_depth ? Contact::touch : Contact::inside;
   }
 
-  ExactBody a_, b_;
-  Number<1> vx_, vy_, dx_, dy_;
+  const Body &a_, &b_;
+  Motion motion_;
   Number<2> w_, q_, vv_;
-  ExactReach reach_a_, reach_b_;
+  ExactReach reach_;
   int gap_;
   mutable struct {
     double time;

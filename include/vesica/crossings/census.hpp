@@ -14,20 +14,21 @@ struct Census {
   bool equal;
 };
 
-/// With three equal roots of p, contact is of the highest order.
-inline bool has_triple_root(const exact::ContactCubic& p) noexcept {
-  return (exact::square(p.c2) - exact::integer(3) * (p.d2 * p.c1)).sign == 0;
+/// With three equal roots of p, contact is of the highest order. Not inlined, for its numbers' stack.
+VESICA_CALLED inline bool has_triple_root(const exact::ContactCubic& p) noexcept {
+  return exact::compare_products(p.c2, p.c2, exact::integer(3) * p.d2, p.c1) == 0;
 }
 
 /// With the double root x0 = -B / (2A) of p, whether S1 + x0 S2 has rank 1: d2 x0^2 + mu x0 + d1 = 0. Of nested
 /// ellipses, these touch at two places. p'(x0) = c1 + 2 c2 x0 + 3 d2 x0^2 = 0 makes it (3 mu - 2 c2) x0 = c1 - 3 d1:
 /// degree 24.
-inline bool has_rank_one(const exact::ContactCubic& p) noexcept {
-  const auto a = exact::square(p.c2) - exact::integer(3) * (p.d2 * p.c1);
-  const auto b = p.c1 * p.c2 - exact::integer(9) * (p.d1 * p.d2);
-  const exact::Number<8> left = exact::integer(2) * p.c2 - exact::integer(3) * p.mu;
+VESICA_CALLED inline bool has_rank_one(const exact::ContactCubic& p) noexcept {
+  using exact::detail::difference_of_multiples;
+  const auto a = difference_of_multiples(1, p.c2, p.c2, 3, p.d2, p.c1);
+  const auto b = difference_of_multiples(1, p.c1, p.c2, 9, p.d1, p.d2);
+  const exact::Number<8> left = exact::detail::slope_of(p);
   const exact::Number<8> right = exact::integer(2) * p.c1 - exact::integer(6) * p.d1;
-  return exact::compare(left * b, right * a) == 0;
+  return exact::compare_products(left, b, right, a) == 0;
 }
 
 /// The census of nested ellipses that touch: p has a multiple root.

@@ -28,10 +28,16 @@ struct Harmonics {
     const exact::Number<4> none;
     const bool within = is_within(o);
     const exact::Number<4>&of_c = within ? none : o.radius, &of_axes = within ? o.radius : none;
-    const exact::Number<8> pp = beyond_rim(o.p.x, o.p.y, of_axes), qq = beyond_rim(o.q.x, o.q.y, of_axes);
-    exact::Number<8> terms[5] = {exact::integer(2) * beyond_rim(o.c.x, o.c.y, of_c) + pp + qq,
-                                 exact::integer(4) * dot(o.c, o.p), exact::integer(4) * dot(o.c, o.q), pp - qq,
-                                 exact::integer(2) * (along(o) * across(o))};
+    exact::Number<8> terms[5];
+    {
+      const exact::Number<8> pp = beyond_rim(o.p.x, o.p.y, of_axes), qq = beyond_rim(o.q.x, o.q.y, of_axes);
+      terms[0] = pp + qq;
+      terms[3] = pp - qq;
+    }
+    terms[0] = terms[0] + exact::integer(2) * beyond_rim(o.c.x, o.c.y, of_c);
+    terms[1] = exact::integer(4) * dot(o.c, o.p);
+    terms[2] = exact::integer(4) * dot(o.c, o.q);
+    terms[4] = exact::integer(2) * (along(o) * across(o));
     std::int64_t top = std::numeric_limits<std::int64_t>::min();
     for (const auto& x : terms) {
       if (x.sign != 0) top = std::max(top, exact::detail::top_bit(x));

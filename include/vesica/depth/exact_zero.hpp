@@ -43,27 +43,30 @@ inline Overlap overlap_and_depth(const exact::Box& a, const exact::Ellipse& b) n
   return gap > 0 ? Overlap::none : gap == 0 ? Overlap::some_without_depth : Overlap::some_with_depth;
 }
 
-/// As exact::overlap and exact::relation decide it. Never inlined: its numbers would stay on its callers' stacks.
-VESICA_CALLED inline Overlap overlap_and_depth(const exact::Ellipse& a, const exact::Ellipse& b) noexcept {
-  if (degenerate(a)) return overlap_and_depth(as_box(a), b);
-  if (degenerate(b)) return overlap_and_depth(as_box(b), a);
-  const exact::ContactCubic p = exact::contact_cubic(a, b);
+inline Overlap overlap_and_depth(const exact::Ellipse& a, const exact::Box& b) noexcept {
+  return overlap_and_depth(b, a);
+}
+
+/// As exact::overlap and exact::relation decide it, neither degenerate. Never inlined: its numbers would stay on its
+/// callers' stacks.
+VESICA_CALLED inline Overlap overlap_and_depth_by_cubic(const exact::Ellipse& a, const exact::Ellipse& b) noexcept {
+  const exact::Cubic p = exact::cubic(a, b);
   const int roots = p.c1.sign < 0 || p.c2.sign < 0 ? exact::discriminant_sign(p) : -1;
   return roots > 0 ? Overlap::none : roots == 0 ? Overlap::some_without_depth : Overlap::some_with_depth;
 }
+/// The same, either degenerate. Never inlined, for the boxes.
+VESICA_CALLED inline Overlap overlap_and_depth_of_degenerate(const exact::Ellipse& a,
+                                                             const exact::Ellipse& b) noexcept {
+  return degenerate(a) ? overlap_and_depth(as_box(a), b) : overlap_and_depth(as_box(b), a);
+}
+inline Overlap overlap_and_depth(const exact::Ellipse& a, const exact::Ellipse& b) noexcept {
+  return degenerate(a) || degenerate(b) ? overlap_and_depth_of_degenerate(a, b) : overlap_and_depth_by_cubic(a, b);
+}
 
-/// For shapes that overlap. contact() asks for the sum's relative inside, which with area is its inside.
-inline bool has_no_depth(const exact::Box& a, const exact::Box& b) noexcept {
-  return sum_is_flat(a, b) || contact(a, b) == 0;
-}
-inline bool has_no_depth(const exact::Box& a, const exact::Ellipse& b) noexcept {
-  return degenerate(b) ? has_no_depth(a, as_box(b)) : contact(a, b) == 0;
-}
-inline bool has_no_depth(const exact::Ellipse& a, const exact::Box& b) noexcept { return has_no_depth(b, a); }
-inline bool has_no_depth(const exact::Ellipse& a, const exact::Ellipse& b) noexcept {
-  if (degenerate(a)) return has_no_depth(as_box(a), b);
-  if (degenerate(b)) return has_no_depth(a, as_box(b));
-  return exact::relation(a, b) == Relation::touch;
+/// For shapes that overlap.
+template <class A, class B>
+bool has_no_depth(const A& a, const B& b) noexcept {
+  return overlap_and_depth(a, b) == Overlap::some_without_depth;
 }
 
 }  // namespace vesica::detail::depth

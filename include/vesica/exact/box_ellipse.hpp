@@ -17,9 +17,11 @@ constexpr int segment_gap(const Number<6>& p00, const Number<6>& p01, const Numb
                           const Number<3>& to, const Inside& inside) noexcept {
   const Number<6> room = p00 - square(x);
   if (room.sign < 0) return 1;
-  const Number<9> centre = p01 * x, before = p00 * from - centre;
-  if (before.sign > 0) return -inside(from, room, before);
-  const Number<9> after = centre - p00 * to;
+  {
+    const Number<9> before = sum_of_products(p00, from, -1, p01, x);
+    if (before.sign > 0) return -inside(from, room, before);
+  }
+  const Number<9> after = sum_of_products(p01, x, -1, p00, to);
   return after.sign > 0 ? -inside(to, room, after) : -room.sign;
 }
 
@@ -72,13 +74,13 @@ struct VisibleEdges {
       if (has_near_corner && &end == &near_y) near_corner = inside;
       return inside;
     };
-    const int gap_x = segment_gap(aa * cc + bb * ss, p01, x, near_y, far_y, at_x);
+    const int gap_x = segment_gap(sum_of_products(aa, cc, 1, bb, ss), p01, x, near_y, far_y, at_x);
     if (gap_x <= enough) return gap_x;
     const auto at_y = [&](const Number<3>& end, const Number<6>& room, const Number<9>& beside) {
       if (&end == &near_x && near_corner != unknown) return near_corner;
       return compare_product_with_square(det, room, beside);
     };
-    const int gap_y = segment_gap(aa * ss + bb * cc, p01, y, near_x, far_x, at_y);
+    const int gap_y = segment_gap(sum_of_products(aa, ss, 1, bb, cc), p01, y, near_x, far_x, at_y);
     return gap_x < gap_y ? gap_x : gap_y;
   }
 };

@@ -21,21 +21,35 @@ constexpr int compare_products_by_size(const Number<A>& a, const Number<B>& b, c
   return left + 1 < right ? -sign : right + 1 < left ? sign : 2;
 }
 
+/// Sign of |a b| - |c d|, none of them zero; `room` holds either product.
+constexpr int compare_magnitudes_of_products(const Span& a, const Span& b, const Span& c, const Span& d,
+                                             Limb* room) noexcept {
+  // A square is placed first: it is quicker than its rows are.
+  if (c.limb == d.limb && a.limb != b.limb) return -compare_magnitudes_of_products(c, d, a, b, room);
+  const Grid grid(a, b, c, d);
+  place_product(a, b, grid.low, grid.size, room);
+  if (subtract_product(c, d, grid.low, grid.size, room)) return -1;
+  for (int i = 0; i < grid.size; ++i) {
+    if (room[i] != 0) return 1;
+  }
+  return 0;
+}
+
 }  // namespace detail
 
-/// Sign of a b - c d. Not inlined: the products take stack only here.
+/// Sign of a b - c d, in one buffer. Not inlined: the buffer takes stack only here.
 template <int A, int B, int C, int D>
 VESICA_CALLED constexpr int compare_products(const Number<A>& a, const Number<B>& b, const Number<C>& c,
                                              const Number<D>& d) noexcept {
   const int by_size = detail::compare_products_by_size(a, b, c, d);
-  return by_size < 2 ? by_size : compare(a * b, c * d);
+  if (by_size < 2) return by_size;
+  Limb room[std::size_t{limb_capacity(A + B > C + D ? A + B : C + D)}];
+  return a.sign * b.sign * detail::compare_magnitudes_of_products(a.span(), b.span(), c.span(), d.span(), room);
 }
 /// Sign of a b - c^2.
 template <int A, int B, int C>
-VESICA_CALLED constexpr int compare_product_with_square(const Number<A>& a, const Number<B>& b,
-                                                        const Number<C>& c) noexcept {
-  const int by_size = detail::compare_products_by_size(a, b, c, c);
-  return by_size < 2 ? by_size : compare(a * b, square(c));
+constexpr int compare_product_with_square(const Number<A>& a, const Number<B>& b, const Number<C>& c) noexcept {
+  return compare_products(a, b, c, c);
 }
 /// Sign of a^2 x - b^2 y.
 template <int A, int X, int B, int Y>

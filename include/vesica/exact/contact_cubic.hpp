@@ -17,7 +17,7 @@ constexpr Image<Degree + 2> image(const Ellipse& f, const Number<Degree>& x, con
 }
 template <int A, int B>
 constexpr Number<A + B> dot(const Image<A>& p, const Image<B>& q) noexcept {
-  return p.x * q.x + p.y * q.y;
+  return detail::sum_of_products(p.x, q.x, 1, p.y, q.y);
 }
 
 /// e's outline C + P cos + Q sin seen from f, and the rim of f.
@@ -47,32 +47,48 @@ struct Outline {
 /// stays at most 1 on 0 < l < 1. With x = l / (1 - l), cleared of fractions, that is
 /// p(x) = (1 + x) det(S1 + x S2) - x D . adj(S1 + x S2) D, where det = d1 + mu x + d2 x^2 and the rest al + be x.
 /// J. W. Perram and M. S. Wertheim, J. Comput. Phys. 58 (1985) 409.
-struct ContactCubic {
-  Number<8> d1, c1, c2, d2, mu, al, be;
-
-  constexpr void set(const Outline& o) noexcept {
-    const Ellipse &e = o.e, &f = o.f;
-    const Image<3> from_e = image(e, f.cx - e.cx, f.cy - e.cy);
-    mu = square(o.p.x) + square(o.p.y) + square(o.q.x) + square(o.q.y);
-    al = square(from_e.x) + square(from_e.y);
-    be = square(o.c.x) + square(o.c.y);
-    d1 = square(e.a * e.b * dot(e.ux, e.uy, e.ux, e.uy));
-    d2 = square(o.radius);
-    c1 = d1 + mu - al;
-    c2 = d2 + mu - be;
-  }
-  /// Not inlined: the outline takes stack that is not needed later.
-  VESICA_CALLED constexpr void set(const Ellipse& e, const Ellipse& f) noexcept { set(Outline(e, f)); }
+struct Cubic {
+  Number<8> d1, c1, c2, d2;
 };
 
-constexpr ContactCubic contact_cubic(const Outline& o) noexcept {
-  ContactCubic p;
-  p.set(o);
+/// The cubic, and what it is made of.
+struct ContactCubic : Cubic {
+  Number<8> mu, al, be;
+};
+
+namespace detail {
+
+/// Sets the cubic and mu, al, be.
+constexpr void set(const Outline& o, Cubic& p, Number<8>& mu, Number<8>& al, Number<8>& be) noexcept {
+  const Ellipse &e = o.e, &f = o.f;
+  const Image<3> from_e = image(e, f.cx - e.cx, f.cy - e.cy);
+  mu = sum_of_products(o.p.x, o.p.x, 1, o.p.y, o.p.y) + sum_of_products(o.q.x, o.q.x, 1, o.q.y, o.q.y);
+  al = sum_of_products(from_e.x, from_e.x, 1, from_e.y, from_e.y);
+  be = sum_of_products(o.c.x, o.c.x, 1, o.c.y, o.c.y);
+  p.d1 = square(e.a * e.b * dot(e.ux, e.uy, e.ux, e.uy));
+  p.d2 = square(o.radius);
+  p.c1 = p.d1 + mu - al;
+  p.c2 = p.d2 + mu - be;
+}
+/// Not inlined: the outline takes stack that is not needed later.
+VESICA_CALLED constexpr void set(const Ellipse& e, const Ellipse& f, ContactCubic& p) noexcept {
+  set(Outline(e, f), p, p.mu, p.al, p.be);
+}
+VESICA_CALLED constexpr void set(const Ellipse& e, const Ellipse& f, Cubic& p) noexcept {
+  Number<8> mu, al, be;
+  set(Outline(e, f), p, mu, al, be);
+}
+
+}  // namespace detail
+
+constexpr Cubic cubic(const Ellipse& e, const Ellipse& f) noexcept {
+  Cubic p;
+  detail::set(e, f, p);
   return p;
 }
 constexpr ContactCubic contact_cubic(const Ellipse& e, const Ellipse& f) noexcept {
   ContactCubic p;
-  p.set(e, f);
+  detail::set(e, f, p);
   return p;
 }
 

@@ -15,7 +15,7 @@ namespace detail {
 /// discriminant is not positive: p has one real root, which is negative, or a multiple one. Not inlined: boxes do not
 /// need this stack.
 VESICA_CALLED constexpr bool overlap_by_cubic(const Ellipse& e, const Ellipse& f) noexcept {
-  const ContactCubic p = contact_cubic(e, f);
+  const Cubic p = cubic(e, f);
   if (p.c1.sign >= 0 && p.c2.sign >= 0) return true;
   return discriminant_sign(p) <= 0;
 }
@@ -42,9 +42,16 @@ constexpr Relation concentric(const ContactCubic& p) noexcept {
 }
 
 /// mu^2 - 4 d1 d2.
-constexpr Number<16> delta(const ContactCubic& p) noexcept { return sum_of_products(1, p.mu, p.mu, -4, p.d1, p.d2); }
+constexpr Number<16> delta(const ContactCubic& p) noexcept {
+  return difference_of_multiples(1, p.mu, p.mu, 4, p.d1, p.d2);
+}
 
-// The three signs of first_in_second(), one function each: so their numbers share stack.
+// The numbers of first_in_second(), one function each, so that they share stack.
+
+/// 2 c2 - 3 mu.
+VESICA_CALLED constexpr Number<8> slope_of(const ContactCubic& p) noexcept {
+  return integer(2) * p.c2 - integer(3) * p.mu;
+}
 
 /// Sign of slope - 3 sqrt(delta), which q''(y+) has.
 VESICA_CALLED constexpr int bend_sign(const ContactCubic& p, const Number<8>& slope) noexcept {
@@ -53,11 +60,11 @@ VESICA_CALLED constexpr int bend_sign(const ContactCubic& p, const Number<8>& sl
 /// Sign of slope^2 delta - rest^2 with rest = slope mu + 2 d2 turn, without the factor 4 d2: q'(y+) has it.
 VESICA_CALLED constexpr int rise_sign(const ContactCubic& p, const Number<8>& slope) noexcept {
   const Number<8> turn = integer(3) * p.d1 - p.c1;
-  return compare_products(-turn, sum_of_products(1, p.mu, slope, 1, p.d2, turn), p.d1, square(slope));
+  return compare_products(-turn, sum_of_products(p.mu, slope, 1, p.d2, turn), p.d1, square(slope));
 }
 /// True if q(y+) is 0.
 VESICA_CALLED constexpr bool reaches_zero(const ContactCubic& p) noexcept {
-  return sign_with_root(sum_of_products(2, p.d2, p.al, -1, p.be, p.mu), -p.be, delta(p)) == 0;
+  return sign_with_root(difference_of_multiples(2, p.d2, p.al, 1, p.be, p.mu), -p.be, delta(p)) == 0;
 }
 
 /// True if the first ellipse lies in the second, for ellipses that overlap without a common centre, the first of lesser
@@ -71,7 +78,7 @@ VESICA_CALLED constexpr bool reaches_zero(const ContactCubic& p) noexcept {
 /// S1 = diag(s, t), S2 = 1 and D = (x, y) it is -2 (s x^2 + t y^2) - (s - t)^2. So q' has the sign of
 /// slope^2 delta - rest^2, of which 4 d2 is a factor. Degree 32.
 VESICA_CALLED constexpr bool first_in_second(const ContactCubic& p) noexcept {
-  const Number<8> slope = integer(2) * p.c2 - integer(3) * p.mu;
+  const Number<8> slope = slope_of(p);
   if (slope.sign <= 0) return false;
   if (bend_sign(p, slope) > 0) return true;
   const int rising = rise_sign(p, slope);

@@ -68,14 +68,13 @@ constexpr Box as_box(const Ellipse& e) noexcept { return {e.cx, e.cy, e.ux, e.uy
 template <int A, int B>
 constexpr Number<A + B> dot(const Number<A>& ux, const Number<A>& uy, const Number<B>& wx,
                             const Number<B>& wy) noexcept {
-  return ux * wx + uy * wy;
+  return detail::sum_of_products(ux, wx, 1, uy, wy);
 }
 
 /// u x w
-template <int A, int B>
-constexpr Number<A + B> cross(const Number<A>& ux, const Number<A>& uy, const Number<B>& wx,
-                              const Number<B>& wy) noexcept {
-  return ux * wy - uy * wx;
+template <int A, int B, int C, int D>
+constexpr auto cross(const Number<A>& ux, const Number<B>& uy, const Number<C>& wx, const Number<D>& wy) noexcept {
+  return detail::sum_of_products(ux, wy, -1, uy, wx);
 }
 
 /// How far a point is beyond the rim of the disc of radius r about the origin: x^2 + y^2 - r^2 as

@@ -90,6 +90,18 @@ constexpr Limb add_multiple(Limb factor, const Limb* a, int n, Limb* out) noexce
   return carry;
 }
 
+/// out[0, n) -= factor * a; returns what is borrowed.
+constexpr Limb subtract_multiple(Limb factor, const Limb* a, int n, Limb* out) noexcept {
+  Limb borrow = 0;
+  for (const Limb* const end = a + n; a != end; ++a, ++out) {
+    const LimbPair product = multiply_add(factor, *a, borrow, 0);
+    const Limb before = *out;
+    *out = before - product.low;
+    borrow = product.high + (before < product.low ? 1 : 0);
+  }
+  return borrow;
+}
+
 /// out[0, n) = factor * a; returns what is carried out of it.
 constexpr Limb set_multiple(Limb factor, const Limb* a, int n, Limb* out) noexcept {
   Limb carry = 0;
@@ -198,6 +210,63 @@ constexpr void subtract_magnitude(const Span& a, const Span& b, int low, int n, 
     borrow = total.high;
   }
   for (; borrow != 0; ++difference) borrow = (*difference)-- == 0;
+}
+
+/// out[0, n) = |a b| on the grid from low on, a and b not zero.
+constexpr void place_product(const Span& a, const Span& b, int low, int n, Limb* out) noexcept {
+  const int zeros = a.low + b.low - low, end = zeros + a.size + b.size;
+  for (int i = 0; i < zeros; ++i) out[i] = 0;
+  if (a.limb == b.limb) {
+    multiply_by_itself(a.limb, a.size, out + zeros);
+  } else {
+    const Span &shorter = a.size <= b.size ? a : b, &longer = a.size <= b.size ? b : a;
+    multiply(shorter.limb, shorter.size, longer.limb, longer.size, out + zeros);
+  }
+  for (int i = end; i < n; ++i) out[i] = 0;
+}
+
+/// out += |a b| on the grid from low on; out has room for the carry.
+constexpr void add_product(const Span& a, const Span& b, int low, Limb* out) noexcept {
+  const Span &shorter = a.size <= b.size ? a : b, &longer = a.size <= b.size ? b : a;
+  Limb* row = out + (a.low + b.low - low);
+  for (int i = 0; i < shorter.size; ++i, ++row) {
+    if (shorter.limb[i] == 0) continue;
+    Limb carry = add_multiple(shorter.limb[i], longer.limb, longer.size, row);
+    for (Limb* above = row + longer.size; carry != 0; ++above) {
+      *above += carry;
+      carry = *above < carry ? 1 : 0;
+    }
+  }
+}
+
+/// out[0, n) -= |a b| on the grid from low on. Returns true if the difference is negative: then it is off by 2^(64 n).
+constexpr bool subtract_product(const Span& a, const Span& b, int low, int n, Limb* out) noexcept {
+  const Span &shorter = a.size <= b.size ? a : b, &longer = a.size <= b.size ? b : a;
+  Limb* row = out + (a.low + b.low - low);
+  bool negative = false;
+  for (int i = 0; i < shorter.size; ++i, ++row) {
+    if (shorter.limb[i] == 0) continue;
+    Limb borrow = subtract_multiple(shorter.limb[i], longer.limb, longer.size, row);
+    for (Limb* above = row + longer.size; borrow != 0; ++above) {
+      if (above == out + n) {
+        negative = true;
+        break;
+      }
+      const Limb before = *above;
+      *above = before - borrow;
+      borrow = before < borrow ? 1 : 0;
+    }
+  }
+  return negative;
+}
+
+/// out[0, n) = 2^(64 n) - out.
+constexpr void negate(int n, Limb* out) noexcept {
+  Limb carry = 1;
+  for (int i = 0; i < n; ++i) {
+    out[i] = ~out[i] + carry;
+    carry = carry != 0 && out[i] == 0 ? 1 : 0;
+  }
 }
 
 }  // namespace detail

@@ -165,6 +165,48 @@ constexpr Number<(A > B ? A : B)> add(const Number<A>& a, const Number<B>& b, in
 
 }  // namespace detail
 
+namespace detail {
+
+/// The grid on which both of two products, a b and c d, fit.
+struct Grid {
+  int low, size;
+
+  constexpr Grid(const Span& a, const Span& b, const Span& c, const Span& d) noexcept {
+    const int low_first = a.low + b.low, low_second = c.low + d.low;
+    const int top_first = low_first + a.size + b.size, top_second = low_second + c.size + d.size;
+    low = low_first < low_second ? low_first : low_second;
+    size = (top_first > top_second ? top_first : top_second) - low;
+  }
+};
+
+/// a b + flip c d in one buffer, flip being 1 or -1.
+template <int A, int B, int C, int D>
+constexpr Number<(A + B > C + D ? A + B : C + D)> sum_of_products(const Number<A>& a, const Number<B>& b, int flip,
+                                                                  const Number<C>& c, const Number<D>& d) noexcept {
+  Number<(A + B > C + D ? A + B : C + D)> sum;
+  const int sign = a.sign * b.sign, other = flip * c.sign * d.sign;
+  if (sign == 0 && other == 0) return sum;
+  const bool first_alone = other == 0, second_alone = sign == 0;
+  const Span x = second_alone ? c.span() : a.span(), y = second_alone ? d.span() : b.span(),
+             z = first_alone ? x : c.span(), w = first_alone ? y : d.span();
+  const Grid grid(x, y, z, w);
+  sum.sign = second_alone ? other : sign;
+  sum.low = grid.low;
+  sum.size = grid.size + (sign == other ? 1 : 0);
+  assert(sum.size <= sum.capacity);
+  place_product(x, y, sum.low, sum.size, sum.limb);
+  if (sign == other) {
+    add_product(z, w, sum.low, sum.limb);
+  } else if (!first_alone && !second_alone && subtract_product(z, w, sum.low, sum.size, sum.limb)) {
+    negate(sum.size, sum.limb);
+    sum.sign = -sum.sign;
+  }
+  sum.strip();
+  return sum;
+}
+
+}  // namespace detail
+
 template <int A, int B>
 constexpr Number<(A > B ? A : B)> operator+(const Number<A>& a, const Number<B>& b) noexcept {
   return detail::add(a, b, 1);
