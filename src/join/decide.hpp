@@ -30,6 +30,20 @@ struct Columns {
   }
 };
 
+/// One shape as columns.
+struct OneShape {
+  alignas(double) unsigned char number[max_fields][sizeof(double)];
+  const void* field[max_fields];
+
+  /// The first shape of others.
+  void set(const Columns& first) noexcept {
+    for (int k = 0; k < max_fields; ++k) {
+      std::memcpy(number[k], first.column[k], sizeof number[k]);
+      field[k] = number[k];
+    }
+  }
+};
+
 /// Records are prefetched this many places ahead: both of a pair are at random places in memory.
 inline constexpr int prefetch_distance = 40;
 

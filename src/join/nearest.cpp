@@ -20,11 +20,11 @@ class Search {
   Search(const Nearest& query, const Sets& of, std::uint32_t item, const double (&box)[4], std::int64_t* out,
          T* distance) noexcept
       : query_(query), view_(query.index), out_(out), distance_(distance) {
-    one_.begin();
     many_.begin();
     const Set& set = of.set[of.of(item)];
     kind_ = set.kind;
-    gather_columns(of, kind_, &item, 1, 0, one_);
+    gather_columns(of, kind_, &item, 1, 0, many_);
+    one_.set(many_);
     if (has_core(kind_)) core_ = core_of<T>(set, item);
     constexpr bool narrow = sizeof(T) == sizeof(float);
     shape_ = {{box[0], box[1], box[2], box[3]}, 1 - (narrow ? 0x1p-22 : 0x1p-48), narrow ? 0x1p-140 : 0x1p-1070};
@@ -281,7 +281,8 @@ class Search {
   std::int64_t found_ = 0;
   std::int32_t kind_;
   Core core_{};
-  Columns one_, many_;
+  OneShape one_;
+  Columns many_;
   Heap<most_places> places_;
   /// Items that are not ready to be measured, the nearest of them, and those that are.
   static constexpr Entry nothing = __builtin_bit_cast(Entry, infinity);

@@ -60,10 +60,10 @@ class Selector {
 
   void gather_first() noexcept {
     if (selection_.decide == nullptr) return;
-    one_.begin();
     many_.begin();
     const std::uint32_t zero = 0;
-    gather_columns(selection_.one, selection_.one.set[0].kind, &zero, 1, 0, one_);
+    gather_columns(selection_.one, selection_.one.set[0].kind, &zero, 1, 0, many_);
+    one_.set(many_);
   }
 
   void list_blocks() noexcept {
@@ -128,7 +128,8 @@ class Selector {
   int segments_ = 0;
   std::uint32_t item_[room];
   std::uint8_t verdict_[room];
-  Columns one_, many_;
+  OneShape one_;
+  Columns many_;
 };
 
 }  // namespace

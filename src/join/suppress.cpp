@@ -139,14 +139,11 @@ class Suppressor {
         item_(column(parts_.item)),
         rank_(column(parts_.rank)),
         extent_(reinterpret_cast<Extent*>(scratch + parts_.extent)) {
-    one_.begin();
     others_.begin();
   }
 
-  void build() noexcept {
-    for (int step = 0; step < build_steps; ++step) {
-      build_step(asked_.kernels, asked_.sets, step, 0, 1, scratch_, scratch_ + parts_.order);
-    }
+  /// Numbers the shapes of the index, and finds their bounds and areas.
+  void number() noexcept {
     number_by_place();
     for (std::int64_t begin = 0; begin < placed_; begin += chunk) {
       set_extents(begin, static_cast<int>(std::min<std::int64_t>(placed_ - begin, chunk)));
@@ -202,15 +199,17 @@ class Suppressor {
     placed_ = place;
   }
 
-  void set_extents(std::int64_t begin, int n) noexcept {
+  [[gnu::noinline]] void set_extents(std::int64_t begin, int n) noexcept {
+    Fields fields;
+    Boxes boxes;
     for (std::int64_t ahead = begin + chunk; ahead < std::min(begin + 2 * chunk, placed_); ++ahead) {
       prefetch(asked_.sets.set[0], item_[ahead]);
     }
-    gather(asked_.sets, asked_.sets.set[0], item_ + begin, n, fields_);
-    asked_.kernels.bounds(kind_, fields_, n, boxes_);
+    gather(asked_.sets, asked_.sets.set[0], item_ + begin, n, fields);
+    asked_.kernels.bounds(kind_, fields, n, boxes);
     for (int i = 0; i < n; ++i) {
-      extent_[begin + i] = {{boxes_.min_x[i], boxes_.min_y[i], boxes_.max_x[i], boxes_.max_y[i]},
-                            area_of(kind_, fields_, i)};
+      extent_[begin + i] = {{boxes.min_x[i], boxes.min_y[i], boxes.max_x[i], boxes.max_y[i]},
+                            area_of(kind_, fields, i)};
     }
   }
 
@@ -324,7 +323,8 @@ class Suppressor {
   void close_near(const View& view, std::uint32_t place) noexcept {
     if (open_count_ == 0) return;
     const std::uint32_t item = item_[place];
-    gather_columns(asked_.sets, kind_, &item, 1, 0, one_);
+    gather_columns(asked_.sets, kind_, &item, 1, 0, others_);
+    one_.set(others_);
     if (open_count_ <= most_listed) return close_some(open_, open_count_);
     each_block_near(view, place, [&](std::uint32_t* near, std::int32_t n) {
       std::int32_t open = 0;
@@ -363,10 +363,27 @@ class Suppressor {
   std::int32_t neighbours_ = 0;
   std::int64_t neighbour_[block_list];
   double neighbour_box_[block_list][4];
-  Columns one_, others_;
-  Fields fields_;
-  Boxes boxes_;
+  OneShape one_;
+  Columns others_;
 };
+
+/// Builds the index. Not inlined: its stack is free again before the suppression begins.
+[[gnu::noinline]] void build_index(const Suppression& suppression, unsigned char* scratch) noexcept {
+  unsigned char* const room = scratch + Parts(suppression.sets.items).order;
+  for (int step = 0; step < build_steps; ++step) {
+    build_step(suppression.kernels, suppression.sets, step, 0, 1, scratch, room);
+  }
+}
+
+template <class T>
+[[gnu::noinline]] std::int64_t keep_best(const Suppression& suppression, const T* score, unsigned char* scratch,
+                                         std::int64_t* keep, bool& left_out) noexcept {
+  Suppressor suppressor(suppression, scratch);
+  suppressor.number();
+  left_out = false;
+  suppressor.order(score, left_out);
+  return suppressor.keep(keep);
+}
 
 }  // namespace
 
@@ -376,11 +393,8 @@ template <class T>
 std::int64_t suppress(const Suppression& suppression, const T* score, std::int64_t* keep, bool& left_out) noexcept {
   const auto misplaced = static_cast<std::int64_t>(reinterpret_cast<std::uintptr_t>(suppression.scratch) % alignment);
   unsigned char* const scratch = static_cast<unsigned char*>(suppression.scratch) + (alignment - misplaced) % alignment;
-  Suppressor suppressor(suppression, scratch);
-  suppressor.build();
-  left_out = false;
-  suppressor.order(score, left_out);
-  return suppressor.keep(keep);
+  build_index(suppression, scratch);
+  return keep_best(suppression, score, scratch, keep, left_out);
 }
 
 template std::int64_t suppress(const Suppression&, const float*, std::int64_t*, bool&) noexcept;
