@@ -129,9 +129,7 @@ std::size_t used_by(PaintedStack& stack, Query query, const Shapes& s) {
 }
 
 /// Results beyond the finite numbers are answers here.
-std::int32_t answer(std::int64_t code) {
-  return static_cast<std::int32_t>(code == VESICA_E_RANGE ? 0 : code);
-}
+std::int32_t answer(std::int64_t code) { return static_cast<std::int32_t>(code == VESICA_E_RANGE ? 0 : code); }
 
 template <auto function, class Out>
 std::int32_t ask(std::int32_t kind_a, const void* a, std::int32_t kind_b, const void* b) {

@@ -132,8 +132,7 @@ VESICA_CALLED inline int witness_sign(const ExactReach& reach, const Number<2>& 
     return sum_of_roots(cross(x, y, squared_a, m_a), squared_b, cross(x, y, squared_b, m_b), squared_a);
   };
   using Few = Leading<exact::few_limbs>;
-  const int sign =
-      reach.is_long() ? of_rounds(Few(w), Few(q), Few(a.m), Few(a.squared), Few(b.m), Few(b.squared)) : 0;
+  const int sign = reach.is_long() ? of_rounds(Few(w), Few(q), Few(a.m), Few(a.squared), Few(b.m), Few(b.squared)) : 0;
   return sign != 0 ? sign : of_rounds(w, q, a.m, a.squared, b.m, b.squared);
 }
 

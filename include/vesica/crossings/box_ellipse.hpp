@@ -89,8 +89,8 @@ struct DiscEdge {
   VESICA_COLD exact::Number<8> exact_off() const noexcept { return exact::cross(e0, e1, from.m0, from.m1); }
   VESICA_COLD Scaled exact_discriminant() const noexcept {
     const exact::Number<8> off = exact_off();
-    return exact::rounded(exact::detail::sum_of_products(exact::dot(e0, e1, e0, e1), exact::square(frame.radius), -1,
-                                                         off, off));
+    return exact::rounded(
+        exact::detail::sum_of_products(exact::dot(e0, e1, e0, e1), exact::square(frame.radius), -1, off, off));
   }
 
  private:

@@ -45,8 +45,8 @@ VESICA_CALLED constexpr int discriminant_sign(const Cubic& p) noexcept {
 /// a = c2^2 - 3 c1 d2 and b = c1 c2 - 9 d1 d2, a > 0 unless the root is triple, and then both sides are 0. Degree 24.
 VESICA_CALLED constexpr bool double_root_is_greater(const Cubic& p) noexcept {
   using detail::difference_of_multiples;
-  return compare_products(integer(2) * p.c2, difference_of_multiples(1, p.c2, p.c2, 3, p.c1, p.d2),
-                          integer(3) * p.d2, difference_of_multiples(1, p.c1, p.c2, 9, p.d1, p.d2)) > 0;
+  return compare_products(integer(2) * p.c2, difference_of_multiples(1, p.c2, p.c2, 3, p.c1, p.d2), integer(3) * p.d2,
+                          difference_of_multiples(1, p.c1, p.c2, 9, p.d1, p.d2)) > 0;
 }
 
 }  // namespace vesica::exact
