@@ -12,7 +12,7 @@ import (
 	"unsafe"
 )
 
-// Within tells whether two shapes are at most distance apart. Exactly so far counts, and exact, but for ellipses.
+// Within tells whether two shapes are at most distance apart. Exactly so far counts, and exact, but for two ellipses.
 func Within[A, B Shape](a A, b B, distance float64) (WithinResult, error) {
 	code, err := codeOf(func(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t,
 		numbersB C.vesica_go_numbers) C.int32_t {
@@ -21,7 +21,7 @@ func Within[A, B Shape](a A, b B, distance float64) (WithinResult, error) {
 	return WithinResult(code), err
 }
 
-// WithinMany sets out[i]: are a[i] and b[i] at most distance apart? It returns how many are, or nearly.
+// WithinMany sets out[i]: are a[i] and b[i] at most distance apart? It returns how many are, or are WithinNearly.
 func WithinMany[T Float](a, b Array[T], distance T, out []WithinResult) (int, error) {
 	return many(func(wide bool, a, b C.vesica_go_view, out *C.char) C.int64_t {
 		return cWithinMany(wide, a, b, float64(distance), out)

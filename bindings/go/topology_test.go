@@ -14,7 +14,11 @@ func TestNearDeepAndHowTheyMeet(t *testing.T) {
 	if found, err := Within(a, disc, 2.999); found != WithinNo || err != nil {
 		t.Error(found, err)
 	}
-	if found, err := Within(Point[float64]{}, Ellipse[float64]{5, 0, 1, 0, 2, 1}, 3); found != WithinNearly || err != nil {
+	ellipse := Ellipse[float64]{5, 0, 1, 0, 2, 1}
+	if found, err := Within(Point[float64]{}, ellipse, 3); found != WithinYes || err != nil {
+		t.Error(found, err)
+	}
+	if found, err := Within(Ellipse[float64]{-2, 0, 1, 0, 2, 1}, ellipse, 3); found != WithinNearly || err != nil {
 		t.Error(found, err)
 	}
 	if _, err := Within(a, b, -1); err != ErrArgument {

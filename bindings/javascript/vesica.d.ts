@@ -271,8 +271,8 @@ export class Vesica {
   signedDistance(a: ShapeArray, b: Many): Numbers;
   signedDistance(a: Many, b: ShapeArray): Numbers;
   /**
-   * Are they at most `distance` apart? Exactly so far counts. Exact; with an ellipse 'nearly' where the distance is too
-   * near the one asked for to tell. Arrays have numbers: see `withins`.
+   * Are they at most `distance` apart? Exactly so far counts. Exact, but for two ellipses: 'nearly' where their distance
+   * is too near the one asked for to decide. Arrays have numbers: see `withins`.
    */
   within(a: Shape, b: Shape, distance: number): Within;
   within(a: ShapeArray, b: Many, distance: number, options?: { out?: Uint8Array }): Uint8Array;

@@ -30,7 +30,7 @@ extern "C" {
 /* Are two shapes within a distance of each other? */
 #define VESICA_WITHIN_NO 0     /**< they are farther apart */
 #define VESICA_WITHIN_YES 1    /**< they are at most that far apart */
-#define VESICA_WITHIN_NEARLY 2 /**< only with an ellipse: their distance is too close to the one asked for to decide */
+#define VESICA_WITHIN_NEARLY 2 /**< only of two ellipses: their distance is too close to the one asked for to decide */
 
 /* How soft suppression lowers the score of a shape that has ratio r with a kept one. */
 #define VESICA_DECAY_LINEAR 0   /**< score * (1 - r) if r exceeds the parameter, a threshold from 0 to 1 */
@@ -142,17 +142,18 @@ VESICA_API int64_t vesica_signed_distance_matrix_f64(const vesica_shapes_f64 *a,
 /* ---- Within a distance, double ----
  * Requires: distance >= 0. It may be infinity: then the answer is yes for any two valid shapes.
  * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
- * Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0, get no other
- * answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of vesica_nearest_f64 differs
- * by at most 5 u scale + 2^-1074 from the one asked for.
+ * Accuracy: yes and no are always right. Only two disjoint ellipses, neither with a half length of 0, may get another
+ * answer: VESICA_WITHIN_NEARLY if the distance of vesica_nearest_f64 differs by at most 5 u scale + 2^-1074 from the
+ * one asked for.
  * Since: 0.1.
  */
 
 /**
  * Are two shapes at most `distance` apart? A distance of exactly that counts, as touching does.
  *
- * With distance 0 the answer is that of vesica_overlap_f64, exact for all kinds. Test for > 0 to miss no
- * pair, and for VESICA_WITHIN_YES to accept only what is certain. Exchanging the shapes changes nothing.
+ * With distance 0 the answer is that of vesica_overlap_f64, exact for all kinds. If both shapes may be ellipses, test
+ * for > 0 to miss no pair, and for VESICA_WITHIN_YES to accept only what is certain. Exchanging the shapes changes
+ * nothing.
  * Returns: VESICA_WITHIN_NO, VESICA_WITHIN_YES or VESICA_WITHIN_NEARLY.
  * Cost: one to six times that of vesica_overlap_f64; that of vesica_nearest_f64 for ellipses.
  */

@@ -3,15 +3,16 @@
 ///
 /// Shapes without a curve are boxes, and a circle is the points within its radius of its centre. So the question is
 /// whether two boxes are at most a sum of three lengths apart. It is answered in two stages, by a filter, then by exact
-/// polynomials of degree 6. The distance from an ellipse is not an algebraic number of low degree: it is computed, and
-/// the answer is yes or no only where the error of that number leaves no doubt.
+/// polynomials of degree 6. With an ellipse the filter is the distance of nearest() and its error, and the polynomials
+/// are of degree 12 and 32. The distance of two ellipses is not an algebraic number of low degree: the answer is yes or
+/// no only where the error of the computed number leaves no doubt.
 ///
 /// Laws, each tested: exchanging the shapes changes nothing; within(a, b, 0) == overlap(a, b); shapes within a distance
 /// are within any greater one.
 #pragma once
 
 #include <limits>
-#include <vesica/exact/within.hpp>
+#include <vesica/exact/within_ellipse.hpp>
 #include <vesica/filter/disc.hpp>
 #include <vesica/filter/within.hpp>
 #include <vesica/nearest.hpp>
@@ -22,7 +23,7 @@ namespace vesica {
 enum class Within : std::int32_t {
   no,
   yes,
-  nearly,  ///< only with an ellipse: the distance is too close to the one asked for to decide
+  nearly,  ///< only of two ellipses: their distance is too close to the one asked for to decide
 };
 
 namespace detail::within {
@@ -56,7 +57,7 @@ VESICA_INLINE auto filter(const A& a, const B& b, double reach) noexcept {
   }
 }
 
-/// Shapes without ellipses, of kinds in order, that the filter left undecided. The sum of radii and distance is exact.
+/// Shapes, not two ellipses, of kinds in order, that the filter left undecided. The sum of radii and distance is exact.
 template <class A, class B>
 VESICA_COLD std::int32_t decide(const A& a, const B& b, double distance) noexcept {
   if (check(a) != 0 || check(b) != 0) return error_shape;
@@ -86,39 +87,42 @@ double scale(const A& a, const B& b) noexcept {
   return std::fmax(std::fmax(std::fabs(dx), std::fabs(dy)), std::fmax(half_length(a), half_length(b)));
 }
 
+/// The distance of nearest() is right to 4u of the scale, and to half the least number; 4.5u leave room for the
+/// roundings here.
+template <class A, class B>
+double error_of_distance(const A& a, const B& b) noexcept {
+  return 9 * 0x1p-54 * scale(a, b) + std::numeric_limits<double>::denorm_min();
+}
+
 /// Compares a distance, known to `error`, with the one asked for.
 inline Within compared(double found, double asked, double error) noexcept {
   if (std::fabs(found - asked) <= error) return Within::nearly;
   return found < asked ? Within::yes : Within::no;
 }
 
-/// A shape with all its lengths times k.
-inline Point<double> times(double k, const Point<double>& s) noexcept { return {k * s.x, k * s.y}; }
-inline Segment<double> times(double k, const Segment<double>& s) noexcept {
-  return {k * s.x0, k * s.y0, k * s.x1, k * s.y1};
-}
-inline Circle<double> times(double k, const Circle<double>& s) noexcept { return {k * s.cx, k * s.cy, k * s.r}; }
-inline Aabb<double> times(double k, const Aabb<double>& s) noexcept {
-  return {k * s.min_x, k * s.min_y, k * s.max_x, k * s.max_y};
-}
-/// The axis or, if that is short, the sizes: an axis must not vanish.
-template <template <class> class Shape>
-Shape<double> times(double k, const Shape<double>& s) noexcept {
-  const auto [cx, cy, ux, uy, first, second] = s;
-  const bool is_short = std::fmax(std::fabs(ux), std::fabs(uy)) < 1;
-  const double of_axis = is_short ? 1 : k, of_sizes = is_short ? k : 1;
-  return {k * cx, k * cy, of_axis * ux, of_axis * uy, of_sizes * first, of_sizes * second};
+/// Valid disjoint shapes, of kinds in order, the second an ellipse with an area, and a distance above 0.
+template <class A>
+VESICA_COLD Within by_distance(const A& a, const Ellipse<double>& b, double distance) noexcept {
+  ClosestPoints<double> found;
+  const double error = error_of_distance(a, b);
+  if (!all_finite(error) || nearest::nearest_in_order(a, b, 0, found) != 0) return Within::nearly;
+  return compared(found.distance, distance, error);
 }
 
-/// Valid disjoint shapes, of kinds in order, one of them an ellipse with an area, and a distance above 0. The distance
-/// of nearest() is right to 4u of the scale, and to half the least number; 4.5u leave room for the roundings here.
-template <class A, class B>
-VESICA_COLD Within by_distance(A a, B b, double distance) noexcept {
+/// An ellipse with all its lengths times k: the axis or, if that is short, the sizes. An axis must not vanish.
+inline Ellipse<double> times(double k, const Ellipse<double>& s) noexcept {
+  const bool is_short = std::fmax(std::fabs(s.ux), std::fabs(s.uy)) < 1;
+  const double of_axis = is_short ? 1 : k, of_sizes = is_short ? k : 1;
+  return {k * s.cx, k * s.cy, of_axis * s.ux, of_axis * s.uy, of_sizes * s.a, of_sizes * s.b};
+}
+
+/// Two ellipses have no exact stage.
+VESICA_COLD inline Within by_distance(Ellipse<double> a, Ellipse<double> b, double distance) noexcept {
   // Lengths are below 2^2050. In a unit of 2^600, or of its square, none is beyond the range of double. What
   // underflows there is nothing beside them: where the shapes overlap then, their distance is a rounding error.
   for (int unit = 0; unit < 3; ++unit) {
     ClosestPoints<double> found;
-    const double error = 9 * 0x1p-54 * scale(a, b) + std::numeric_limits<double>::denorm_min();
+    const double error = error_of_distance(a, b);
     if (all_finite(error) && nearest::nearest_in_order(a, b, 0, found) == 0) {
       return compared(found.distance, distance, error);
     }
@@ -136,7 +140,11 @@ std::int32_t curved(const A& a, const B& b, double distance) noexcept {
   const std::int32_t overlapping = overlap_or_error(a, b);
   if (overlapping != 0 || distance == 0) return overlapping;
   if (!all_finite(distance)) return 1;
-  return static_cast<std::int32_t>(by_distance(a, b, distance));
+  const Within answer = by_distance(a, b, distance);
+  if constexpr (!is_ellipse<A>) {
+    if (answer == Within::nearly) return decide(a, b, distance);
+  }
+  return static_cast<std::int32_t>(answer);
 }
 
 }  // namespace detail::within

@@ -22,7 +22,7 @@ struct Run {
   }
 };
 
-/// True if shapes of this kind may be found near to what is farther away (vesica/within.hpp).
+/// True if two shapes of this kind may be found near though they are farther apart (vesica/within.hpp).
 bool is_approximate(std::int32_t kind) noexcept {
   return with_form(kind, []<template <class> class Shape>(Named<Shape>) {
            return detail::form::FormOf<Shape<double>>::outline == detail::form::Outline::round ? 1 : 0;
@@ -61,13 +61,13 @@ double greatest_extent(const Kernels& kernels, const Sets& sets) noexcept {
   return greatest;
 }
 
-/// Widens a shape's box to a window that holds all shapes within the distance. An
-/// ellipse may be found near to what is farther away by less than 9 u of the scale: the largest half length of both
-/// shapes, or offset of their centres. The sum of the distance and both extents is at least that.
+/// Widens a shape's box to a window that holds all shapes within the distance. Two ellipses may be found near though
+/// they are farther apart, by less than 9 u of the scale: the largest half length of both shapes, or offset of their
+/// centres. The sum of the distance and both extents is at least that.
 class Room {
  public:
   explicit Room(const JoinWithin& join) noexcept : join_(join), view_(join.index_b) {
-    const bool widens = join.distance > 0 && (has_ellipses(join.a) || has_ellipses(join.b));
+    const bool widens = join.distance > 0 && has_ellipses(join.a) && has_ellipses(join.b);
     share_ = widens ? 0x1p-49 : 0;
     const auto& whole = view_.header().bounds;
     size_ = view_.header().placed == 0 ? 0 : extent(whole[0], whole[1], whole[2], whole[3]);

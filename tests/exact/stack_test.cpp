@@ -140,8 +140,15 @@ std::int32_t ratio(std::int32_t kind_a, const void* a, std::int32_t kind_b, cons
   double out;
   return answer(vesica_ratio_f64(VESICA_RATIO_OVER_SMALLER, kind_a, a, kind_b, b, &out));
 }
+/// A tiny distance, the distance as computed, and a last place beside that.
 std::int32_t within(std::int32_t kind_a, const void* a, std::int32_t kind_b, const void* b) {
-  return answer(vesica_within_f64(kind_a, a, kind_b, b, 0x1.2345678p-1050));
+  vesica_closest_points_f64 found;
+  if (vesica_nearest_f64(kind_a, a, kind_b, b, &found) != 0) found.distance = DBL_MAX;
+  std::int32_t worst = 0;
+  for (const double d : {0x1.2345678p-1050, found.distance, std::nextafter(found.distance, 0.0)}) {
+    worst = std::min(worst, vesica_within_f64(kind_a, a, kind_b, b, d));
+  }
+  return worst;
 }
 std::int32_t de9im(std::int32_t kind_a, const void* a, std::int32_t kind_b, const void* b) {
   char matrix[16];

@@ -104,18 +104,23 @@ TEST(JoinWithin, DistanceZeroIsOverlap) {
   EXPECT_TRUE(sorted(pairs_within(a, b, 0, 1, 500)) == sorted(join(VESICA_JOIN_OVERLAP, a, b)));
 }
 
-/// Pairs that only an ellipse's rounding makes near: their boxes are farther apart than the distance.
+/// Ellipses that only rounding makes near: their boxes are farther apart than the distance. Other shapes are not near.
 TEST(JoinWithin, NearlyWithin) {
   constexpr double distance = 1e-3, beyond = 1e-9 + distance + 4e-16;
   const Indexed<double> needle(Records<double>{VESICA_ELLIPSE, {0, 0, 0, 1, 1, 1e-9}});
+  const Indexed<double> other(Records<double>{VESICA_ELLIPSE, {beyond + 1e-9, 0, 0, 1, 9, 1e-9}});
   const Indexed<double> point(Records<double>{VESICA_POINT, {beyond, 0}});
   const Indexed<double> edge(Records<double>{VESICA_SEGMENT, {beyond, -9, beyond, 9}});
-  for (const Indexed<double>* other : {&point, &edge}) {
-    ASSERT_EQ(vesica_within_f64(VESICA_ELLIPSE, needle.laid[0].numbers.data(), other->laid[0].kind,
-                                other->laid[0].numbers.data(), distance),
-              VESICA_WITHIN_NEARLY);
-    EXPECT_EQ(call(needle, *other, distance, 0, 1, nullptr, nullptr, 0, nullptr), 1);
-    EXPECT_EQ(call(*other, needle, distance, 0, 1, nullptr, nullptr, 0, nullptr), 1);
+  const auto answer = [&](const Indexed<double>& to) {
+    return vesica_within_f64(VESICA_ELLIPSE, needle.laid[0].numbers.data(), to.laid[0].kind, to.laid[0].numbers.data(),
+                             distance);
+  };
+  ASSERT_EQ(answer(other), VESICA_WITHIN_NEARLY);
+  for (const Indexed<double>* to : {&other, &point, &edge}) {
+    const int expected = to == &other ? 1 : 0;
+    ASSERT_EQ(answer(*to) > 0, expected == 1);
+    EXPECT_EQ(call(needle, *to, distance, 0, 1, nullptr, nullptr, 0, nullptr), expected);
+    EXPECT_EQ(call(*to, needle, distance, 0, 1, nullptr, nullptr, 0, nullptr), expected);
   }
 }
 

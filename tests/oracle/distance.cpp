@@ -4,10 +4,12 @@
 #include <vesica.h>
 
 #include "oracle/oracle.hpp"
+#include "oracle/polynomial.hpp"
 #include "oracle/region.hpp"
 
 // The library looks at corners in the frame of the other shape; here only feet of perpendiculars on single edges are
-// used, and whether corners are inside is told by orientations.
+// used, and whether corners are inside is told by orientations. With an ellipse the library asks which part of a box is
+// closest; here a disc moves along each edge, and the places where it touches the ellipse are counted.
 
 namespace oracle {
 namespace {
@@ -16,7 +18,9 @@ namespace {
 Corners skeleton(const Region& region) {
   return region.corners.empty() ? Corners{region.ellipse.centre} : region.corners;
 }
-mpz_class radius(const Region& region) { return region.corners.empty() ? region.ellipse.p.x : mpz_class(0); }
+mpz_class radius(int kind, const Region& region) {
+  return kind == VESICA_CIRCLE && region.corners.empty() ? region.ellipse.p.x : mpz_class(0);
+}
 
 bool points_within(const Vector& x, const Vector& y, const mpz_class& reach) {
   return dot(x - y, x - y) <= reach * reach;
@@ -41,6 +45,49 @@ bool any_corner_within(const Corners& a, const Corners& b, const mpz_class& reac
   return false;
 }
 
+Polynomial line(const mpz_class& at_0, const mpz_class& at_1) { return {at_0, at_1 - at_0}; }
+Polynomial times(long factor, const Polynomial& f) { return Polynomial{factor} * f; }
+
+/// The discriminant of det(x A + B(t)), A the conic of the ellipse and B(t) that of the disc of radius `reach` > 0
+/// about from + t (to - from): 0 where there is a double root. Of degree 8 in t.
+Polynomial contacts(const Ellipse& e, const Vector& from, const Vector& to, const mpz_class& reach) {
+  // About the ellipse's centre A = diag(Q, -w^2): X' Q X is the square of to_disc().
+  const mpz_class w = cross(e.p, e.q), minus_ww = -w * w, minus_square = -reach * reach;
+  const mpz_class q00 = e.q.y * e.q.y + e.p.y * e.p.y, q11 = e.q.x * e.q.x + e.p.x * e.p.x;
+  const mpz_class q01 = -(e.q.x * e.q.y + e.p.x * e.p.y), trace = q00 + q11, det = q00 * q11 - q01 * q01;
+  const Vector first = from - e.centre, last = to - e.centre;
+  const Polynomial x = line(first.x, last.x), y = line(first.y, last.y), xx = x * x, yy = y * y;
+  // B has the rows (1, 0, -x), (0, 1, -y), (-x, -y, x^2 + y^2 - reach^2). With V = (x, y) its adjugate has
+  // V V' - reach^2 1 in the first two rows and columns, and 1 last.
+  const Polynomial k3{det * minus_ww}, k0{minus_square};
+  const Polynomial k2 = Polynomial{minus_ww * trace} + Polynomial{det} * (xx + yy + Polynomial{minus_square});
+  const Polynomial vqv = Polynomial{q00} * xx + Polynomial{2 * q01} * (x * y) + Polynomial{q11} * yy;
+  const Polynomial k1 = vqv + Polynomial{minus_square * trace + minus_ww};
+  return k2 * k2 * k1 * k1 + times(-4, k3 * k1 * k1 * k1) + times(-4, k2 * k2 * k2 * k0) +
+         times(18, k3 * k2 * k1 * k0) + times(-27, k3 * k3 * k0 * k0);
+}
+
+/// A disc moves along an edge that does not meet the ellipse; at both ends it is apart from it. In between it comes to
+/// meet the ellipse iff there is a double root: roots are simple where shapes are apart, and two are equal where they
+/// touch (Wang, Wang and Kim).
+bool edge_near_ellipse(const Vector& from, const Vector& to, const Ellipse& e, const mpz_class& reach) {
+  return distinct_roots_below_1(contacts(e, from, to, reach)) > 0;
+}
+
+/// Corners that are apart from an ellipse.
+bool near_ellipse(const Corners& c, const Ellipse& e, const mpz_class& reach) {
+  if (reach == 0) return false;
+  for (const Vector& x : c) {
+    if (ellipses_overlap({x, {reach, 0}, {0, reach}}, e)) return true;
+  }
+  for (std::size_t i = 0; i < edge_count(c); ++i) {
+    if (edge_near_ellipse(c[i], edge_end(c, i), e, reach)) return true;
+  }
+  return false;
+}
+
+bool is_curved(int kind, const Region& region) { return kind == VESICA_ELLIPSE && region.corners.empty(); }
+
 }  // namespace
 
 bool within(int kind_a, const double* a, int kind_b, const double* b, double distance) {
@@ -48,7 +95,9 @@ bool within(int kind_a, const double* a, int kind_b, const double* b, double dis
   // The distance in the unit of the shapes is how far a unit velocity leads.
   const MovingPair p = regions_on_way(kind_a, a, kind_b, b, {distance, 0, 1});
   const Corners first = skeleton(p.a), second = skeleton(p.b);
-  const mpz_class reach = radius(p.a) + radius(p.b) + p.by.x;
+  const mpz_class reach = radius(kind_a, p.a) + radius(kind_b, p.b) + p.by.x;
+  if (is_curved(kind_a, p.a)) return near_ellipse(second, p.a.ellipse, reach);
+  if (is_curved(kind_b, p.b)) return near_ellipse(first, p.b.ellipse, reach);
   return any_corner_within(first, second, reach) || any_corner_within(second, first, reach) ||
          (first.size() > 1 && contains(first, second[0])) || (second.size() > 1 && contains(second, first[0]));
 }

@@ -4,7 +4,7 @@
 
 namespace oracle {
 
-/// Are two valid shapes, neither of them an ellipse with an area, at most a finite `distance` >= 0 apart? Otherwise as
+/// Are two valid shapes, not both of them ellipses with an area, at most a finite `distance` >= 0 apart? Otherwise as
 /// overlap() in oracle.hpp.
 bool within(int kind_a, const double* a, int kind_b, const double* b, double distance);
 

@@ -113,14 +113,14 @@ Polynomial characteristic(const Matrix& a, const Matrix& b) {
   return f;
 }
 
+}  // namespace
+
 /// Wang, Wang and Kim, "An algebraic condition for the separation of two ellipsoids" (2001): solid ellipses are
 /// disjoint iff det(x A + B) has two distinct positive roots; a double one means that they touch from outside.
 bool ellipses_overlap(const Ellipse& a, const Ellipse& b) {
   if (contains(a, b.centre) || contains(b, a.centre)) return true;
   return distinct_positive_roots(characteristic(conic(a, a.centre), conic(b, a.centre))) < 2;
 }
-
-}  // namespace
 
 bool overlap(int kind_a, const double* a, int kind_b, const double* b) {
   const auto [ra, rb] = regions(kind_a, a, kind_b, b);

@@ -7,6 +7,16 @@
 namespace oracle {
 namespace {
 
+/// Divides by what divides all coefficients. Otherwise they would double in length from member to member of a sequence.
+void strip_content(Polynomial& f) {
+  strip_power_of_two(f);
+  mpz_class content = 0;
+  for (const mpz_class& c : f) content = gcd(content, c);
+  if (content > 1) {
+    for (mpz_class& c : f) c /= content;
+  }
+}
+
 /// A positive multiple of minus the remainder of f by g: the next member of a Sturm sequence. Empty when it is 0.
 Polynomial negated_remainder(Polynomial f, const Polynomial& g) {
   while (f.size() >= g.size()) {
@@ -18,7 +28,7 @@ Polynomial negated_remainder(Polynomial f, const Polynomial& g) {
     while (!f.empty() && f.back() == 0) f.pop_back();
   }
   for (mpz_class& c : f) c = -c;
-  strip_power_of_two(f);
+  strip_content(f);
   return f;
 }
 
@@ -34,7 +44,9 @@ int sign_changes(const std::vector<int>& signs) {
 /// f, its derivative, and negated remainders down to their greatest common divisor.
 std::vector<Polynomial> sturm_sequence(const Polynomial& f) {
   std::vector<Polynomial> sequence;
-  Polynomial p = f, q = derivative(f);
+  Polynomial p = f;
+  strip_content(p);
+  Polynomial q = derivative(p);
   while (!p.empty()) {
     Polynomial next = q.empty() ? Polynomial{} : negated_remainder(p, q);
     sequence.push_back(std::move(p));
@@ -47,6 +59,11 @@ std::vector<Polynomial> sturm_sequence(const Polynomial& f) {
 int sign_at_infinity(const Polynomial& f) { return sgn(f.back()); }
 int sign_at_minus_infinity(const Polynomial& f) { return f.size() % 2 == 0 ? -sgn(f.back()) : sgn(f.back()); }
 int sign_at_zero(const Polynomial& f) { return sgn(f.front()); }
+int sign_at_one(const Polynomial& f) {
+  mpz_class sum = 0;
+  for (const mpz_class& c : f) sum += c;
+  return sgn(sum);
+}
 
 int sign_changes(const std::vector<Polynomial>& sequence, int (*sign)(const Polynomial&)) {
   std::vector<int> signs;
@@ -62,6 +79,23 @@ Polynomial derivative(const Polynomial& f) {
   return result;
 }
 
+Polynomial operator+(const Polynomial& f, const Polynomial& g) {
+  Polynomial sum(std::max(f.size(), g.size()));
+  for (std::size_t i = 0; i < f.size(); ++i) sum[i] += f[i];
+  for (std::size_t i = 0; i < g.size(); ++i) sum[i] += g[i];
+  while (!sum.empty() && sum.back() == 0) sum.pop_back();
+  return sum;
+}
+
+Polynomial operator*(const Polynomial& f, const Polynomial& g) {
+  if (f.empty() || g.empty()) return {};
+  Polynomial product(f.size() + g.size() - 1);
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    for (std::size_t j = 0; j < g.size(); ++j) product[i + j] += f[i] * g[j];
+  }
+  return product;
+}
+
 int distinct_positive_roots(const Polynomial& f) {
   const std::vector<Polynomial> sequence = sturm_sequence(f);
   return sign_changes(sequence, sign_at_zero) - sign_changes(sequence, sign_at_infinity);
@@ -70,6 +104,11 @@ int distinct_positive_roots(const Polynomial& f) {
 int distinct_real_roots(const Polynomial& f) {
   const std::vector<Polynomial> sequence = sturm_sequence(f);
   return sign_changes(sequence, sign_at_minus_infinity) - sign_changes(sequence, sign_at_infinity);
+}
+
+int distinct_roots_below_1(const Polynomial& f) {
+  const std::vector<Polynomial> sequence = sturm_sequence(f);
+  return sign_changes(sequence, sign_at_zero) - sign_changes(sequence, sign_at_one);
 }
 
 Polynomial repeated_part(const Polynomial& f) { return sturm_sequence(f).back(); }

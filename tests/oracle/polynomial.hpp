@@ -24,12 +24,17 @@ void strip_power_of_two(Numbers& numbers) {
 using Polynomial = std::vector<mpz_class>;
 
 Polynomial derivative(const Polynomial& f);
+Polynomial operator+(const Polynomial& f, const Polynomial& g);
+Polynomial operator*(const Polynomial& f, const Polynomial& g);
 
 /// Distinct roots > 0 of f, f(0) != 0; a multiple root counts once.
 int distinct_positive_roots(const Polynomial& f);
 
 /// Distinct real roots of f, which is not 0.
 int distinct_real_roots(const Polynomial& f);
+
+/// Distinct roots of f between 0 and 1, neither of which is one.
+int distinct_roots_below_1(const Polynomial& f);
 
 /// The greatest common divisor of f and its derivative, up to a factor: each root of f once less.
 Polynomial repeated_part(const Polynomial& f);

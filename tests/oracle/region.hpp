@@ -58,6 +58,9 @@ inline const Vector& edge_end(const Corners& c, std::size_t edge) { return c[(ed
 /// Is x in the polygon, outline included?
 bool contains(const Corners& c, const Vector& x);
 
+/// Do two solid ellipses share a point?
+bool ellipses_overlap(const Ellipse& a, const Ellipse& b);
+
 /// X in the frame where the ellipse is the disc of radius p x q about the origin.
 Vector to_disc(const Ellipse& e, const Vector& x);
 

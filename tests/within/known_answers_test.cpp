@@ -40,6 +40,18 @@ const Known known[] = {
     {{VESICA_AABB, VESICA_AABB, {0, 0, 1, 1}, {4, 5, 6, 7}}, 5},
     {{VESICA_AABB, VESICA_RECT, {-9, -20, 1, -12}, {10, 0, 3, 4, 1, 1}}, 10},
     {{VESICA_RECT, VESICA_RECT, {0, 0, 3, 4, 1, 1}, {12, 16, 3, 4, 1, 0.5}}, 10},
+    // From the point (27, 20) of an ellipse, where its normal is (5, 12) / 13, to (32, 32) and (37, 44).
+    {{VESICA_POINT, VESICA_ELLIPSE, {32, 32}, {0, 0, 1, 0, 45, 25}}, 13},
+    {{VESICA_POINT, VESICA_ELLIPSE, {-32, 224}, {0, 0, 3, 4, 45, 25}}, 65},
+    {{VESICA_CIRCLE, VESICA_ELLIPSE, {37, 44, 13}, {0, 0, 1, 0, 45, 25}}, 13},
+    {{VESICA_SEGMENT, VESICA_ELLIPSE, {44, 27, 20, 37}, {0, 0, 1, 0, 45, 25}}, 13},
+    {{VESICA_SEGMENT, VESICA_ELLIPSE, {32, 32, 32, 100}, {0, 0, 1, 0, 45, 25}}, 13},
+    {{VESICA_SEGMENT, VESICA_ELLIPSE, {40, 90, 32, 32}, {0, 0, 1, 0, 45, 25}}, 13},
+    {{VESICA_AABB, VESICA_ELLIPSE, {32, 32, 40, 50}, {0, 0, 1, 0, 45, 25}}, 13},
+    {{VESICA_AABB, VESICA_ELLIPSE, {50, -1, 60, 2}, {0, 0, 1, 0, 45, 25}}, 5},
+    {{VESICA_AABB, VESICA_ELLIPSE, {-4, 32, 7, 50}, {0, 0, 1, 0, 45, 25}}, 7},
+    {{VESICA_RECT, VESICA_ELLIPSE, {42, 56, 12, -5, 0.5, 2}, {0, 0, 1, 0, 45, 25}}, 13},
+    {{VESICA_RECT, VESICA_ELLIPSE, {34, 43, 3, 4, 2, 1}, {0, 0, 1, 0, 45, 25}}, 13},
 };
 
 Pair scaled(Pair p, double k) {
@@ -136,8 +148,8 @@ TEST(KnownWithin, ACrossedPairIsWithinThoughNoCornerIs) {
   EXPECT_EQ(within(Scalar::f64, p, 1), 1);
 }
 
-TEST(KnownWithin, EllipsesAreCertainAwayFromTheirDistance) {
-  const Pair p{VESICA_ELLIPSE, VESICA_POINT, {0, 0, 1, 0, 3, 2}, {10, 0}};
+TEST(KnownWithin, TwoEllipsesAreCertainAwayFromTheirDistance) {
+  const Pair p{VESICA_ELLIPSE, VESICA_ELLIPSE, {0, 0, 1, 0, 3, 2}, {12, 0, 1, 0, 2, 1}};
   EXPECT_EQ(within(Scalar::f64, p, 7 + 1e-14), VESICA_WITHIN_YES);
   EXPECT_EQ(within(Scalar::f64, p, 7), VESICA_WITHIN_NEARLY);
   EXPECT_EQ(within(Scalar::f64, p, 7 - 1e-14), VESICA_WITHIN_NO);
@@ -146,10 +158,13 @@ TEST(KnownWithin, EllipsesAreCertainAwayFromTheirDistance) {
   const Pair q{VESICA_ELLIPSE, VESICA_POINT, {0, 0, 1, 0, 3, 0}, {10, 0}};
   EXPECT_EQ(within(Scalar::f64, q, 7), VESICA_WITHIN_YES);
   EXPECT_EQ(within(Scalar::f64, q, std::nextafter(7, 0)), VESICA_WITHIN_NO);
-  // As long as no finite number is, beside what is as short: nothing is known of a distance so much smaller.
+  // As long as no finite number is, beside what is as short: nearest() knows nothing of a distance so much smaller. The
+  // rectangle's half lengths are 2^1800 and 2^900, the ellipse's 2^-1000 and 2^-900, its centre 2^1000 above.
   const Pair unlike{
       VESICA_RECT, VESICA_ELLIPSE, {0, 0, 0x1p900, 0, 0x1p900, 1}, {0, 0x1p1000, 0x1p-900, 0, 0x1p-100, 1}};
-  EXPECT_EQ(within(Scalar::f64, unlike, 1), VESICA_WITHIN_NEARLY);
+  EXPECT_EQ(within(Scalar::f64, unlike, 0x1p999), VESICA_WITHIN_NO);
+  EXPECT_EQ(within(Scalar::f64, unlike, 0x1p1000), VESICA_WITHIN_YES);
+  EXPECT_EQ(within(Scalar::f64, unlike, 0x1p1001), VESICA_WITHIN_YES);
   EXPECT_EQ(within(Scalar::f64, unlike, 0), VESICA_WITHIN_NO);
   // Farther apart than any finite number.
   const Pair far{VESICA_ELLIPSE, VESICA_POINT, {-1.7e308, 0, 1e307, 0, 3, 2}, {1.7e308, 0}};

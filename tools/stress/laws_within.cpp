@@ -13,9 +13,8 @@ namespace {
 
 constexpr double u = 0x1p-53, last_place = 0x1p-1074;
 
-bool has_ellipse(const Pair& p) {
-  return (p.kind_a == VESICA_ELLIPSE && has_area(p.kind_a, p.a)) ||
-         (p.kind_b == VESICA_ELLIPSE && has_area(p.kind_b, p.b));
+bool are_ellipses(const Pair& p) {
+  return p.kind_a == VESICA_ELLIPSE && has_area(p.kind_a, p.a) && p.kind_b == VESICA_ELLIPSE && has_area(p.kind_b, p.b);
 }
 
 void demand_code(Judge& j, const char* law, std::int32_t expected, std::int32_t got) {
@@ -41,7 +40,7 @@ void judge_within(Judge& j, const Case& c, Effort effort) {
   const bool overlap = exact_overlap(c.pair) == 1;
   if (overlap) demand_code(j, "overlap_is_within", VESICA_WITHIN_YES, code);
   if (c.distance == 0) return demand_code(j, "of_0_is_overlap", overlap, code);
-  if (!has_ellipse(c.pair)) j.demand(code == 0 || code == 1, "certain", "0 or 1", std::to_string(code));
+  if (!are_ellipses(c.pair)) j.demand(code == 0 || code == 1, "certain", "0 or 1", std::to_string(code));
   demand_of_nearest(j, c, code);
   if (code == VESICA_WITHIN_YES) {
     Case further = c;
@@ -51,7 +50,7 @@ void judge_within(Judge& j, const Case& c, Effort effort) {
   if (c.scalar == Scalar::f32) {
     demand_code(j, "float_is_double", ask({c.query, Scalar::f64, c.pair, c.motion, c.distance}).code, code);
   }
-  if (effort == Effort::slow && !has_ellipse(c.pair)) {
+  if (effort == Effort::slow && !are_ellipses(c.pair)) {
     const Pair& p = c.pair;
     demand_code(j, "oracle", oracle::within(p.kind_a, p.a.data(), p.kind_b, p.b.data(), c.distance), code);
   }

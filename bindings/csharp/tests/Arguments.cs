@@ -372,7 +372,9 @@ internal static unsafe class Arguments
         var disc = new Circle(6, 1, 1);
         Check(Distances.Within(a, disc, 3) == Within.Yes, "within");
         Check(Distances.Within(a, disc, 2.999) == Within.No, "not within");
-        Check(Distances.Within(new Point(0, 0), new Ellipse(5, 0, 1, 0, 2, 1), 3) == Within.Nearly, "nearly within");
+        Ellipse left = new Ellipse(-2, 0, 1, 0, 2, 1), right = new Ellipse(5, 0, 1, 0, 2, 1);
+        Check(Distances.Within(new Point(0, 0), right, 3) == Within.Yes, "a point within");
+        Check(Distances.Within(left, right, 3) == Within.Nearly, "nearly within");
         Shapes boxes = Shapes.Of(new[] { a, b, far }), one = Shapes.Of(new[] { a });
         var near = new Within[3];
         Check(Distances.WithinMany(boxes, one, 2, near) == 2 && near[2] == Within.No, "within, of many");

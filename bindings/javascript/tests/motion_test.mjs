@@ -92,7 +92,8 @@ test('near, deep, and how they meet', () => {
   const a = aabb(0, 0, 2, 2), b = aabb(1, 1, 3, 3), disc = circle(6, 1, 1);
   assert.equal(vesica.within(a, disc, 3), 'yes');
   assert.equal(vesica.within(a, disc, 2.999), 'no');
-  assert.equal(vesica.within(point(0, 0), ellipse(5, 0, 2, 1), 3), 'nearly');
+  assert.equal(vesica.within(point(0, 0), ellipse(5, 0, 2, 1), 3), 'yes');
+  assert.equal(vesica.within(ellipse(-2, 0, 2, 1), ellipse(5, 0, 2, 1), 3), 'nearly');
   const boxes = vesica.shapes('aabb', [a, b, aabb(5, 0, 6, 2)]);
   assert.deepEqual([...vesica.within(boxes, disc, 2)], [0, 1, 1]);
   assert.deepEqual([...vesica.withinMatrix(boxes, vesica.shapes('aabb', [a]), 2)], [1, 1, 0]);

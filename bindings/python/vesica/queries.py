@@ -41,7 +41,7 @@ class Ratio(enum.IntEnum):
 
 
 class Within(enum.IntEnum):
-    """Whether two shapes are at most so far apart. NEARLY, of an ellipse alone: it is too near to tell."""
+    """Whether two shapes are at most so far apart. NEARLY, only for two ellipses: too close to decide."""
 
     NO = _declarations.WITHIN_NO
     YES = _declarations.WITHIN_YES
@@ -316,8 +316,8 @@ def signed_distance_matrix(a, b, out=None):
 def within(a, b, distance, out=None):
     """Are a and b at most `distance` apart? Exactly so far counts. A Within, or an array of uint8 with their numbers.
 
-    Exact for the distance as rounded to the shapes' type; with an ellipse it is Within.NEARLY where the distance is too
-    near the one asked for to tell.
+    Exact for the distance as rounded to the shapes' type. For two ellipses it is Within.NEARLY where their distance is
+    too near the one asked for to decide.
     """
     return _Query("within", (numpy.uint8,), Within, last=(_distance(distance),))(a, b, out)
 

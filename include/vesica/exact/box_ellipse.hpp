@@ -35,7 +35,8 @@ struct VisibleEdges {
   Number<2> c, s;
   Number<3> near_x, near_y, far_x, far_y;
   const Length &a, &b;
-  bool centre_inside;  ///< the ellipse's centre is in the box
+  int turn_x = 1, turn_y = 1;  ///< -1 where folding turned the frame's axis around
+  bool centre_inside;          ///< the ellipse's centre is in the box
 
   constexpr VisibleEdges(const Box& box, const Ellipse& ellipse) noexcept
       : c(dot(box.ux, box.uy, ellipse.ux, ellipse.uy)),
@@ -46,6 +47,9 @@ struct VisibleEdges {
     const auto uu = dot(box.ux, box.uy, box.ux, box.uy);
     auto kx = dot(box.ux, box.uy, dx, dy), ky = cross(box.ux, box.uy, dx, dy);
     s.sign *= kx.sign * ky.sign < 0 ? -1 : 1;
+    // On an axis of the frame both are turned, as s keeps its sign.
+    turn_x = kx.sign < 0 || (kx.sign == 0 && ky.sign < 0) ? -1 : 1;
+    turn_y = ky.sign < 0 || (ky.sign == 0 && kx.sign < 0) ? -1 : 1;
     kx.sign *= kx.sign;
     ky.sign *= ky.sign;
     const auto ex = box.hx * uu, ey = box.hy * uu;

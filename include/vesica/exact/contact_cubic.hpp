@@ -86,6 +86,19 @@ constexpr Cubic cubic(const Ellipse& e, const Ellipse& f) noexcept {
   detail::set(e, f, p);
   return p;
 }
+/// The cubic of f and the disc of radius r about (x, y), seen from the centre of f. As S1 = r^2, no degree exceeds 8,
+/// though those of x and y are 2.
+constexpr Cubic disc_cubic(const Length& r, const Number<2>& x, const Number<2>& y, const Ellipse& f) noexcept {
+  Cubic p;
+  const Number<2> rr = square(r), ww = dot(f.ux, f.uy, f.ux, f.uy);
+  const Number<6> mu = rr * ((square(f.a) + square(f.b)) * ww);
+  const Image<4> z = image(f, x, y);
+  p.d1 = square(rr);
+  p.d2 = square(f.a * f.b * ww);
+  p.c1 = p.d1 + mu - rr * (square(x) + square(y));
+  p.c2 = p.d2 + mu - detail::sum_of_products(z.x, z.x, 1, z.y, z.y);
+  return p;
+}
 constexpr ContactCubic contact_cubic(const Ellipse& e, const Ellipse& f) noexcept {
   ContactCubic p;
   detail::set(e, f, p);

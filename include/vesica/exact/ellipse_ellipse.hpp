@@ -11,13 +11,16 @@ namespace vesica::exact {
 
 namespace detail {
 
-/// Overlap of ellipses that are not degenerate. They overlap if both inner coefficients are non-negative, or the
-/// discriminant is not positive: p has one real root, which is negative, or a multiple one. Not inlined: boxes do not
-/// need this stack.
+/// True if the ellipses of a cubic share a point: if both inner coefficients are non-negative, or the discriminant is
+/// not positive. Then p has one real root, which is negative, or a multiple one.
+constexpr bool share_a_point(const Cubic& p) noexcept {
+  return (p.c1.sign >= 0 && p.c2.sign >= 0) || discriminant_sign(p) <= 0;
+}
+
+/// Overlap of ellipses that are not degenerate. Not inlined: boxes do not need this stack.
 VESICA_CALLED constexpr bool overlap_by_cubic(const Ellipse& e, const Ellipse& f) noexcept {
   const Cubic p = cubic(e, f);
-  if (p.c1.sign >= 0 && p.c2.sign >= 0) return true;
-  return discriminant_sign(p) <= 0;
+  return share_a_point(p);
 }
 
 }  // namespace detail

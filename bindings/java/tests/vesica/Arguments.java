@@ -160,7 +160,9 @@ final class Arguments {
     Circle disc = new Circle(6, 1, 1);
     check(Measures.within(a, disc, 3) == Within.YES, "within");
     check(Measures.within(a, disc, 2.999) == Within.NO, "not within");
-    check(Measures.within(new Point(0, 0), new Ellipse(5, 0, 1, 0, 2, 1), 3) == Within.NEARLY, "nearly within");
+    Ellipse left = new Ellipse(-2, 0, 1, 0, 2, 1), right = new Ellipse(5, 0, 1, 0, 2, 1);
+    check(Measures.within(new Point(0, 0), right, 3) == Within.YES, "a point within");
+    check(Measures.within(left, right, 3) == Within.NEARLY, "nearly within");
     Shapes boxes = Shapes.of(Kind.AABB, a, b, far), one = Shapes.of(Kind.AABB, a);
     byte[] near = new byte[3];
     check(Measures.withinMany(boxes, one, 2, near) == 2 && near[1] == 1 && near[2] == 0, "within, of many");

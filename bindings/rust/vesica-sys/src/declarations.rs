@@ -87,7 +87,7 @@ pub const VESICA_RATIO_COMPLETE: i32 = 6;
 pub const VESICA_WITHIN_NO: i32 = 0;
 /// they are at most that far apart
 pub const VESICA_WITHIN_YES: i32 = 1;
-/// only with an ellipse: their distance is too close to the one asked for to decide
+/// only of two ellipses: their distance is too close to the one asked for to decide
 pub const VESICA_WITHIN_NEARLY: i32 = 2;
 /// score \* (1 - r) if r exceeds the parameter, a threshold from 0 to 1
 pub const VESICA_DECAY_LINEAR: i32 = 0;
@@ -2907,8 +2907,9 @@ extern "C" {
         row_stride: isize) -> i64;
     /// Are two shapes at most `distance` apart? A distance of exactly that counts, as touching does.
     ///
-    /// With distance 0 the answer is that of vesica_overlap_f64, exact for all kinds. Test for \> 0 to miss no
-    /// pair, and for VESICA_WITHIN_YES to accept only what is certain. Exchanging the shapes changes nothing.
+    /// With distance 0 the answer is that of vesica_overlap_f64, exact for all kinds. If both shapes may be ellipses,
+    /// test for \> 0 to miss no pair, and for VESICA_WITHIN_YES to accept only what is certain. Exchanging the shapes
+    /// changes nothing.
     ///
     /// Requires: distance \>= 0. It may be infinity: then the answer is yes for any two valid shapes.
     ///
@@ -2916,12 +2917,11 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
     ///
-    /// Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0, get no
-    /// other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of
-    /// vesica_nearest_f64 differs by at most 5 u scale + 2^-1074 from the one asked for. In bounds on errors u is
-    /// 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their
-    /// centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect
-    /// ratio is longer over shorter size.
+    /// Accuracy: yes and no are always right. Only two disjoint ellipses, neither with a half length of 0, may get
+    /// another answer: VESICA_WITHIN_NEARLY if the distance of vesica_nearest_f64 differs by at most 5 u scale +
+    /// 2^-1074 from the one asked for. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of
+    /// two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
+    /// means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
     /// Cost: one to six times that of vesica_overlap_f64; that of vesica_nearest_f64 for ellipses.
     ///
@@ -2937,12 +2937,11 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
     ///
-    /// Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0, get no
-    /// other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of
-    /// vesica_nearest_f64 differs by at most 5 u scale + 2^-1074 from the one asked for. In bounds on errors u is
-    /// 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their
-    /// centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect
-    /// ratio is longer over shorter size.
+    /// Accuracy: yes and no are always right. Only two disjoint ellipses, neither with a half length of 0, may get
+    /// another answer: VESICA_WITHIN_NEARLY if the distance of vesica_nearest_f64 differs by at most 5 u scale +
+    /// 2^-1074 from the one asked for. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of
+    /// two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
+    /// means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
     /// Since: 0.1.
     pub fn vesica_within_many_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, distance: f64, out: *mut u8) -> i64;
@@ -2956,12 +2955,11 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
     ///
-    /// Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0, get no
-    /// other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of
-    /// vesica_nearest_f64 differs by at most 5 u scale + 2^-1074 from the one asked for. In bounds on errors u is
-    /// 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their
-    /// centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect
-    /// ratio is longer over shorter size.
+    /// Accuracy: yes and no are always right. Only two disjoint ellipses, neither with a half length of 0, may get
+    /// another answer: VESICA_WITHIN_NEARLY if the distance of vesica_nearest_f64 differs by at most 5 u scale +
+    /// 2^-1074 from the one asked for. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of
+    /// two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
+    /// means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
     /// Since: 0.1.
     pub fn vesica_within_matrix_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, distance: f64, out: *mut u8,
@@ -3182,8 +3180,9 @@ extern "C" {
         row_stride: isize) -> i64;
     /// Are two shapes at most `distance` apart? A distance of exactly that counts, as touching does.
     ///
-    /// With distance 0 the answer is that of vesica_overlap_f32, exact for all kinds. Test for \> 0 to miss no
-    /// pair, and for VESICA_WITHIN_YES to accept only what is certain. Exchanging the shapes changes nothing.
+    /// With distance 0 the answer is that of vesica_overlap_f32, exact for all kinds. If both shapes may be ellipses,
+    /// test for \> 0 to miss no pair, and for VESICA_WITHIN_YES to accept only what is certain. Exchanging the shapes
+    /// changes nothing.
     ///
     /// Requires: distance \>= 0. It may be infinity: then the answer is yes for any two valid shapes.
     ///
@@ -3191,12 +3190,11 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
     ///
-    /// Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0, get no
-    /// other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of
-    /// vesica_nearest_f32 differs by at most 5 u scale + 2^-1074 from the one asked for. In bounds on errors u is
-    /// 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their
-    /// centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect
-    /// ratio is longer over shorter size.
+    /// Accuracy: yes and no are always right. Only two disjoint ellipses, neither with a half length of 0, may get
+    /// another answer: VESICA_WITHIN_NEARLY if the distance of vesica_nearest_f32 differs by at most 5 u scale +
+    /// 2^-1074 from the one asked for. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of
+    /// two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
+    /// means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
     /// Cost: one to six times that of vesica_overlap_f32; that of vesica_nearest_f32 for ellipses.
     ///
@@ -3212,12 +3210,11 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
     ///
-    /// Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0, get no
-    /// other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of
-    /// vesica_nearest_f32 differs by at most 5 u scale + 2^-1074 from the one asked for. In bounds on errors u is
-    /// 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their
-    /// centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect
-    /// ratio is longer over shorter size.
+    /// Accuracy: yes and no are always right. Only two disjoint ellipses, neither with a half length of 0, may get
+    /// another answer: VESICA_WITHIN_NEARLY if the distance of vesica_nearest_f32 differs by at most 5 u scale +
+    /// 2^-1074 from the one asked for. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of
+    /// two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
+    /// means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
     /// Since: 0.1.
     pub fn vesica_within_many_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, distance: f32, out: *mut u8) -> i64;
@@ -3231,12 +3228,11 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
     ///
-    /// Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0, get no
-    /// other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of
-    /// vesica_nearest_f32 differs by at most 5 u scale + 2^-1074 from the one asked for. In bounds on errors u is
-    /// 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their
-    /// centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect
-    /// ratio is longer over shorter size.
+    /// Accuracy: yes and no are always right. Only two disjoint ellipses, neither with a half length of 0, may get
+    /// another answer: VESICA_WITHIN_NEARLY if the distance of vesica_nearest_f32 differs by at most 5 u scale +
+    /// 2^-1074 from the one asked for. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of
+    /// two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
+    /// means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
     /// Since: 0.1.
     pub fn vesica_within_matrix_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, distance: f32, out: *mut u8,

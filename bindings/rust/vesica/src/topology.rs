@@ -14,7 +14,7 @@ pub enum Within {
     No = sys::VESICA_WITHIN_NO as u8,
     /// They are not.
     Yes = sys::VESICA_WITHIN_YES as u8,
-    /// With an ellipse alone: their distance is too near the one asked for to tell.
+    /// Only of two ellipses: their distance is too near the one asked for to decide.
     Nearly = sys::VESICA_WITHIN_NEARLY as u8,
 }
 
@@ -24,7 +24,7 @@ impl Default for Within {
     }
 }
 
-/// Are two shapes at most `distance` apart? Exactly so far counts, and exact, but for ellipses.
+/// Are two shapes at most `distance` apart? Exactly so far counts, and exact, but for two ellipses.
 pub fn within<A, B>(a: &A, b: &B, distance: A::Scalar) -> Result<Within, Error>
 where
     A: Shape + ?Sized,

@@ -91,7 +91,9 @@ fn near_deep_and_how_they_meet() {
     assert_eq!(within(&a, &disc, 3.0), Ok(Within::Yes));
     assert_eq!(within(&a, &disc, 2.999), Ok(Within::No));
     let ellipse = Ellipse { cx: 5.0, cy: 0.0, ux: 1.0, uy: 0.0, a: 2.0, b: 1.0 };
-    assert_eq!(within(&Point { x: 0.0, y: 0.0 }, &ellipse, 3.0), Ok(Within::Nearly));
+    let left = Ellipse { cx: -2.0, ..ellipse };
+    assert_eq!(within(&Point { x: 0.0, y: 0.0 }, &ellipse, 3.0), Ok(Within::Yes));
+    assert_eq!(within(&left, &ellipse, 3.0), Ok(Within::Nearly));
     assert_eq!(within(&a, &b, -1.0), Err(Error::Argument));
     let (boxes, mut found, mut signed) = ([a, b, square(5.0, 0.0)], [Within::No; 3], [0.0; 3]);
     assert_eq!(within_many(&boxes, &a, 2.0, &mut found), Ok(2));
