@@ -98,7 +98,7 @@ TEST_P(WithinContact, LeastDistance) {
   Random random(properties::seed() + 31);
   for (const Family family : families) {
     int apart = 0;
-    for (int i = 0; i < 200 * properties::repeat(); ++i) {
+    for (int i = 0; i < 100 * properties::repeat(); ++i) {
       const Pair p{k.a, k.b, shape(k.scalar, family, k.a, random), shape(k.scalar, family, k.b, random)};
       if (answer(p, 0) == VESICA_WITHIN_YES) continue;
       ++apart;

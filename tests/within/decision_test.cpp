@@ -101,7 +101,7 @@ TEST_P(Within, EveryWorkload) {
                       workload == properties::Workload::thin;
     properties::Stream stream(workload, k.a, k.b, k.scalar, properties::seed() + 21);
     properties::Random random(properties::seed() + 22);
-    const int count = both_curved ? (wild ? 4 : 3) : curved ? (wild ? 2 : 20) : (wild ? 8 : 40);
+    const int count = both_curved ? (wild ? 4 : 3) : curved ? (wild ? 2 : 10) : (wild ? 8 : 40);
     for (int i = 0; i < count * properties::repeat(); ++i) {
       const Pair p = stream.next();
       for (const double distance : distances(p, random)) check(p, distance);
