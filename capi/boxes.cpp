@@ -2,6 +2,7 @@
 // Arrays of boxes, corners and bounds: an element at a time, or a block by a kernel where there is one.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <vesica/bounds.hpp>
 #include <vesica/boxes.hpp>
@@ -62,7 +63,7 @@ class BoxColumns {
     std::copy_n(from, vesica::max_fields, number_);
     if (shapes.kind != VESICA_CIRCLE) return;
     const double* const of_circle[] = {from[0], from[1], one_, zero_, from[2], from[2]};
-    std::copy_n(of_circle, vesica::max_fields, number_);
+    std::copy_n(of_circle, std::size(of_circle), number_);
   }
   const double* const* numbers() const noexcept { return number_; }
 
@@ -203,14 +204,14 @@ bool take_bounds(const double* const* columns, int32_t i, float* to) noexcept {
 template <class T>
 int64_t bounds_many(const CShapesOf<T>* shapes, T* out) noexcept {
   VESICA_DEFAULT_ENVIRONMENT(bounds_many<T>, shapes, out);
-  const int32_t error = check_shapes<T>(shapes, out, vesica::has_form);
+  const int32_t error = check_shapes<T>(shapes, out, vesica::has_core);
   if (error != 0) return error;
   const auto v = view<T>(*shapes);
   const auto bounds_of = [&](int64_t i, T(&numbers)[4]) {
     const Element<T> element(v, i);
     vesica::Aabb<T> box;
     const int32_t code = vesica::with_shape(
-        v.kind, element.numbers, [&](const vesica::HasForm auto& shape) { return vesica::bounds(shape, box); });
+        v.kind, element.numbers, [&](const vesica::HasCore auto& shape) { return vesica::bounds(shape, box); });
     if (code == 0) flatten(box, numbers);
     return code;
   };

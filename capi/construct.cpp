@@ -25,7 +25,7 @@ int32_t bounds(int32_t kind, const void* shape, CShape* out) noexcept {
   if (out == nullptr) return VESICA_E_NULL;
   return construct<vesica::Aabb<T>>(out, [&](auto& box) {
     return vesica::with_shape(kind, static_cast<const T*>(shape),
-                              [&](const vesica::HasForm auto& s) { return vesica::bounds(s, box); });
+                              [&](const vesica::HasCore auto& s) { return vesica::bounds(s, box); });
   });
 }
 

@@ -29,7 +29,9 @@ template <class T>
 int32_t check_side(int32_t query, const void* from, const CShapesOf<T>* sets, int32_t set_count,
                    index::Sets& view) noexcept {
   if (query == VESICA_JOIN_BOUNDS) return check_index(from);
-  const int32_t error = first_error(check_index(from), view_sets<T>(sets, set_count, view));
+  const int32_t error = first_error(
+      check_index(from),
+      view_sets<T>(sets, set_count, view, query == VESICA_JOIN_OVERLAP ? vesica::has_core : vesica::has_form));
   if (error != 0) return error;
   return view.items == index::View(from).items() ? 0 : VESICA_E_ARGUMENT;
 }

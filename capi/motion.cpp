@@ -263,7 +263,8 @@ int64_t through_index(const void* from, const CShapesOf<T>* sets, int32_t set_co
                       const Motion& motion, const IsSound& is_sound, const Action& action) noexcept {
   if (one == nullptr) return VESICA_E_NULL;
   index::Sets items, single;
-  const int32_t of_shapes = first_error(view_sets<T>(one, 1, single), view_sets<T>(sets, set_count, items));
+  const int32_t of_shapes = first_error(view_sets<T>(one, 1, single, vesica::has_form),
+                                        view_sets<T>(sets, set_count, items, vesica::has_form));
   const int32_t error = first_error(check_index(from), of_shapes);
   if (error != 0) return error;
   const bool fits = single.items == 1 && items.items == index::View(from).items();

@@ -23,7 +23,7 @@ template <class T>
 int32_t within(int32_t kind_a, const void* a, int32_t kind_b, const void* b, T distance) noexcept {
   VESICA_DEFAULT_ENVIRONMENT(within<T>, kind_a, a, kind_b, b, distance);
   if (a == nullptr || b == nullptr) return VESICA_E_NULL;
-  if (!have_form(kind_a, kind_b)) return VESICA_E_KIND;
+  if (!(vesica::has_core(kind_a) && vesica::has_core(kind_b))) return VESICA_E_KIND;
   if (!(distance >= 0)) return VESICA_E_ARGUMENT;
   const queries::WithinOfPair pair = queries::within(kind_a, kind_b);
   if constexpr (std::is_same_v<T, double>) {
@@ -43,7 +43,7 @@ int64_t result(const vesica::batch::WithinTally& tally) noexcept {
 template <class T>
 int64_t within_many(const CShapesOf<T>* a, const CShapesOf<T>* b, T distance, uint8_t* out) noexcept {
   VESICA_DEFAULT_ENVIRONMENT(within_many<T>, a, b, distance, out);
-  const int32_t error = check_call(a, b, out, anything(a, b), vesica::has_form);
+  const int32_t error = check_call(a, b, out, anything(a, b), vesica::has_core);
   if (error != 0) return error;
   const int64_t n = pairs_in_step(*a, *b);
   if (n < 0 || !(distance >= 0)) return VESICA_E_ARGUMENT;
@@ -54,7 +54,7 @@ template <class T>
 int64_t within_matrix(const CShapesOf<T>* a, const CShapesOf<T>* b, T distance, uint8_t* out,
                       ptrdiff_t row_stride) noexcept {
   VESICA_DEFAULT_ENVIRONMENT(within_matrix<T>, a, b, distance, out, row_stride);
-  const int32_t error = check_call(a, b, out, anything(a, b), vesica::has_form);
+  const int32_t error = check_call(a, b, out, anything(a, b), vesica::has_core);
   if (error != 0) return error;
   if (!rows_apart(a->count, b->count, row_stride, 1) || !(distance >= 0)) return VESICA_E_ARGUMENT;
   if (!anything(a, b)) return 0;

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vesica/each_shape.hpp>
 #include <vesica/form/form.hpp>
+#include <vesica/form/inflated.hpp>
 #include <vesica/shapes.hpp>
 
 namespace vesica {
@@ -14,6 +15,10 @@ namespace vesica {
 /// Every query answers shapes that have a form (form/form.hpp). A shape without one is answered by the queries that say
 /// so, and is an unknown kind to the others.
 using detail::form::HasForm;
+
+/// The queries about distance also answer shapes that are a core with a radius (form/inflated.hpp).
+template <class Shape>
+concept HasCore = HasForm<Shape> || detail::form::Inflated<Shape>;
 
 VESICA_INLINE constexpr bool is_kind(std::int32_t kind) noexcept { return kind >= 0 && kind < kind_count; }
 
@@ -73,6 +78,18 @@ std::int32_t with_shape(std::int32_t kind, const T* numbers, Action action) noex
                    [&]<template <class> class Shape>(Named<Shape>) { return call_with<Shape<T>>(numbers, action); });
 }
 
+/// action(Named<Shape>) for a shape that has a core, else error_kind.
+template <class Action>
+VESICA_INLINE constexpr std::int32_t with_core(std::int32_t kind, Action action) noexcept {
+  return with_name(kind, [&]<template <class> class Shape>(Named<Shape> name) -> std::int32_t {
+    if constexpr (HasCore<Shape<double>>) {
+      return action(name);
+    } else {
+      return error_kind;
+    }
+  });
+}
+
 /// The numbers a shape of this kind has, or error_kind.
 VESICA_INLINE constexpr std::int32_t field_count(std::int32_t kind) noexcept {
   return is_kind(kind) ? fields_of_kind[kind] : static_cast<std::int32_t>(error_kind);
@@ -101,6 +118,11 @@ VESICA_INLINE constexpr void with_field_count(int n, Action action) noexcept {
 /// True if shapes of this kind have a form.
 constexpr bool has_form(std::int32_t kind) noexcept {
   return with_form(kind, []<template <class> class Shape>(Named<Shape>) { return 1; }) == 1;
+}
+
+/// True if shapes of this kind have a core.
+constexpr bool has_core(std::int32_t kind) noexcept {
+  return with_core(kind, []<template <class> class Shape>(Named<Shape>) { return 1; }) == 1;
 }
 
 /// True if shapes of this kind may have an area.

@@ -58,7 +58,7 @@ class Tiles {
     length_ = length;
     vain_ = 0;
     if constexpr (has_tiles) {
-      usable_ = a_.count >= worth_boxing && has_form(a_.kind) && has_form(b_.kind);
+      usable_ = a_.count >= worth_boxing && has_core(a_.kind) && has_core(b_.kind);
       for (std::int32_t i = 0; usable_ && i * stretch < length; ++i) {
         around_[i] = around(b_, begin + i * stretch, block_length(length - i * stretch, stretch));
       }

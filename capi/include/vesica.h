@@ -77,13 +77,19 @@ extern "C" {
 #define VESICA_VERSION_PATCH 0
 #define VESICA_VERSION 100 /**< of this header: major * 10000 + minor * 100 + patch */
 
-/* Kinds of shapes, and the order of their numbers. */
+/*
+ * Kinds of shapes, and the order of their numbers. Capsules and rounded rectangles are taken by: check, bounds,
+ * shape_area, overlap, relation and contains (not with an ellipse), nearest, depth, signed_distance, within, their
+ * arrays, indexes, joins by overlap or distance, and index_nearest. Other functions return VESICA_E_KIND for them.
+ */
 #define VESICA_POINT 0   /**< x y */
 #define VESICA_SEGMENT 1 /**< x0 y0 x1 y1 */
 #define VESICA_CIRCLE 2  /**< cx cy r */
 #define VESICA_AABB 3    /**< min_x min_y max_x max_y */
 #define VESICA_RECT 4    /**< cx cy ux uy hx hy */
 #define VESICA_ELLIPSE 5 /**< cx cy ux uy a b */
+#define VESICA_CAPSULE 6 /**< x0 y0 x1 y1 r */
+#define VESICA_ROUND_RECT 7 /**< cx cy ux uy hx hy r */
 
 /* Relations of a shape a to a shape b. */
 #define VESICA_DISJOINT 0       /**< a and b have no common point */
@@ -98,7 +104,7 @@ extern "C" {
 /* Errors. */
 #define VESICA_E_NULL (-1)          /**< a pointer is NULL */
 #define VESICA_E_SHAPE (-2)         /**< a shape is invalid; vesica_check_f64 or _f32 says why */
-#define VESICA_E_KIND (-3)          /**< a kind is not one of the six */
+#define VESICA_E_KIND (-3)          /**< a number is no kind, or the function does not take the kind */
 #define VESICA_E_ARGUMENT (-4)      /**< another argument is out of its documented range */
 #define VESICA_E_NOT_FINITE (-5)    /**< a number is NaN or infinite */
 #define VESICA_E_NEGATIVE_SIZE (-6) /**< a radius, half extent or half length is negative */
@@ -138,6 +144,19 @@ typedef struct {
 typedef struct {
     double cx, cy, ux, uy, a, b;
 } vesica_ellipse_f64;
+
+/** All points at most r from the segment from (x0, y0) to (x1, y1), r >= 0. If its ends are the same, it is a disc. */
+typedef struct {
+    double x0, y0, x1, y1, r;
+} vesica_capsule_f64;
+
+/**
+ * All points at most r >= 0 from the rectangle (cx, cy, ux, uy, hx, hy): one with round corners.
+ * hx and hy are the rectangle's, in units of the axis, without the radius; r is in units of the coordinates.
+ */
+typedef struct {
+    double cx, cy, ux, uy, hx, hy, r;
+} vesica_round_rect_f64;
 
 /** A distance, and two points that are that far apart: (ax, ay) of shape a and (bx, by) of shape b. */
 typedef struct {
@@ -664,14 +683,15 @@ VESICA_API int32_t vesica_version_patch(void);
 
 /**
  * How many numbers does a shape of this kind have?
- * Returns: 2, 4, 3, 4, 6, 6 for VESICA_POINT ... VESICA_ELLIPSE.
+ * Returns: 2, 4, 3, 4, 6, 6, 5, 7 for VESICA_POINT ... VESICA_ROUND_RECT.
  * Errors: VESICA_E_KIND.
  */
 VESICA_API int32_t vesica_field_count(int32_t kind);
 
 /**
  * Name of a kind.
- * Returns: static text: "point", "segment", "circle", "aabb", "rect" or "ellipse"; NULL for an unknown kind.
+ * Returns: static text: "point", "segment", "circle", "aabb", "rect", "ellipse", "capsule" or "round_rect"; NULL for an
+ * unknown kind.
  */
 VESICA_API const char *vesica_kind_name(int32_t kind);
 
@@ -698,6 +718,10 @@ typedef struct { float min_x, min_y, max_x, max_y; } vesica_aabb_f32;
 typedef struct { float cx, cy, ux, uy, hx, hy; } vesica_rect_f32;
 /** As vesica_ellipse_f64. */
 typedef struct { float cx, cy, ux, uy, a, b; } vesica_ellipse_f32;
+/** As vesica_capsule_f64. */
+typedef struct { float x0, y0, x1, y1, r; } vesica_capsule_f32;
+/** As vesica_round_rect_f64. */
+typedef struct { float cx, cy, ux, uy, hx, hy, r; } vesica_round_rect_f32;
 /** As vesica_closest_points_f64. */
 typedef struct { float distance, ax, ay, bx, by; } vesica_closest_points_f32;
 /** As vesica_penetration_f64. */

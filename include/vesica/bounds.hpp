@@ -15,10 +15,10 @@ namespace vesica {
 
 namespace detail::bounds {
 
-/// Along one coordinate a shape reaches from c - extent to c + extent, where the extent is |p0 q0| + |p1 q1| for
-/// a rectangle and sqrt((p0 q0)^2 + (p1 q1)^2) for an ellipse.
+/// Along one coordinate a shape reaches from c - extent to c + extent, where the extent is |p0 q0| + |p1 q1| + radius
+/// for a rectangle and sqrt((p0 q0)^2 + (p1 q1)^2) for an ellipse.
 struct Reach {
-  double c, p0, q0, p1, q1;
+  double c, p0, q0, p1, q1, radius = 0;
 };
 
 /// No estimate: the exact stage must decide.
@@ -78,8 +78,8 @@ constexpr double to_finite(const arithmetic::Scaled& s) noexcept {
 /// starts within a few last places of it, and so is short.
 VESICA_COLD constexpr bool exact_upper(const Rect<double>&, const Reach& r, double& out) noexcept {
   using namespace exact;
-  const auto value =
-      from_double(r.c) + abs(from_double(r.p0) * from_double(r.q0)) + abs(from_double(r.p1) * from_double(r.q1));
+  const auto value = from_double(r.c) + from_double(r.radius) + abs(from_double(r.p0) * from_double(r.q0)) +
+                     abs(from_double(r.p1) * from_double(r.q1));
   return arithmetic::search_up(
       to_finite(rounded(value)), [&](double m) { return compare(from_double(m), value) >= 0; }, out);
 }
@@ -113,8 +113,9 @@ template <class Shape>
 VESICA_INLINE arithmetic::Estimate<double> extent_estimate(const Shape& s, const Reach& r) noexcept {
   const auto x = arithmetic::two_product_fused(std::fabs(r.p0), r.q0),
              y = arithmetic::two_product_fused(std::fabs(r.p1), r.q1);
-  const bool usable = in_range(r.p0, r.q0, x.high) && in_range(r.p1, r.q1, y.high) && std::fabs(r.c) <= 0x1p400;
-  return usable ? estimate(s, x, y) : unknown;
+  const bool usable =
+      in_range(r.p0, r.q0, x.high) && in_range(r.p1, r.q1, y.high) && std::fabs(r.c) <= 0x1p400 && r.radius <= 0x1p400;
+  return usable ? arithmetic::add(r.radius, estimate(s, x, y)) : unknown;
 }
 
 /// The shape's interval along one coordinate: false where a side is beyond the finite numbers.
@@ -129,18 +130,18 @@ VESICA_INLINE constexpr bool interval(const Shape& s, const Reach& r, double& lo
   }
   if (!arithmetic::both(has_high, has_low)) [[unlikely]] {
     if (!has_high && !exact_upper(s, r, high)) return false;
-    if (!has_low && !exact_upper(s, {-r.c, r.p0, r.q0, r.p1, r.q1}, minus_low)) return false;
+    if (!has_low && !exact_upper(s, {-r.c, r.p0, r.q0, r.p1, r.q1, r.radius}, minus_low)) return false;
   }
   low = 0 - minus_low;
   return true;
 }
 
-/// Bounds of a rectangle or an ellipse with half lengths h0 along the axis and h1 across it.
+/// Bounds of a rectangle, with a radius or without, or an ellipse with half lengths h0 along the axis and h1 across it.
 template <class Shape>
-constexpr int oblique_bounds(const Shape& s, double h0, double h1, Aabb<double>& out) noexcept {
+constexpr int oblique_bounds(const Shape& s, double h0, double h1, Aabb<double>& out, double radius = 0) noexcept {
   Aabb<double> box;
-  if (!interval(s, {s.cx, s.ux, h0, s.uy, h1}, box.min_x, box.max_x)) return error_range;
-  if (!interval(s, {s.cy, s.uy, h0, s.ux, h1}, box.min_y, box.max_y)) return error_range;
+  if (!interval(s, {s.cx, s.ux, h0, s.uy, h1, radius}, box.min_x, box.max_x)) return error_range;
+  if (!interval(s, {s.cy, s.uy, h0, s.ux, h1, radius}, box.min_y, box.max_y)) return error_range;
   out = box;
   return 0;
 }
@@ -166,6 +167,18 @@ constexpr int bounds_of_valid(const Circle<double>& s, Aabb<double>& out) noexce
 }
 constexpr int bounds_of_valid(const Ellipse<double>& s, Aabb<double>& out) noexcept {
   return oblique_bounds(s, s.a, s.b, out);
+}
+constexpr int bounds_of_valid(const Capsule<double>& s, Aabb<double>& out) noexcept {
+  Aabb<double> at_start, at_end;
+  const int error = bounds_of_valid(Circle<double>{s.x0, s.y0, s.r}, at_start);
+  if (error != 0 || bounds_of_valid(Circle<double>{s.x1, s.y1, s.r}, at_end) != 0) return error_range;
+  using vesica::detail::lesser, vesica::detail::greater;
+  out = {lesser(at_start.min_x, at_end.min_x), lesser(at_start.min_y, at_end.min_y),
+         greater(at_start.max_x, at_end.max_x), greater(at_start.max_y, at_end.max_y)};
+  return 0;
+}
+constexpr int bounds_of_valid(const RoundRect<double>& s, Aabb<double>& out) noexcept {
+  return oblique_bounds(Rect<double>{s.cx, s.cy, s.ux, s.uy, s.hx, s.hy}, s.hx, s.hy, out, s.r);
 }
 
 }  // namespace detail::bounds

@@ -57,4 +57,16 @@ constexpr int check(const Ellipse<T>& s) noexcept {
   return detail::check_axis_and_sizes(s.ux, s.uy, s.a, s.b);
 }
 
+template <class T>
+constexpr int check(const Capsule<T>& s) noexcept {
+  if (!detail::finite(s)) return error_not_finite;
+  return s.r < 0 ? error_negative_size : 0;
+}
+
+template <class T>
+constexpr int check(const RoundRect<T>& s) noexcept {
+  if (!detail::finite(s)) return error_not_finite;
+  return s.r < 0 ? error_negative_size : detail::check_axis_and_sizes(s.ux, s.uy, s.hx, s.hy);
+}
+
 }  // namespace vesica

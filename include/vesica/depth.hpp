@@ -24,6 +24,7 @@
 #include <vesica/depth/exact_zero.hpp>
 #include <vesica/depth/lane_pairs.hpp>
 #include <vesica/depth/search.hpp>
+#include <vesica/nearest.hpp>
 #include <vesica/overlap.hpp>
 #include <vesica/support_minimum/stored_extents.hpp>
 
@@ -155,7 +156,8 @@ inline bool settled_depth(const Circle<double>& a, const Ellipse<double>& b, Pen
 /// Do shapes of kinds in order overlap? 1, 0, or a negative error if one is invalid.
 template <class A, class B>
 VESICA_INLINE std::int32_t overlap_in_order(const A& a, const B& b) noexcept {
-  const std::int32_t answer = decide_by_filter(a, b);
+  const auto verdict = vesica::detail::overlap::filter(a, b);
+  const std::int32_t answer = 2 * std::int32_t{verdict.overlap} + std::int32_t{verdict.disjoint} - 1;
   return answer >= 0 ? answer : undecided_overlap(a, b);
 }
 
@@ -173,6 +175,35 @@ VESICA_CALLED std::int32_t depth_in_order(const A& a, const B& b, std::int32_t o
     return depth_of_overlapping(a, b, static_cast<Overlap>(overlapping), out);
   }
   out = {0, 0, 0};
+  return 0;
+}
+
+/// With a core and a radius (form/inflated.hpp). The points of b less those of a are the cores' with a disc of both
+/// radii added, so the radii add to the depth of cores that overlap. Where the cores are apart, the shortest move is
+/// along their connection.
+template <class A, form::Inflated B>
+VESICA_CALLED std::int32_t depth_in_order(const A& a, const B& b, std::int32_t overlapping,
+                                          Penetration<double>& out) noexcept {
+  if (overlapping == not_asked) overlapping = overlap_in_order(a, b);
+  if (overlapping < 0) return overlapping;
+  const auto p = form::inflated(a);
+  const auto q = form::inflated(b);
+  Penetration<double> found{0, 0, 0};
+  if (overlapping == 0) {
+    out = found;
+    return 0;
+  }
+  if (vesica::overlap(p.core, q.core)) {
+    const std::int32_t error = depth_or_error(p.core, q.core, found);
+    if (error != 0) return error;
+    found.depth = found.depth + (p.radius + q.radius);
+  } else {
+    const nearest::ClosestCores c = nearest::closest_cores(a, b);
+    const double depth = nearest::scaled_distance(c.radii - c.distance, c.exponent);
+    found = {depth > 0 ? depth : 0, c.nx + 0.0, c.ny + 0.0};  // no -0
+  }
+  if (!all_finite(found.depth)) return error_range;
+  out = found;
   return 0;
 }
 

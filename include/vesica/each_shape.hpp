@@ -14,8 +14,12 @@
 #define VESICA_EACH_SHAPE_WITH_FORM(X) \
   X(point, Point) X(segment, Segment) X(circle, Circle) X(aabb, Aabb) X(rect, Rect) X(ellipse, Ellipse)
 
+/// Every shape that is a core with a radius (form/inflated.hpp), but for the circle.
+#define VESICA_EACH_SHAPE_INFLATED(X) X(capsule, Capsule) X(round_rect, RoundRect)
+
 /// Every shape, in the order of Kind.
-#define VESICA_EACH_SHAPE(X) VESICA_EACH_SHAPE_WITH_FORM(X) VESICA_EACH_SHAPE_WITHOUT_FORM(X)
+#define VESICA_EACH_SHAPE(X) \
+  VESICA_EACH_SHAPE_WITH_FORM(X) VESICA_EACH_SHAPE_INFLATED(X) VESICA_EACH_SHAPE_WITHOUT_FORM(X)
 
 /// X(first, First, second, Second): every pair of shapes with a form (form/form.hpp) once, the shape of the lower Kind
 /// first. A pair's function, file and test carry the two lower-case names in this order.
@@ -42,5 +46,23 @@
   X(rect, Rect, ellipse, Ellipse)       \
   X(ellipse, Ellipse, ellipse, Ellipse)
 
+/// The pairs with at least one of them.
+#define VESICA_EACH_PAIR_INFLATED(X)         \
+  X(point, Point, capsule, Capsule)          \
+  X(segment, Segment, capsule, Capsule)      \
+  X(circle, Circle, capsule, Capsule)        \
+  X(aabb, Aabb, capsule, Capsule)            \
+  X(rect, Rect, capsule, Capsule)            \
+  X(ellipse, Ellipse, capsule, Capsule)      \
+  X(capsule, Capsule, capsule, Capsule)      \
+  X(point, Point, round_rect, RoundRect)     \
+  X(segment, Segment, round_rect, RoundRect) \
+  X(circle, Circle, round_rect, RoundRect)   \
+  X(aabb, Aabb, round_rect, RoundRect)       \
+  X(rect, Rect, round_rect, RoundRect)       \
+  X(ellipse, Ellipse, round_rect, RoundRect) \
+  X(capsule, Capsule, round_rect, RoundRect) \
+  X(round_rect, RoundRect, round_rect, RoundRect)
+
 /// Every pair of shapes.
-#define VESICA_EACH_PAIR(X) VESICA_EACH_PAIR_OF_FORMS(X) VESICA_EACH_PAIR_WITHOUT_FORM(X)
+#define VESICA_EACH_PAIR(X) VESICA_EACH_PAIR_OF_FORMS(X) VESICA_EACH_PAIR_INFLATED(X) VESICA_EACH_PAIR_WITHOUT_FORM(X)

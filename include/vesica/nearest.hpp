@@ -21,6 +21,7 @@
 #include <limits>
 #include <vesica/crossings.hpp>
 #include <vesica/nearest/common_point.hpp>
+#include <vesica/nearest/inflated.hpp>
 #include <vesica/nearest/lane_pairs.hpp>
 #include <vesica/overlap.hpp>
 
@@ -33,11 +34,6 @@ struct ClosestPoints {
 };
 
 namespace detail::nearest {
-
-inline double scaled_distance(const Twofold<double>& distance, int exponent) noexcept {
-  const Twofold<double> d = renormalised(distance);
-  return arithmetic::scale_rounded(d.high, d.low, exponent);
-}
 
 /// Any disjoint pair. steps: how many steps the search took, for tests.
 template <class A, class B>
@@ -129,6 +125,28 @@ VESICA_CALLED std::int32_t nearest_in_order(const A& a, const B& b, std::int32_t
     if (apart) overlapping = overlap_or_error(a, b);
     if (overlapping < 0) return overlapping;
     found = general_points(a, b, overlapping == 1);
+  }
+  return rounded_to(found, overlapping == 1, out) ? 0 : error_range;
+}
+
+/// With a core and a radius (form/inflated.hpp): the closest points of the cores, moved by the radii.
+template <class A, form::Inflated B>
+VESICA_CALLED std::int32_t nearest_in_order(const A& a, const B& b, std::int32_t overlapping,
+                                            ClosestPoints<double>& out) noexcept {
+  if (overlapping == not_asked) overlapping = overlap_or_error(a, b);
+  if (overlapping < 0) return overlapping;
+  ClosestPoints<double> found;
+  if (overlapping == 1 && vesica::overlap(form::inflated(a).core, form::inflated(b).core)) {
+    found = common_points(form::inflated(a).core, form::inflated(b).core);
+  } else {
+    const ClosestCores c = closest_cores(a, b);
+    if (overlapping == 1) {
+      const Located common = c.common();
+      found = {0, common.x, common.y, common.x, common.y};
+    } else {
+      const Located on_a = c.from_a(c.radius_a), on_b = c.from_b(c.radius_b);
+      found = {scaled_distance(c.distance - c.radii, c.exponent), on_a.x, on_a.y, on_b.x, on_b.y};
+    }
   }
   return rounded_to(found, overlapping == 1, out) ? 0 : error_range;
 }

@@ -20,6 +20,7 @@
 #include <vesica/overlap/circle_ellipse.hpp>
 #include <vesica/overlap/circle_rect.hpp>
 #include <vesica/overlap/ellipse_ellipse.hpp>
+#include <vesica/overlap/inflated.hpp>
 #include <vesica/overlap/point_aabb.hpp>
 #include <vesica/overlap/point_circle.hpp>
 #include <vesica/overlap/point_ellipse.hpp>
@@ -38,47 +39,16 @@ namespace vesica {
 
 namespace detail {
 
-namespace overlap {
-/// Some pairs have overloads of these, for two shapes.
-void first_filter() = delete;
-void second_filter() = delete;
-}  // namespace overlap
-
 /// 1, 0, or -1 for undecided. Computed by arithmetic, because a branch on the answer would be mispredicted.
 template <class Mask>
 VESICA_INLINE constexpr std::int32_t answer_of(const filter::Verdict<Mask>& verdict) noexcept {
   return 2 * static_cast<std::int32_t>(verdict.overlap) + static_cast<std::int32_t>(verdict.disjoint) - 1;
 }
 
-/// The branch is nearly always predicted.
-VESICA_INLINE constexpr std::int32_t answer_of(const filter::DecidedVerdict<bool>& verdict) noexcept {
-  return verdict.decided ? static_cast<std::int32_t>(verdict.overlap) : -1;
-}
-
 /// By the pair's filter, for kinds in order.
 template <class A, class B>
 VESICA_INLINE constexpr std::int32_t decide_by_filter(const A& a, const B& b) noexcept {
   return answer_of(detail::overlap::filter(a, b));
-}
-
-/// Pairs whose filter is two filters: a short one that decides most pairs, and a long one.
-template <class A, class B>
-concept HasTwoFilters = requires(const A& a, const B& b) {
-  detail::overlap::first_filter(a, b);
-};
-/// By the short filter; other pairs have one filter.
-template <class A, class B>
-VESICA_INLINE constexpr std::int32_t decide_by_first_filter(const A& a, const B& b) noexcept {
-  if constexpr (HasTwoFilters<A, B>) {
-    return answer_of(detail::overlap::first_filter(a, b));
-  } else {
-    return decide_by_filter(a, b);
-  }
-}
-template <class A, class B>
-VESICA_INLINE constexpr std::int32_t decide_by_second_filter(const A& a, const B& b) noexcept {
-  if constexpr (HasTwoFilters<A, B>) return answer_of(detail::overlap::second_filter(a, b));
-  return -1;
 }
 
 /// The third stage. Invalid shapes get their error here.
@@ -94,6 +64,12 @@ VESICA_CALLED constexpr std::int32_t decide_undecided(const A& a, const B& b) no
   if constexpr (filter::HasIntegers<A, B>) {
     if (!std::is_constant_evaluated()) {
       const std::int32_t answer = answer_of(filter::by_integers(a, b));
+      if (answer >= 0) return answer;
+    }
+  }
+  if constexpr (detail::overlap::HasEstimate<A, B>) {
+    if (!std::is_constant_evaluated()) {
+      const std::int32_t answer = detail::overlap::estimate_within(a, b, 0);
       if (answer >= 0) return answer;
     }
   }

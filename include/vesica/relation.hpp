@@ -25,6 +25,7 @@
 #include <vesica/relation/comparison.hpp>
 #include <vesica/relation/disc.hpp>
 #include <vesica/relation/ellipse_ellipse.hpp>
+#include <vesica/relation/inflated.hpp>
 
 namespace vesica {
 
@@ -64,6 +65,13 @@ VESICA_COLD constexpr std::int32_t decide_relation(const A& a, const B& b) noexc
   }
 }
 
+/// With a core and a radius.
+template <class A, form::Inflated B>
+VESICA_COLD constexpr std::int32_t decide_relation(const A& a, const B& b) noexcept {
+  if (check(a) != 0 || check(b) != 0) return error_shape;
+  return static_cast<std::int32_t>(exact::relate(exact::inflated_box(a), exact::inflated_box(b)));
+}
+
 template <template <class> class A, template <class> class B>
 VESICA_COLD constexpr std::int32_t decide_relation(const A<float>& a, const B<float>& b) noexcept {
   return decide_relation(widen(a), widen(b));
@@ -82,6 +90,13 @@ VESICA_COLD constexpr std::int32_t decide_containment(const A& a, const B& b, bo
     return (other_way ? exact::within(form_a, form_b) : exact::within(form_b, form_a)) ? 1 : 0;
   }
 }
+template <class A, form::Inflated B>
+VESICA_COLD constexpr std::int32_t decide_containment(const A& a, const B& b, bool other_way) noexcept {
+  if (check(a) != 0 || check(b) != 0) return error_shape;
+  const auto form_a = exact::inflated_box(a), form_b = exact::inflated_box(b);
+  return (other_way ? exact::within(form_a, form_b) : exact::within(form_b, form_a)) ? 1 : 0;
+}
+
 template <template <class> class A, template <class> class B>
 VESICA_COLD constexpr std::int32_t decide_containment(const A<float>& a, const B<float>& b, bool other_way) noexcept {
   return decide_containment(widen(a), widen(b), other_way);

@@ -48,6 +48,19 @@ struct Ellipse {
   T cx, cy, ux, uy, a, b;
 };
 
+/// The points at most r >= 0 from a segment. Equal end points make it a circle.
+template <class T>
+struct Capsule {
+  T x0, y0, x1, y1, r;
+};
+
+/// The points at most r >= 0 from a rectangle: one with round corners. hx and hy are in units of the axis, as in Rect,
+/// and do not include the radius, which is a length as those of coordinates are.
+template <class T>
+struct RoundRect {
+  T cx, cy, ux, uy, hx, hy, r;
+};
+
 /// Kinds in the order of the list, from 0. A pair function exists once, with its shapes in this order.
 #define VESICA_KIND(name, Name) name,
 enum class Kind : std::int32_t { VESICA_EACH_SHAPE(VESICA_KIND) };

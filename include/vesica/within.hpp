@@ -147,6 +147,18 @@ std::int32_t curved(const A& a, const B& b, double distance) noexcept {
   return static_cast<std::int32_t>(answer);
 }
 
+/// With a core and a radius, undecided by the filter.
+template <class A, class B>
+VESICA_COLD std::int32_t decide_inflated(const A& a, const B& b, double distance) noexcept {
+  if (check(a) != 0 || check(b) != 0) return error_shape;
+  if (!all_finite(distance)) return 1;
+  if constexpr (overlap::HasEstimate<A, B>) {
+    const std::int32_t answer = overlap::estimate_within(a, b, distance);
+    if (answer >= 0) return answer;
+  }
+  return overlap::exactly_within(a, b, distance) ? 1 : 0;
+}
+
 }  // namespace detail::within
 
 /// The checked form: a Within as a number, error_argument for a distance that is negative or NaN, error_shape when
@@ -156,6 +168,12 @@ std::int32_t within_or_error(const A<double>& a, const B<double>& b, double dist
   namespace within = detail::within;
   if constexpr (!detail::in_order<A<double>, B<double>>) {
     return within_or_error(b, a, distance);
+  } else if constexpr (detail::form::Inflated<B<double>>) {
+    if (!(distance > 0)) return distance == 0 ? overlap_or_error(a, b) : error_argument;
+    const auto verdict = detail::overlap::filter_within(a, b, distance);
+    if (verdict.overlap || verdict.disjoint) [[likely]]
+      return verdict.overlap ? 1 : 0;
+    return within::decide_inflated(a, b, distance);
   } else if constexpr (within::is_ellipse<B<double>>) {
     if (!(distance >= 0)) return error_argument;
     // Without an area it is a rectangle without one.
@@ -170,7 +188,7 @@ std::int32_t within_or_error(const A<double>& a, const B<double>& b, double dist
     const auto second = within::swept(b);
     if (first.reach >= 0 && second.reach >= 0) {
       const double reach = (first.reach + second.reach) + distance;
-      const filter::Verdict<bool> verdict = [&] {
+      const auto verdict = [&] {
         if constexpr (within::is_point<decltype(second.core)> && !within::is_point<decltype(first.core)>) {
           return within::filter(second.core, first.core, reach);
         } else {

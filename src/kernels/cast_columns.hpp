@@ -91,6 +91,7 @@ inline SideColumns side_columns(std::int32_t kind, const QueryOperand& operand) 
     VESICA_EACH_SHAPE_WITH_FORM(VESICA_CASE)
 #undef VESICA_CASE
 #define VESICA_CASE(name, Name) case Kind::name:
+    VESICA_EACH_SHAPE_INFLATED(VESICA_CASE)
     VESICA_EACH_SHAPE_WITHOUT_FORM(VESICA_CASE)
 #undef VESICA_CASE
     break;

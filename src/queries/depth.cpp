@@ -8,6 +8,7 @@ namespace vesica {
 
 #define VESICA_DEFINE(a, A, b, B) VESICA_DEPTH_IN_ORDER(template, A, B)
 VESICA_EACH_PAIR_OF_FORMS(VESICA_DEFINE)
+VESICA_EACH_PAIR_INFLATED(VESICA_DEFINE)
 #undef VESICA_DEFINE
 
 }  // namespace vesica
@@ -18,6 +19,8 @@ namespace {
 
 struct DepthOfPair {
   static constexpr Reversal reversal = Reversal::direction;
+  template <class A, class B>
+  static constexpr bool answers = HasCore<A>&& HasCore<B>;
   template <class T>
   using Result = Penetration<T>;
   template <class A, class B, class Result>

@@ -33,6 +33,7 @@ consteval Table table() noexcept {
   t.of[static_cast<int>(Kind::b)][static_cast<int>(Kind::a)] = reversed<B<double>, A<double>>; \
   t.of[static_cast<int>(Kind::a)][static_cast<int>(Kind::b)] = answer<A<double>, B<double>>;
   VESICA_EACH_PAIR_OF_FORMS(VESICA_ENTRY)
+  VESICA_EACH_PAIR_INFLATED(VESICA_ENTRY)
 #undef VESICA_ENTRY
   return t;
 }

@@ -53,6 +53,7 @@ VESICA_INLINE auto with_shape(const Body& body, const Action& action) noexcept {
     VESICA_EACH_SHAPE_WITH_FORM(VESICA_CASE)
 #undef VESICA_CASE
 #define VESICA_CASE(name, Name) case Kind::name:
+    VESICA_EACH_SHAPE_INFLATED(VESICA_CASE)
     VESICA_EACH_SHAPE_WITHOUT_FORM(VESICA_CASE)
 #undef VESICA_CASE
     break;

@@ -14,14 +14,17 @@ struct CornerGap {
   Number<3> x, y;
 
   /// True if it is no closer than another corner.
-  bool is_behind(const CornerGap& other) const noexcept { return compare(other.x, x) <= 0 && compare(other.y, y) <= 0; }
+  constexpr bool is_behind(const CornerGap& other) const noexcept {
+    return compare(other.x, x) <= 0 && compare(other.y, y) <= 0;
+  }
 };
 
 /// True if any corner of a is at most `reach` from b; (dx, dy) leads from b's centre to a's. In b's frame, in units of
 /// |u|, the corners are p +- g +- h. A box without a size has fewer. One that is behind another needs no test; nor does
-/// one that a corner of b is closest to, where these are known to be too far from a. Degree 6.
-inline bool corner_within(const Box& a, const Box& b, const Length& dx, const Length& dy, const Length& reach,
-                          bool corners_of_b_are_far) noexcept {
+/// one that a corner of b is closest to, where these are known to be too far from a. `strictly`: closer than `reach`.
+/// Degree 6.
+constexpr bool corner_within(const Box& a, const Box& b, const Length& dx, const Length& dy, const Length& reach,
+                             bool corners_of_b_are_far, bool strictly) noexcept {
   const auto uu = dot(b.ux, b.uy, b.ux, b.uy), c = dot(b.ux, b.uy, a.ux, a.uy), s = cross(b.ux, b.uy, a.ux, a.uy);
   const auto p0 = dot(b.ux, b.uy, dx, dy), p1 = cross(b.ux, b.uy, dx, dy);
   const auto g0 = a.hx * c, g1 = a.hx * s, h0 = a.hy * s, h1 = a.hy * c, ex = b.hx * uu, ey = b.hy * uu;
@@ -42,7 +45,9 @@ inline bool corner_within(const Box& a, const Box& b, const Length& dx, const Le
     for (int j = 0; j < count && is_first; ++j) {
       is_first = j == i || !gap[i].is_behind(gap[j]) || (i < j && gap[j].is_behind(gap[i]));
     }
-    if (is_first && compare(square(gap[i].x) + square(gap[i].y), squared_reach) <= 0) return true;
+    if (!is_first) continue;
+    const int compared = compare(square(gap[i].x) + square(gap[i].y), squared_reach);
+    if (strictly ? compared < 0 : compared <= 0) return true;
   }
   return false;
 }
@@ -50,10 +55,17 @@ inline bool corner_within(const Box& a, const Box& b, const Length& dx, const Le
 }  // namespace detail
 
 /// True if two boxes are at most `reach` >= 0 apart.
-inline bool within(const Box& a, const Box& b, const Length& reach) noexcept {
+constexpr bool within(const Box& a, const Box& b, const Length& reach) noexcept {
   const Length dx = a.cx - b.cx, dy = a.cy - b.cy;
-  return detail::corner_within(a, b, dx, dy, reach, false) ||
-         detail::corner_within(b, a, integer(-1) * dx, integer(-1) * dy, reach, true) || overlap(a, b);
+  return detail::corner_within(a, b, dx, dy, reach, false, false) ||
+         detail::corner_within(b, a, integer(-1) * dx, integer(-1) * dy, reach, true, false) || overlap(a, b);
+}
+
+/// True if two boxes are less than `reach` > 0 apart.
+constexpr bool closer(const Box& a, const Box& b, const Length& reach) noexcept {
+  const Length dx = a.cx - b.cx, dy = a.cy - b.cy;
+  return detail::corner_within(a, b, dx, dy, reach, false, true) ||
+         detail::corner_within(b, a, integer(-1) * dx, integer(-1) * dy, reach, true, true) || overlap(a, b);
 }
 
 }  // namespace vesica::exact

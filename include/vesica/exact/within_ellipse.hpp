@@ -42,8 +42,8 @@ struct ClosestParts {
 enum class EdgePart { near_end, far_end, side };
 
 /// The part of an edge that is closest to an ellipse, which does not meet it. As for segment_gap(), x > 0.
-VESICA_CALLED inline EdgePart closest_part(const Number<6>& p00, const Number<6>& p01, const Number<3>& x,
-                                           const Number<3>& from, const Number<3>& to) noexcept {
+VESICA_CALLED constexpr EdgePart closest_part(const Number<6>& p00, const Number<6>& p01, const Number<3>& x,
+                                              const Number<3>& from, const Number<3>& to) noexcept {
   if (compare(square(x), p00) <= 0) {
     return compare(p01 * x, p00 * from) < 0 ? EdgePart::near_end : EdgePart::far_end;
   }
@@ -52,13 +52,14 @@ VESICA_CALLED inline EdgePart closest_part(const Number<6>& p00, const Number<6>
 }
 
 /// True if x <= sqrt(p00) + R for the square of R.
-VESICA_CALLED inline bool side_within(const Number<6>& p00, const Number<3>& x, const Number<4>& squared) noexcept {
+VESICA_CALLED constexpr bool side_within(const Number<6>& p00, const Number<3>& x, const Number<4>& squared) noexcept {
   const Number<6> m = square(x) - p00 - squared;
   return m.sign <= 0 || compare_product_with_square(integer(4) * squared, p00, m) >= 0;
 }
 
 /// Not inlined: corners do not need this stack.
-VESICA_CALLED inline ClosestParts closest_parts(const Box& box, const Ellipse& ellipse, const Length& reach) noexcept {
+VESICA_CALLED constexpr ClosestParts closest_parts(const Box& box, const Ellipse& ellipse,
+                                                   const Length& reach) noexcept {
   const VisibleEdges edges(box, ellipse);
   if (edges.centre_inside || edges.gap(0) <= 0) return {ClosestParts::yes, 0, {}};
   const auto& [c, s, near_x, near_y, far_x, far_y, a, b, turn_x, turn_y, inside] = edges;
@@ -91,8 +92,8 @@ VESICA_CALLED inline ClosestParts closest_parts(const Box& box, const Ellipse& e
 }
 
 /// True if a corner is at most reach > 0 away from an ellipse. Not inlined, as above.
-VESICA_CALLED inline bool corner_within(const Box& box, const Corner& corner, const Ellipse& ellipse,
-                                        const Length& reach) noexcept {
+VESICA_CALLED constexpr bool corner_within(const Box& box, const Corner& corner, const Ellipse& ellipse,
+                                           const Length& reach) noexcept {
   const auto [i, j] = corner;
   const Length dx = box.cx - ellipse.cx, dy = box.cy - ellipse.cy;
   const Number<2> x = add(add(Number<2>(dx), box.hx * box.ux, i), box.hy * box.uy, -j);
@@ -104,7 +105,7 @@ VESICA_CALLED inline bool corner_within(const Box& box, const Corner& corner, co
 }  // namespace detail
 
 /// True if a box and an ellipse are at most `reach` >= 0 apart.
-inline bool within(const Box& box, const Ellipse& ellipse, const Length& reach) noexcept {
+constexpr bool within(const Box& box, const Ellipse& ellipse, const Length& reach) noexcept {
   if (degenerate(ellipse)) return within(box, as_box(ellipse), reach);
   if (reach.sign == 0) return overlap(box, ellipse);
   if (box.hx.sign == 0 && box.hy.sign == 0) return detail::corner_within(box, {1, 1}, ellipse, reach);

@@ -17,6 +17,11 @@ struct Closest {
   double nx, ny;
 };
 
+inline double scaled_distance(const Twofold<double>& distance, int exponent) noexcept {
+  const Twofold<double> d = renormalised(distance);
+  return arithmetic::scale_rounded(d.high, d.low, exponent);
+}
+
 inline Contact on_box(const Box<double>& box, const Spot<double>& p) noexcept {
   return {p, p.s * box.u.x.high - p.t * box.u.y.high, p.s * box.u.y.high + p.t * box.u.x.high};
 }

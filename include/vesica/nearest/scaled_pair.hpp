@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Any two shapes, brought to one form, one place and one scale (form/placement.hpp).
 ///
-/// A shape is a box or an ellipse about a centre; a circle is a point that reaches r farther. Lengths are measured in a
+/// A shape is a box or an ellipse about a centre; a circle is a point that reaches r farther, and so are
+/// other shapes with a radius (form/inflated.hpp). Lengths are measured in a
 /// power of two near the largest of them. A number smaller than that by more than the range of double underflows to 0;
 /// this is far below the error bound.
 #pragma once
 
+#include <vesica/form/inflated.hpp>
 #include <vesica/form/placement.hpp>
 #include <vesica/nearest/box_box.hpp>
 
@@ -61,6 +63,15 @@ UnscaledShape form_times(const Shape& s, double k) noexcept {
   }
 }
 
+/// The core's form, with a radius as a circle has it.
+template <form::Inflated Shape>
+UnscaledShape form_times(const Shape& s, double k) noexcept {
+  const auto inflated = form::inflated(s);
+  UnscaledShape f = form_times(inflated.core, k);
+  f.radius = k * inflated.radius;
+  return f;
+}
+
 /// A shape at the common scale.
 struct ScaledShape {
   Box<double> box;
@@ -114,7 +125,7 @@ inline ScaledShape scaled_shape(const UnscaledShape& f, int unit) noexcept {
 
 /// At least how far the shape reaches. Its digits are those of a circle, a rectangle or an ellipse as stored.
 inline double reach(const ScaledShape& p) noexcept {
-  return p.radius > 0 ? p.radius : extent(p.box.u.x.high, p.box.u.y.high, p.box.hx.high, p.box.hy.high);
+  return p.radius + extent(p.box.u.x.high, p.box.u.y.high, p.box.hx.high, p.box.hy.high);
 }
 
 /// A coordinate of the offset in units of 2^exponent. It keeps its sign, by which closest points are chosen where

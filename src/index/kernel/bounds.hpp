@@ -87,8 +87,36 @@ inline void bounds_of(Named<Ellipse>, const Fields& f, int n, Boxes& out) noexce
   bounds_of_oblique<true>(f, n, out);
 }
 
+inline void bounds_of(Named<Capsule>, const Fields& f, int n, Boxes& out) noexcept {
+  for (int i = 0; i < n; ++i) {
+    const double x0 = f.column[0][i], y0 = f.column[1][i], x1 = f.column[2][i], y1 = f.column[3][i];
+    const double r = f.column[4][i];
+    double inner;
+    about(x0 < x1 ? x0 : x1, r, out.min_x[i], inner);
+    about(x0 < x1 ? x1 : x0, r, inner, out.max_x[i]);
+    about(y0 < y1 ? y0 : y1, r, out.min_y[i], inner);
+    about(y0 < y1 ? y1 : y0, r, inner, out.max_y[i]);
+    const double finite =
+        one_if_finite(x0) * one_if_finite(y0) * one_if_finite(x1) * one_if_finite(y1) * one_if_finite(r);
+    out.valid[i] = (finite == 1) & (r >= 0);
+  }
+}
+
+inline void bounds_of(Named<RoundRect>, const Fields& f, int n, Boxes& out) noexcept {
+  bounds_of_oblique<false>(f, n, out);
+  for (int i = 0; i < n; ++i) {
+    const double r = f.column[6][i];
+    double inner;
+    about(out.min_x[i], r, out.min_x[i], inner);
+    about(out.max_x[i], r, inner, out.max_x[i]);
+    about(out.min_y[i], r, out.min_y[i], inner);
+    about(out.max_y[i], r, inner, out.max_y[i]);
+    out.valid[i] = (out.valid[i] == 1) & (one_if_finite(r) == 1) & (r >= 0);
+  }
+}
+
 inline void bounds(std::int32_t kind, const Fields& fields, int n, Boxes& out) noexcept {
-  with_form(kind, [&]<template <class> class Shape>(Named<Shape> shape) {
+  with_core(kind, [&]<template <class> class Shape>(Named<Shape> shape) {
     bounds_of(shape, fields, n, out);
     return 0;
   });

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Capsules and rounded rectangles against every shape: are two cores at most the sum of the radii apart?
+#pragma once
+
+#include <vesica/check.hpp>
+#include <vesica/exact/within_ellipse.hpp>
+#include <vesica/filter/inflated.hpp>
+#include <vesica/nearest/inflated.hpp>
+
+namespace vesica::detail::overlap {
+
+template <class Shape>
+inline constexpr bool is_ellipse = false;
+template <class V>
+inline constexpr bool is_ellipse<Ellipse<V>> = true;
+
+/// True if the second shape, grown by `distance`, meets the first. The distance is a double or a lane of zeros.
+template <class A, form::Inflated B, class V>
+VESICA_INLINE constexpr auto filter_within(const A& a, const B& b, V distance) noexcept {
+  auto q = form::inflated(b);
+  const auto valid = q.radius >= V(0.0f);
+  q.radius = q.radius + distance;
+  const auto verdict = [&] {
+    if constexpr (is_ellipse<A>) {
+      return filter::inflated_box_ellipse(filter::box(q.core), q.radius, a,
+                                          filter::offset(filter::place(q.core), filter::place(a)));
+    } else {
+      return filter::inflated_pair(form::inflated(a), q);
+    }
+  }();
+  return filter::guarded(valid, verdict.overlap, verdict.disjoint);
+}
+
+template <class A, form::Inflated B>
+VESICA_INLINE constexpr auto filter(const A& a, const B& b) noexcept {
+  return filter_within(a, b, decltype(form::inflated(b).radius)(0.0f));
+}
+
+/// Valid shapes: are they at most `distance` apart?
+template <class A, form::Inflated B>
+constexpr bool exactly_within(const A& a, const B& b, double distance) noexcept {
+  const auto p = form::inflated(a);
+  const auto q = form::inflated(b);
+  const exact::Length reach =
+      exact::from_double(p.radius) + exact::from_double(q.radius) + exact::from_double(distance);
+  return exact::within(exact::form(q.core), exact::form(p.core), reach);
+}
+
+template <class A, form::Inflated B>
+constexpr bool exact(const A& a, const B& b) noexcept {
+  return exactly_within(a, b, 0);
+}
+
+/// Pairs that have an estimate between the filter and exact arithmetic.
+template <class A, class B>
+concept HasEstimate = is_ellipse<A> && form::Inflated<B>;
+
+/// 1 if the shapes are at most `distance` apart, 0 if not, -1 if that is not certain. By the distance of nearest(),
+/// which is right to 4u of the scale; 16u are taken.
+template <class B>
+VESICA_COLD std::int32_t estimate_within(const Ellipse<double>& a, const B& b, double distance) noexcept {
+  if (check(a) != 0 || check(b) != 0 || !(a.a > 0 && a.b > 0)) return -1;
+  const auto core = form::inflated(b).core;
+  const auto cores = filter::box_ellipse(filter::box(core), a, filter::offset(filter::place(core), filter::place(a)));
+  if (cores.overlap) return 1;
+  if (!cores.disjoint) return -1;
+  const nearest::ClosestCores c = nearest::closest_cores(a, b);
+  const double gap = nearest::scaled_distance(c.distance - c.radii, c.exponent) - distance;
+  const double error = 0x1p-49 * (arithmetic::scale_far(c.size, c.exponent) + distance);
+  return gap < -error ? 1 : gap > error ? 0 : -1;
+}
+
+}  // namespace vesica::detail::overlap
