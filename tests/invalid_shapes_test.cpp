@@ -38,6 +38,14 @@ template <class T>
 struct Samples<Ellipse<T>> {
   static constexpr Ellipse<T> valid{0, 0, 1, 0, 2, 1}, invalid{0, 0, 1, 0, -2, 1};
 };
+template <class T>
+struct Samples<Capsule<T>> {
+  static constexpr Capsule<T> valid{-1, 0, 1, 0, 1}, invalid{-1, 0, 1, 0, -1};
+};
+template <class T>
+struct Samples<RoundRect<T>> {
+  static constexpr RoundRect<T> valid{0, 0, 1, 0, 1, 1, 1}, invalid{0, 0, 1, 0, 1, 1, -1};
+};
 
 template <class Shape>
 using ScalarOf = typename ShapeTraits<Shape>::Scalar;
@@ -155,6 +163,7 @@ VESICA_EACH_PAIR(VESICA_TEST_PAIR)
 VESICA_TEST_PAIR(point, Point, segment, Segment)
 VESICA_TEST_PAIR(circle, Circle, aabb, Aabb)
 VESICA_TEST_PAIR(rect, Rect, ellipse, Ellipse)
+VESICA_TEST_PAIR(capsule, Capsule, round_rect, RoundRect)
 #endif
 #undef VESICA_TEST_PAIR
 

@@ -29,6 +29,10 @@ static_assert(is_flat<double, 3>(vesica_circle_f64{.cx = 1, .cy = 2, .r = 3}));
 static_assert(is_flat<double, 4>(vesica_aabb_f64{.min_x = 1, .min_y = 2, .max_x = 3, .max_y = 4}));
 static_assert(is_flat<double, 6>(vesica_rect_f64{.cx = 1, .cy = 2, .ux = 3, .uy = 4, .hx = 5, .hy = 6}));
 static_assert(is_flat<double, 6>(vesica_ellipse_f64{.cx = 1, .cy = 2, .ux = 3, .uy = 4, .a = 5, .b = 6}));
+static_assert(is_flat<double, 5>(vesica_capsule_f64{.x0 = 1, .y0 = 2, .x1 = 3, .y1 = 4, .r = 5}));
+static_assert(is_flat<double, 7>(vesica_round_rect_f64{.cx = 1, .cy = 2, .ux = 3, .uy = 4, .hx = 5, .hy = 6, .r = 7}));
+static_assert(is_flat<float, 5>(vesica_capsule_f32{.x0 = 1, .y0 = 2, .x1 = 3, .y1 = 4, .r = 5}));
+static_assert(is_flat<float, 7>(vesica_round_rect_f32{.cx = 1, .cy = 2, .ux = 3, .uy = 4, .hx = 5, .hy = 6, .r = 7}));
 static_assert(is_flat<float, 2>(vesica_point_f32{.x = 1, .y = 2}));
 static_assert(is_flat<float, 4>(vesica_segment_f32{.x0 = 1, .y0 = 2, .x1 = 3, .y1 = 4}));
 static_assert(is_flat<float, 3>(vesica_circle_f32{.cx = 1, .cy = 2, .r = 3}));
@@ -49,6 +53,10 @@ TEST(CapiConstants, StructSizes) {
   EXPECT_EQ(sizeof(vesica_aabb_f32), 16u);
   EXPECT_EQ(sizeof(vesica_rect_f32), 24u);
   EXPECT_EQ(sizeof(vesica_ellipse_f32), 24u);
+  EXPECT_EQ(sizeof(vesica_capsule_f64), 40u);
+  EXPECT_EQ(sizeof(vesica_capsule_f32), 20u);
+  EXPECT_EQ(sizeof(vesica_round_rect_f64), 56u);
+  EXPECT_EQ(sizeof(vesica_round_rect_f32), 28u);
 }
 
 // Holds pointers and a ptrdiff_t: these are the numbers of 64-bit machines.
@@ -109,6 +117,8 @@ TEST(CapiConstants, Values) {
   EXPECT_EQ(VESICA_AABB, 3);
   EXPECT_EQ(VESICA_RECT, 4);
   EXPECT_EQ(VESICA_ELLIPSE, 5);
+  EXPECT_EQ(VESICA_CAPSULE, 6);
+  EXPECT_EQ(VESICA_ROUND_RECT, 7);
   EXPECT_EQ(VESICA_DISJOINT, 0);
   EXPECT_EQ(VESICA_TOUCH, 1);
   EXPECT_EQ(VESICA_CROSS, 2);
@@ -190,7 +200,9 @@ TEST(CapiConstants, FieldCounts) {
   EXPECT_EQ(vesica_field_count(VESICA_AABB), 4);
   EXPECT_EQ(vesica_field_count(VESICA_RECT), 6);
   EXPECT_EQ(vesica_field_count(VESICA_ELLIPSE), 6);
-  for (std::int32_t kind : {-1, 6, INT32_MIN, INT32_MAX}) EXPECT_EQ(vesica_field_count(kind), VESICA_E_KIND) << kind;
+  EXPECT_EQ(vesica_field_count(VESICA_CAPSULE), 5);
+  EXPECT_EQ(vesica_field_count(VESICA_ROUND_RECT), 7);
+  for (std::int32_t kind : {-1, 8, INT32_MIN, INT32_MAX}) EXPECT_EQ(vesica_field_count(kind), VESICA_E_KIND) << kind;
 }
 
 TEST(CapiConstants, KindNames) {
@@ -200,7 +212,9 @@ TEST(CapiConstants, KindNames) {
   EXPECT_STREQ(vesica_kind_name(VESICA_AABB), "aabb");
   EXPECT_STREQ(vesica_kind_name(VESICA_RECT), "rect");
   EXPECT_STREQ(vesica_kind_name(VESICA_ELLIPSE), "ellipse");
-  for (std::int32_t kind : {-1, 6, INT32_MIN, INT32_MAX}) EXPECT_EQ(vesica_kind_name(kind), nullptr) << kind;
+  EXPECT_STREQ(vesica_kind_name(VESICA_CAPSULE), "capsule");
+  EXPECT_STREQ(vesica_kind_name(VESICA_ROUND_RECT), "round_rect");
+  for (std::int32_t kind : {-1, 8, INT32_MIN, INT32_MAX}) EXPECT_EQ(vesica_kind_name(kind), nullptr) << kind;
 }
 
 }  // namespace

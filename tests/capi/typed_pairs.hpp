@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The typed overlap functions of all pairs.
+/// The typed overlap functions, which pairs of shapes with a form have.
 #pragma once
 
 #include <vesica/each_shape.hpp>
@@ -22,8 +22,8 @@ constexpr auto typed_pair() {
 
 #define VESICA_PAIR_F64(a, A, b, B) typed_pair<vesica_overlap_##a##_##b##_f64>(),
 #define VESICA_PAIR_F32(a, A, b, B) typed_pair<vesica_overlap_##a##_##b##_f32>(),
-inline constexpr TypedPair<double> typed_pairs_f64[] = {VESICA_EACH_PAIR(VESICA_PAIR_F64)};
-inline constexpr TypedPair<float> typed_pairs_f32[] = {VESICA_EACH_PAIR(VESICA_PAIR_F32)};
+inline constexpr TypedPair<double> typed_pairs_f64[] = {VESICA_EACH_PAIR_OF_FORMS(VESICA_PAIR_F64)};
+inline constexpr TypedPair<float> typed_pairs_f32[] = {VESICA_EACH_PAIR_OF_FORMS(VESICA_PAIR_F32)};
 #undef VESICA_PAIR_F64
 #undef VESICA_PAIR_F32
 

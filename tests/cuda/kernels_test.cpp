@@ -159,7 +159,7 @@ void ask(Scalar scalar, const std::vector<Pair>& pairs) {
     return f32 ? expect_answers<vesica::A, vesica::B, float>(pairs)                                 \
                : expect_answers<vesica::A, vesica::B, double>(pairs);                               \
   }
-  VESICA_EACH_PAIR(VESICA_ASK)
+  VESICA_EACH_PAIR_OF_FORMS(VESICA_ASK)
 #undef VESICA_ASK
   FAIL() << "no pair of kinds " << kind_a << " and " << kind_b;
 }

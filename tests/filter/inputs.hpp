@@ -26,7 +26,8 @@ Shape shape_at(const typename vesica::ShapeTraits<Shape>::Scalar* n) {
 }
 
 /// What each number of a kind is: p a coordinate, a an axis component, s a size. In the order of kinds.
-inline constexpr std::string_view roles[vesica::kind_count] = {"pp", "pppp", "pps", "pppp", "ppaass", "ppaass"};
+inline constexpr std::string_view roles[vesica::kind_count] = {"pp",     "pppp",   "pps",   "pppp",
+                                                               "ppaass", "ppaass", "pppps", "ppaasss"};
 
 /// Exponents of two of the numbers, both ends included: a guard's, and a few beyond it.
 struct Exponents {

@@ -73,7 +73,7 @@ struct Shapes {
 
   template <class Filter>
   static Said verdict(const Numbers<V>& n) {
-    const filter::Verdict<bool> said = Filter::verdict(first(n), second(n));
+    const auto said = Filter::verdict(first(n), second(n));
     return {said.overlap, said.disjoint};
   }
 
@@ -250,7 +250,7 @@ template <class V>
 std::vector<Tested<V>> all_tested() {
   return {
 #define VESICA_TESTED(a, A, b, B) tested<A<V>, B<V>>(),
-      VESICA_EACH_PAIR(VESICA_TESTED)
+      VESICA_EACH_PAIR_OF_FORMS(VESICA_TESTED)
 #undef VESICA_TESTED
           tested<Rect<V>, Rect<V>, UnitAxesFilter>(),
       tested<Rect<V>, Ellipse<V>, UnitAxesFilter>(),

@@ -13,4 +13,4 @@ if ! { cmake -S "$root" -B "$1" -G Ninja -DCMAKE_BUILD_TYPE=Release -DVESICA_DEV
   exit 1
 fi
 cd "$1"
-exec "$2" -B "$here/refused_test.py" capi/libvesica.so "$root/capi/vesica.json" --dummy 6
+exec "$2" -B "$here/refused_test.py" capi/libvesica.so "$root/capi/vesica.json" --dummy 8

@@ -16,7 +16,7 @@ import sys
 
 E_KIND = -3
 GOOD = 4  # VESICA_RECT
-BAD = [-1, 6, 7, 127, -(2**31), 2**31 - 1]
+BAD = [-1, 8, 9, 127, -(2**31), 2**31 - 1]
 # These know a kind before any query does; overlap is the first query.
 OF_EVERY_KIND = ("vesica_field_count", "vesica_kind_name", "vesica_check", "vesica_shapes_from_records")
 OVERLAP = [f"vesica_overlap{form}_{scalar}" for form in ("", "_many", "_matrix", "_select") for scalar in ("f64", "f32")]

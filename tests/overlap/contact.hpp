@@ -37,6 +37,12 @@ enum Field { cx, cy, ux, uy, hx, hy };
 namespace ellipse {
 enum Field { cx, cy, ux, uy, a, b };
 }
+namespace capsule {
+enum Field { x0, y0, x1, y1, r };
+}
+namespace round_rect {
+enum Field { cx, cy, ux, uy, hx, hy, r };
+}
 
 enum Side { first, second };
 
@@ -53,10 +59,10 @@ constexpr Nudge down(Side side, int field) { return {side, field, false}; }
 template <class T>
 struct Shape {
   std::int32_t kind;
-  std::array<T, 6> number;
+  std::array<T, 7> number;
 };
 
-/// The typed functions of one pair of kinds.
+/// The typed functions of one pair of kinds; null for kinds that have none.
 struct Functions {
   std::int32_t (*f64)(const double*, const double*);
   std::int32_t (*f32)(const float*, const float*);
@@ -71,12 +77,17 @@ struct Answers {
 void expect(const Functions& functions, const Shape<double>& a, const Shape<double>& b,
             std::initializer_list<Nudge> nudges, const Answers& answers);
 
-/// The families of one pair of kinds, from its two typed functions.
+struct NoTypedFunctions {
+  static constexpr Functions functions() { return {nullptr, nullptr}; }
+};
 template <auto overlap_f64, auto overlap_f32>
-struct Pair {
-  using A = typename capi::Typed<overlap_f64>::A;
-  using B = typename capi::Typed<overlap_f64>::B;
+struct TypedFunctions {
+  static constexpr Functions functions() { return {capi::Typed<overlap_f64>::call, capi::Typed<overlap_f32>::call}; }
+};
 
+/// The families of one pair of kinds, named by their structs of double.
+template <class A, class B, class Typed = NoTypedFunctions>
+struct PairOfKinds {
   /// Contact from outside: they overlap; each nudge parts them, its opposite does not.
   static void touch(const A& a, const B& b, std::initializer_list<Nudge> outward) { check(a, b, outward, {1, 0, 1}); }
   /// Contact with no room: they overlap; each number named parts them when nudged either way.
@@ -95,8 +106,13 @@ struct Pair {
   }
 
   static void check(const A& a, const B& b, std::initializer_list<Nudge> nudges, const Answers& answers) {
-    expect({capi::Typed<overlap_f64>::call, capi::Typed<overlap_f32>::call}, flat(a), flat(b), nudges, answers);
+    expect(Typed::functions(), flat(a), flat(b), nudges, answers);
   }
 };
+
+/// The same from the pair's two typed functions.
+template <auto overlap_f64, auto overlap_f32>
+using Pair = PairOfKinds<typename capi::Typed<overlap_f64>::A, typename capi::Typed<overlap_f64>::B,
+                         TypedFunctions<overlap_f64, overlap_f32>>;
 
 }  // namespace contact

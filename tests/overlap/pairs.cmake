@@ -7,9 +7,9 @@ set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${vesica_shapes_f
 
 function(vesica_pair_tests out stems)
   file(READ ${vesica_shapes_file} text)
-  string(REGEX MATCHALL "  X\\([a-z]+, [A-Z][a-z]+, [a-z]+, [A-Z]" pairs "${text}")
+  string(REGEX MATCHALL "  X\\([a-z_]+, [A-Z][A-Za-z]+, [a-z_]+, [A-Z]" pairs "${text}")
   foreach(pair IN LISTS pairs)
-    string(REGEX MATCH "X\\(([a-z]+), [A-Za-z]+, ([a-z]+)," match "${pair}")
+    string(REGEX MATCH "X\\(([a-z_]+), [A-Za-z]+, ([a-z_]+)," match "${pair}")
     list(APPEND names ${CMAKE_MATCH_1}_${CMAKE_MATCH_2})
     set(file overlap/${CMAKE_MATCH_1}_${CMAKE_MATCH_2}_test.cpp)
     if(NOT EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${file})

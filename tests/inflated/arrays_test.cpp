@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+// Arrays, indexes and joins answer as single calls do.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <memory>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "inflated/shapes.hpp"
+
+namespace {
+
+using namespace inflated;
+using properties::Random;
+
+template <class T>
+struct Api;
+template <>
+struct Api<double> {
+  using Shapes = vesica_shapes_f64;
+  static constexpr auto overlap_many = vesica_overlap_many_f64;
+  static constexpr auto overlap_matrix = vesica_overlap_matrix_f64;
+  static constexpr auto overlap_select = vesica_overlap_select_f64;
+  static constexpr auto relation_many = vesica_relation_many_f64;
+  static constexpr auto nearest_many = vesica_nearest_many_f64;
+  static constexpr auto depth_many = vesica_depth_many_f64;
+  static std::int32_t overlap(const Shape& a, const Shape& b) {
+    return vesica_overlap_f64(a.kind, a.number.data(), b.kind, b.number.data());
+  }
+};
+template <>
+struct Api<float> {
+  using Shapes = vesica_shapes_f32;
+  static constexpr auto overlap_many = vesica_overlap_many_f32;
+  static constexpr auto overlap_matrix = vesica_overlap_matrix_f32;
+  static constexpr auto overlap_select = vesica_overlap_select_f32;
+  static constexpr auto relation_many = vesica_relation_many_f32;
+  static constexpr auto nearest_many = vesica_nearest_many_f32;
+  static constexpr auto depth_many = vesica_depth_many_f32;
+  static std::int32_t overlap(const Shape& a, const Shape& b) { return Api<double>::overlap(a, b); }
+};
+
+template <class T>
+class InflatedArrays : public ::testing::Test {};
+using Scalars = ::testing::Types<double, float>;
+TYPED_TEST_SUITE(InflatedArrays, Scalars);
+
+constexpr int count = 301;  // not a multiple of any vector
+
+TYPED_TEST(InflatedArrays, OverlapAsSingleCalls) {
+  using A = Api<TypeParam>;
+  Random random(properties::seed());
+  for (std::int32_t kind = 0; kind < 8; ++kind) {
+    for (const std::int32_t other : kinds) {
+      const Columns<TypeParam> first(kind, count, random), second(other, count, random);
+      const auto a = array(first), b = array(second);
+      std::vector<std::uint8_t> out(count, 9), rows(20 * count, 9);
+      std::int64_t expected = 0;
+      const std::int64_t found = A::overlap_many(&a, &b, out.data());
+      for (std::size_t i = 0; i < out.size(); ++i) {
+        const std::int32_t one = A::overlap(first.at(i), second.at(i));
+        expected += one;
+        ASSERT_EQ(out[i], one) << kind << ", " << other << ", " << i;
+      }
+      EXPECT_EQ(found, expected);
+      auto few = a;
+      few.count = 20;
+      EXPECT_GE(A::overlap_matrix(&few, &b, rows.data(), count), 0);
+      for (std::size_t i = 0; i < rows.size(); ++i) {
+        ASSERT_EQ(rows[i], A::overlap(first.at(i / count), second.at(i % count))) << kind << ", " << other;
+      }
+    }
+  }
+}
+
+TYPED_TEST(InflatedArrays, SelectsTheSame) {
+  using A = Api<TypeParam>;
+  Random random(properties::seed());
+  const Columns<TypeParam> one(VESICA_CAPSULE, 1, random), many(VESICA_ROUND_RECT, count, random);
+  const auto a = array(one), b = array(many);
+  std::vector<std::int64_t> out(count + 1), expected;
+  for (std::int64_t i = 0; i < count; ++i) {
+    if (A::overlap(one.at(0), many.at(static_cast<std::size_t>(i))) == 1) expected.push_back(i);
+  }
+  const std::int64_t found = A::overlap_select(&a, &b, out.data(), count + 1);
+  ASSERT_EQ(found, static_cast<std::int64_t>(expected.size()));
+  EXPECT_EQ(out[expected.size()], -1);
+  out.resize(expected.size());
+  EXPECT_EQ(out, expected);
+}
+
+TEST(InflatedArrays, NumbersAsSingleCalls) {
+  Random random(properties::seed());
+  for (std::int32_t kind = 0; kind < 8; ++kind) {
+    const Columns<double> first(kind, count, random), second(VESICA_ROUND_RECT, count, random);
+    const auto a = array(first), b = array(second);
+    std::vector<double> column[5];
+    for (auto& c : column) c.resize(count);
+    ASSERT_GE(vesica_nearest_many_f64(&a, &b, column[0].data(), column[1].data(), column[2].data(), column[3].data(),
+                                      column[4].data()),
+              0);
+    for (std::size_t i = 0; i < count; ++i) {
+      vesica_closest_points_f64 one;
+      const Shape s = first.at(i), t = second.at(i);
+      ASSERT_EQ(vesica_nearest_f64(s.kind, s.number.data(), t.kind, t.number.data(), &one), 0);
+      ASSERT_EQ(column[0][i], one.distance);
+      ASSERT_EQ(column[1][i], one.ax);
+      ASSERT_EQ(column[4][i], one.by);
+    }
+    ASSERT_GE(vesica_depth_many_f64(&a, &b, column[0].data(), column[1].data(), column[2].data()), 0);
+    std::vector<std::uint8_t> codes(count);
+    const std::int64_t related = vesica_relation_many_f64(&a, &b, codes.data());
+    ASSERT_EQ(related >= 0, kind != VESICA_ELLIPSE);
+    for (std::size_t i = 0; i < count; ++i) {
+      vesica_penetration_f64 one;
+      const Shape s = first.at(i), t = second.at(i);
+      ASSERT_EQ(vesica_depth_f64(s.kind, s.number.data(), t.kind, t.number.data(), &one), 0);
+      ASSERT_EQ(column[0][i], one.depth);
+      ASSERT_EQ(column[1][i], one.x);
+      if (kind != VESICA_ELLIPSE) {
+        ASSERT_EQ(codes[i], vesica_relation_f64(s.kind, s.number.data(), t.kind, t.number.data()));
+      }
+    }
+  }
+}
+
+/// Memory for an index, at the alignment that it needs.
+struct Room {
+  std::unique_ptr<void, decltype(&std::free)> memory;
+  std::int64_t size;
+  explicit Room(std::int64_t bytes)
+      : memory(std::aligned_alloc(64, static_cast<std::size_t>((bytes + 63) / 64 * 64)), std::free), size(bytes) {}
+};
+
+Room index_of(const std::vector<vesica_shapes_f64>& sets, std::int64_t items) {
+  Room index(vesica_index_size(items)), scratch(vesica_index_scratch(items));
+  EXPECT_GT(vesica_index_build_f64(sets.data(), static_cast<std::int32_t>(sets.size()), index.memory.get(), index.size,
+                                   scratch.memory.get(), scratch.size),
+            0);
+  return index;
+}
+
+TEST(InflatedIndex, JoinsAsEveryPairAsked) {
+  Random random(properties::seed());
+  std::vector<Columns<double>> columns;
+  for (std::int32_t kind = 0; kind < 8; ++kind) columns.emplace_back(kind, 50, random);
+  std::vector<vesica_shapes_f64> sets;
+  for (const auto& c : columns) sets.push_back(array(c));
+  const Room index = index_of(sets, 400);
+  const auto item = [&](std::size_t i) { return columns[i / 50].at(i % 50); };
+  std::set<std::pair<std::int64_t, std::int64_t>> expected, found;
+  for (std::size_t i = 0; i < 400; ++i) {
+    for (std::size_t j = 0; j < 400; ++j) {
+      if (i != j && Api<double>::overlap(item(i), item(j)) == 1)
+        expected.insert({static_cast<std::int64_t>(i), static_cast<std::int64_t>(j)});
+    }
+  }
+  Room scratch(vesica_join_scratch());
+  std::vector<std::int64_t> a(400 * 400), b(400 * 400);
+  std::int64_t state[16] = {};
+  const std::int64_t n = vesica_join_f64(VESICA_JOIN_OVERLAP, index.memory.get(), sets.data(), 8, index.memory.get(),
+                                         sets.data(), 8, 0, 1, scratch.memory.get(), scratch.size, a.data(), b.data(),
+                                         static_cast<std::int64_t>(a.size()), state);
+  ASSERT_GT(n, 0);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
+    found.insert({a[i], b[i]});
+    found.insert({b[i], a[i]});
+  }
+  EXPECT_EQ(found, expected);
+}
+
+TEST(InflatedIndex, NearestOfASegment) {
+  Random random(properties::seed());
+  const Columns<double> capsules(VESICA_CAPSULE, 200, random), rects(VESICA_ROUND_RECT, 200, random);
+  const std::vector<vesica_shapes_f64> sets{array(capsules), array(rects)};
+  const Room index = index_of(sets, 400);
+  const Columns<double> one(VESICA_SEGMENT, 1, random);
+  const auto asked = array(one);
+  std::vector<std::int64_t> out(3);
+  std::vector<double> distance(3);
+  ASSERT_EQ(vesica_index_nearest_f64(index.memory.get(), sets.data(), 2, &asked, 3, 100, out.data(), distance.data()),
+            3);
+  std::vector<double> all;
+  for (std::size_t i = 0; i < 400; ++i) {
+    const Shape s = i < 200 ? capsules.at(i) : rects.at(i - 200), t = one.at(0);
+    vesica_closest_points_f64 points;
+    ASSERT_EQ(vesica_nearest_f64(t.kind, t.number.data(), s.kind, s.number.data(), &points), 0);
+    all.push_back(points.distance);
+  }
+  std::ranges::sort(all);
+  EXPECT_EQ(distance, std::vector<double>(all.begin(), all.begin() + 3));
+}
+
+}  // namespace

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Questions that do not take capsules and rounded rectangles yet say so, and write nothing.
+#include <gtest/gtest.h>
+#include <vesica_motion.h>
+#include <vesica_topology.h>
+
+#include <cstdint>
+
+#include "inflated/shapes.hpp"
+
+namespace {
+
+using namespace inflated;
+
+TEST(InflatedKinds, AreRefusedByOtherQuestions) {
+  const vesica_capsule_f64 a{0, 0, 1, 0, 1};
+  const vesica_ellipse_f64 b{0, 0, 1, 0, 2, 1};
+  double number = 7;
+  EXPECT_EQ(vesica_area_f64(VESICA_CAPSULE, &a, VESICA_ELLIPSE, &b, &number), VESICA_E_KIND);
+  EXPECT_EQ(vesica_iou_f64(VESICA_ELLIPSE, &b, VESICA_CAPSULE, &a, &number), VESICA_E_KIND);
+  EXPECT_EQ(vesica_ratio_f64(0, VESICA_CAPSULE, &a, VESICA_CAPSULE, &a, &number), VESICA_E_KIND);
+  EXPECT_EQ(number, 7);
+  vesica_closest_points_f64 points{7, 7, 7, 7, 7};
+  EXPECT_EQ(vesica_boundary_distance_f64(VESICA_CAPSULE, &a, VESICA_CAPSULE, &a, &points), VESICA_E_KIND);
+  EXPECT_EQ(points.distance, 7);
+  char matrix[10] = "untouched";
+  EXPECT_EQ(vesica_de9im_f64(VESICA_CAPSULE, &a, VESICA_CAPSULE, &a, matrix), VESICA_E_KIND);
+  EXPECT_STREQ(matrix, "untouched");
+  vesica_impact_f64 impact{7, 7, 7, 7, 7};
+  EXPECT_EQ(vesica_cast_f64(VESICA_CAPSULE, &a, VESICA_ELLIPSE, &b, 1, 0, 1, &impact), VESICA_E_KIND);
+  EXPECT_EQ(impact.t, 7);
+  EXPECT_EQ(vesica_relation_f64(VESICA_CAPSULE, &a, VESICA_ELLIPSE, &b), VESICA_E_KIND);
+  EXPECT_EQ(vesica_contains_f64(VESICA_ELLIPSE, &b, VESICA_CAPSULE, &a), VESICA_E_KIND);
+}
+
+}  // namespace

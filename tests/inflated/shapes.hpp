@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Random shapes, and the core and the radius of each.
+#pragma once
+
+#include <vesica.h>
+#include <vesica_index.h>
+#include <vesica_measures.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "properties/random.hpp"
+
+namespace inflated {
+
+using Numbers = std::array<double, 7>;
+
+struct Shape {
+  std::int32_t kind;
+  Numbers number;
+};
+
+/// The kinds that every test here asks about.
+inline constexpr std::array<std::int32_t, 2> kinds{VESICA_CAPSULE, VESICA_ROUND_RECT};
+
+/// A valid shape of a size of about 1 near the origin.
+Shape shape(std::int32_t kind, properties::Random& random);
+/// One of a random kind; `count` of the first kinds are drawn.
+Shape any_shape(properties::Random& random, int count = 8);
+/// One with a core and a radius.
+Shape inflated_shape(properties::Random& random);
+
+/// The core, and its radius: 0 for shapes without one.
+Shape core(const Shape& s);
+double radius(const Shape& s);
+
+/// Some shapes of one kind as columns, and the array of them.
+template <class T>
+struct Columns {
+  std::array<std::vector<T>, 7> column;
+
+  Columns(std::int32_t kind, int count, properties::Random& random);
+  Shape at(std::size_t i) const;
+  std::int32_t kind;
+};
+vesica_shapes_f64 array(const Columns<double>& c);
+vesica_shapes_f32 array(const Columns<float>& c);
+
+}  // namespace inflated
