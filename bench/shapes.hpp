@@ -15,7 +15,7 @@
 namespace vesica::bench {
 
 /// The numbers of one shape in the shape's order; those beyond its field count are 0.
-using Numbers = std::array<double, 6>;
+using Numbers = std::array<double, 7>;
 
 /// The kind and scalar type of a typed C struct.
 template <class Scalar_, std::int32_t kind_>
@@ -53,7 +53,8 @@ Shape to_shape(const Numbers& numbers) {
   return shape;
 }
 
-/// A shape about (x, y) with the axis (c, s) and half sizes a and b, of which its kind takes what it has.
+/// A shape about (x, y) with the axis (c, s) and half sizes a and b, of which its kind takes what it has. A radius
+/// beside a core is half of b.
 inline Numbers shape_about(std::int32_t kind, double x, double y, double c, double s, double a, double b) {
   switch (kind) {
     case VESICA_POINT:
@@ -64,6 +65,10 @@ inline Numbers shape_about(std::int32_t kind, double x, double y, double c, doub
       return {x, y, a};
     case VESICA_AABB:
       return {x - a, y - b, x + a, y + b};
+    case VESICA_CAPSULE:
+      return {x - a * c, y - a * s, x + a * c, y + a * s, b / 2};
+    case VESICA_ROUND_RECT:
+      return {x, y, c, s, a, b, b / 2};
     default:
       return {x, y, c, s, a, b};
   }

@@ -40,7 +40,7 @@ ScalarCall scalar_call() {
 
 #define VESICA_CALLS(a, A, b, B) \
   scalar_call<vesica_overlap_##a##_##b##_f64>(), scalar_call<vesica_overlap_##a##_##b##_f32>(),
-const ScalarCall calls[] = {VESICA_EACH_PAIR(VESICA_CALLS)};
+const ScalarCall calls[] = {VESICA_EACH_PAIR_OF_FORMS(VESICA_CALLS)};
 #undef VESICA_CALLS
 
 double measured(const Spec& spec) {

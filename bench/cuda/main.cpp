@@ -88,7 +88,7 @@ struct Kinds {
 };
 constexpr Kinds pairs_of_kinds[] = {
 #define VESICA_KINDS(a, A, b, B) {static_cast<std::int32_t>(Kind::a), static_cast<std::int32_t>(Kind::b), #a, #b},
-    VESICA_EACH_PAIR(VESICA_KINDS)
+    VESICA_EACH_PAIR_OF_FORMS(VESICA_KINDS)
 #undef VESICA_KINDS
 };
 constexpr int field_counts[] = {
@@ -109,8 +109,8 @@ std::vector<T> columns_of(std::int32_t kind, const std::vector<Numbers>& pool,
   return numbers;
 }
 template <class T>
-std::array<T, 6> shape_of(std::int32_t kind, const std::vector<T>& columns, std::size_t count, std::size_t i) {
-  std::array<T, 6> shape{};
+std::array<T, 7> shape_of(std::int32_t kind, const std::vector<T>& columns, std::size_t count, std::size_t i) {
+  std::array<T, 7> shape{};
   for (std::size_t k = 0; k < static_cast<std::size_t>(field_counts[kind]); ++k) shape[k] = columns[k * count + i];
   return shape;
 }

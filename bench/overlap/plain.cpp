@@ -33,7 +33,7 @@ bool add() {
 }
 
 #define VESICA_ADD(a, A, b, B) add<vesica_overlap_##a##_##b##_f64, vesica_overlap_##a##_##b##_f32>()&&
-const bool added = VESICA_EACH_PAIR(VESICA_ADD) true;
+const bool added = VESICA_EACH_PAIR_OF_FORMS(VESICA_ADD) true;
 #undef VESICA_ADD
 
 }  // namespace
