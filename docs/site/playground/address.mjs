@@ -4,9 +4,9 @@
 //
 //   #tab=edge&a=rect,0x0p+0,...&b=ellipse,...
 //   #tab=motion&a=...&b=...&motion=0x1p+0,0x0p+0,0x0p+0
-import { fields, kinds } from '../vesica/vesica.mjs';
+import { fields } from '../vesica/vesica.mjs';
 import { fromHex, toHex } from './number.mjs';
-import { numbers, withNumbers } from './shape.mjs';
+import { kinds, numbers, withNumbers } from './shape.mjs';
 
 const write = (shape) => [shape.kind, ...numbers(shape).map(toHex)].join(',');
 

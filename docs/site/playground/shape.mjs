@@ -11,6 +11,9 @@ export const nameOf = {
   ellipse: 'ellipse',
 };
 
+/** The kinds that the playground draws. */
+export const kinds = Object.keys(nameOf);
+
 export const numbers = (shape) => fields[shape.kind].map((name) => shape[name]);
 export const withNumbers = (kind, values) => ({
   kind,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Many shapes of mixed kinds that move and turn in a box, and the pairs of them that touch, asked anew each frame.
-import { kinds } from '../../vesica/vesica.mjs';
+import { kinds } from '../shape.mjs';
 
 export const box = { width: 1.6, height: 1 }; // of the world, about the origin
 export const perInstance = 8; // floats to draw a shape: centre, half axis, other half size, round, touched, spare

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The tab of two shapes: a picture with handles, the numbers, and every answer with its call.
-import { fields, kinds } from '../../vesica/vesica.mjs';
+import { fields } from '../../vesica/vesica.mjs';
 import { choice, copyButton, html } from '../element.mjs';
 import { beside, fromText, toHex } from '../number.mjs';
-import { asKind, nameOf } from '../shape.mjs';
+import { asKind, kinds, nameOf } from '../shape.mjs';
 import { Stage } from '../stage.mjs';
 import { answersTo, brief, callOf, found } from './answers.mjs';
 import { picture } from './picture.mjs';
