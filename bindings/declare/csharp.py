@@ -3,10 +3,9 @@
 
 Structs of doubles have the plain name, those of floats end on F, as those of System.Drawing do.
 """
-from description import ENUMS, HEAD, SCALARS, WIDTH, broken, camel, filled
+from description import ENUMS, HEAD, SCALARS, SHAPES, WIDTH, broken, camel, filled
 
 OPENING = "".join(f"// {line}\n" for line in HEAD)
-SHAPES = ("point", "segment", "circle", "aabb", "rect", "ellipse")
 NUMBERS = {
     "int32_t": "int",
     "int64_t": "long",

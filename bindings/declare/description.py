@@ -11,9 +11,11 @@ DESCRIPTION = REPOSITORY / "capi" / "vesica.json"
 LIBRARY = "libvesica.so"
 HEAD = "SPDX-License-Identifier: Apache-2.0", "Written by bindings/declare from capi/vesica.json: not to be edited."
 GROUPS = {
-    "KINDS": ("POINT", "SEGMENT", "CIRCLE", "AABB", "RECT", "ELLIPSE"),
+    "KINDS": ("POINT", "SEGMENT", "CIRCLE", "AABB", "RECT", "ELLIPSE", "CAPSULE", "ROUND_RECT"),
     "RELATIONS": ("DISJOINT", "TOUCH", "CROSS", "INSIDE", "INSIDE_TOUCH", "CONTAINS", "CONTAINS_TOUCH", "EQUAL"),
 }
+#: The stems of the structs of one shape.
+SHAPES = tuple(kind.lower() for kind in GROUPS["KINDS"])
 PREFIXES = {
     "ANGLE_": "ANGLES",
     "CAST_": "CASTS",
@@ -26,7 +28,7 @@ PREFIXES = {
 }
 #: Groups that languages have an enum for: its name, and what it tells.
 ENUMS = {
-    "KINDS": ("Kind", "The six kinds of shapes."),
+    "KINDS": ("Kind", "The kinds of shapes."),
     "RELATIONS": ("Relation", "How a shape a relates to a shape b: the eight relations of RCC-8."),
     "JOINS": ("JoinQuery", "What makes item a of one index and item b of another a pair of a join."),
     "RATIOS": ("Ratio", "What a shared area is compared with."),

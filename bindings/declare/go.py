@@ -5,12 +5,12 @@ Go memory that holds pointers to Go memory must not be passed to C. So views of 
 by value, to functions of a header that is written too. There addresses are of char: of void, Go would look for such
 pointers in the whole object about them, and refuse slices inside one that has any.
 """
-from description import HEAD, SCALARS, WIDTH, broken, camel, filled
+from description import HEAD, SCALARS, SHAPES, WIDTH, broken, camel, filled
 
 OPENING = "".join(f"// {line}\n" for line in HEAD)
 # The texts of groups of constants, the type, and the prefix of each name.
 GROUPS = {
-    "KINDS": ("Kind is one of the six kinds of shapes.", "Kind", "int32", "Kind"),
+    "KINDS": ("Kind is a kind of shapes.", "Kind", "int32", "Kind"),
     "RELATIONS": ("Relation is how a shape relates to another: one of RCC-8's eight.", "Relation", "uint8", "Relation"),
     "ERRORS": ("Error is an error code of the library.", "Error", "int32", "Err"),
     "JOINS": ("JoinQuery is what makes a pair of a join.", "JoinQuery", "int32", "Join"),
@@ -20,7 +20,6 @@ GROUPS = {
     "WITHINS": ("WithinResult is whether two shapes are so near.", "WithinResult", "uint8", "Within"),
     "CASTS": ("CastResult is what a cast finds.", "CastResult", "int32", "Cast"),
 }
-SHAPES = ("point", "segment", "circle", "aabb", "rect", "ellipse")
 
 HEADER = '''\
 #ifndef VESICA_GO_H
@@ -46,7 +45,7 @@ typedef struct {
 
 /* The numbers of one shape, in double or float. */
 typedef struct {
-    double number[6];
+    double number[7];
 } vesica_go_numbers;
 
 '''
@@ -126,7 +125,7 @@ def passed_in_c(declaration, suffix):
         return copy, f"&of_{name}"
     if declaration.is_shape:
         base = SCALARS[suffix]
-        copy = f"    {base} of_{name}[6];\n    memcpy(of_{name}, &{name}, sizeof of_{name});\n"
+        copy = f"    {base} of_{name}[7];\n    memcpy(of_{name}, &{name}, sizeof of_{name});\n"
         return copy, f"of_{name}"
     kind = in_c(declaration)
     return "", f"({kind.replace('char', 'void')}){name}" if "*" in kind else name

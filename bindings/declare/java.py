@@ -4,11 +4,10 @@
 A pointer is an Object in Java: an array or a direct buffer, lent to C for the time of the call. An array of shapes is
 five arguments: kind, count, stride, the bytes from one number to the next, and the memory.
 """
-from description import ENUMS, HEAD, SCALARS, WIDTH, broken, camel, filled
+from description import ENUMS, HEAD, SCALARS, SHAPES, WIDTH, broken, camel, filled
 
 OPENING = "".join(f"// {line}\n" for line in HEAD)
 PACKAGE = OPENING + "package vesica;\n\n"
-SHAPES = ("point", "segment", "circle", "aabb", "rect", "ellipse")
 JAVA = {"int32_t": "int", "int64_t": "long", "ptrdiff_t": "long", "double": "double", "float": "float"}
 JNI = {
     "int": "jint",

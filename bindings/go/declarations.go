@@ -11,7 +11,7 @@ import "unsafe"
 // Version of this header: major * 10000 + minor * 100 + patch.
 const Version = 100
 
-// Kind is one of the six kinds of shapes.
+// Kind is a kind of shapes.
 type Kind int32
 
 // Kind values.
@@ -28,6 +28,10 @@ const (
 	KindRect Kind = 4
 	// KindEllipse: cx cy ux uy a b
 	KindEllipse Kind = 5
+	// KindCapsule: x0 y0 x1 y1 r
+	KindCapsule Kind = 6
+	// KindRoundRect: cx cy ux uy hx hy r
+	KindRoundRect Kind = 7
 )
 
 // Relation is how a shape relates to another: one of RCC-8's eight.
@@ -62,7 +66,7 @@ const (
 	ErrNull Error = -1
 	// ErrShape: a shape is invalid; vesica_check_f64 or _f32 says why
 	ErrShape Error = -2
-	// ErrKind: a kind is not one of the six
+	// ErrKind: a number is no kind, or the function does not take the kind
 	ErrKind Error = -3
 	// ErrArgument: another argument is out of its documented range
 	ErrArgument Error = -4
@@ -259,6 +263,42 @@ func (s Ellipse[T]) one() one { return oneOf[T](KindEllipse, unsafe.Pointer(&s))
 // Ellipses is an array of shapes: the slice itself, which is not copied.
 func Ellipses[T Float](shapes []Ellipse[T]) Array[T] {
 	return arrayOf[T](KindEllipse, first(shapes), len(shapes))
+}
+
+// Capsule: All points at most r from the segment from (x0, y0) to (x1, y1), r >= 0. If its ends are the same, it is a
+// disc.
+type Capsule[T Float] struct {
+	X0 T
+	Y0 T
+	X1 T
+	Y1 T
+	R  T
+}
+
+func (s Capsule[T]) one() one { return oneOf[T](KindCapsule, unsafe.Pointer(&s)) }
+
+// Capsules is an array of shapes: the slice itself, which is not copied.
+func Capsules[T Float](shapes []Capsule[T]) Array[T] {
+	return arrayOf[T](KindCapsule, first(shapes), len(shapes))
+}
+
+// RoundRect: All points at most r >= 0 from the rectangle (cx, cy, ux, uy, hx, hy): one with round corners.
+// hx and hy are the rectangle's, in units of the axis, without the radius; r is in units of the coordinates.
+type RoundRect[T Float] struct {
+	CX T
+	CY T
+	UX T
+	UY T
+	HX T
+	HY T
+	R  T
+}
+
+func (s RoundRect[T]) one() one { return oneOf[T](KindRoundRect, unsafe.Pointer(&s)) }
+
+// RoundRects is an array of shapes: the slice itself, which is not copied.
+func RoundRects[T Float](shapes []RoundRect[T]) Array[T] {
+	return arrayOf[T](KindRoundRect, first(shapes), len(shapes))
 }
 
 // ClosestPoints: A distance, and two points that are that far apart: (ax, ay) of shape a and (bx, by) of shape b.

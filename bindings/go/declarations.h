@@ -23,193 +23,193 @@ typedef struct {
 
 /* The numbers of one shape, in double or float. */
 typedef struct {
-    double number[6];
+    double number[7];
 } vesica_go_numbers;
 
 static inline int32_t go_overlap_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b) {
-    double of_a[6];
+    double of_a[7];
     memcpy(of_a, &a, sizeof of_a);
-    double of_b[6];
+    double of_b[7];
     memcpy(of_b, &b, sizeof of_b);
     return vesica_overlap_f64(kind_a, of_a, kind_b, of_b);
 }
 
 static inline int32_t go_overlap_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b) {
-    float of_a[6];
+    float of_a[7];
     memcpy(of_a, &a, sizeof of_a);
-    float of_b[6];
+    float of_b[7];
     memcpy(of_b, &b, sizeof of_b);
     return vesica_overlap_f32(kind_a, of_a, kind_b, of_b);
 }
 
 static inline int32_t go_contains_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b) {
-    double of_a[6];
+    double of_a[7];
     memcpy(of_a, &a, sizeof of_a);
-    double of_b[6];
+    double of_b[7];
     memcpy(of_b, &b, sizeof of_b);
     return vesica_contains_f64(kind_a, of_a, kind_b, of_b);
 }
 
 static inline int32_t go_contains_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b) {
-    float of_a[6];
+    float of_a[7];
     memcpy(of_a, &a, sizeof of_a);
-    float of_b[6];
+    float of_b[7];
     memcpy(of_b, &b, sizeof of_b);
     return vesica_contains_f32(kind_a, of_a, kind_b, of_b);
 }
 
 static inline int32_t go_relation_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b) {
-    double of_a[6];
+    double of_a[7];
     memcpy(of_a, &a, sizeof of_a);
-    double of_b[6];
+    double of_b[7];
     memcpy(of_b, &b, sizeof of_b);
     return vesica_relation_f64(kind_a, of_a, kind_b, of_b);
 }
 
 static inline int32_t go_relation_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b) {
-    float of_a[6];
+    float of_a[7];
     memcpy(of_a, &a, sizeof of_a);
-    float of_b[6];
+    float of_b[7];
     memcpy(of_b, &b, sizeof of_b);
     return vesica_relation_f32(kind_a, of_a, kind_b, of_b);
 }
 
 static inline int32_t go_nearest_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
     char *out) {
-    double of_a[6];
+    double of_a[7];
     memcpy(of_a, &a, sizeof of_a);
-    double of_b[6];
+    double of_b[7];
     memcpy(of_b, &b, sizeof of_b);
     return vesica_nearest_f64(kind_a, of_a, kind_b, of_b, (void *)out);
 }
 
 static inline int32_t go_nearest_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
     char *out) {
-    float of_a[6];
+    float of_a[7];
     memcpy(of_a, &a, sizeof of_a);
-    float of_b[6];
+    float of_b[7];
     memcpy(of_b, &b, sizeof of_b);
     return vesica_nearest_f32(kind_a, of_a, kind_b, of_b, (void *)out);
 }
 
 static inline int32_t go_depth_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
     char *out) {
-    double of_a[6];
+    double of_a[7];
     memcpy(of_a, &a, sizeof of_a);
-    double of_b[6];
+    double of_b[7];
     memcpy(of_b, &b, sizeof of_b);
     return vesica_depth_f64(kind_a, of_a, kind_b, of_b, (void *)out);
 }
 
 static inline int32_t go_depth_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
     char *out) {
-    float of_a[6];
+    float of_a[7];
     memcpy(of_a, &a, sizeof of_a);
-    float of_b[6];
+    float of_b[7];
     memcpy(of_b, &b, sizeof of_b);
     return vesica_depth_f32(kind_a, of_a, kind_b, of_b, (void *)out);
 }
 
 static inline int32_t go_area_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b, char *out) {
-    double of_a[6];
+    double of_a[7];
     memcpy(of_a, &a, sizeof of_a);
-    double of_b[6];
+    double of_b[7];
     memcpy(of_b, &b, sizeof of_b);
     return vesica_area_f64(kind_a, of_a, kind_b, of_b, (void *)out);
 }
 
 static inline int32_t go_area_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b, char *out) {
-    float of_a[6];
+    float of_a[7];
     memcpy(of_a, &a, sizeof of_a);
-    float of_b[6];
+    float of_b[7];
     memcpy(of_b, &b, sizeof of_b);
     return vesica_area_f32(kind_a, of_a, kind_b, of_b, (void *)out);
 }
 
 static inline int32_t go_iou_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b, char *out) {
-    double of_a[6];
+    double of_a[7];
     memcpy(of_a, &a, sizeof of_a);
-    double of_b[6];
+    double of_b[7];
     memcpy(of_b, &b, sizeof of_b);
     return vesica_iou_f64(kind_a, of_a, kind_b, of_b, (void *)out);
 }
 
 static inline int32_t go_iou_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b, char *out) {
-    float of_a[6];
+    float of_a[7];
     memcpy(of_a, &a, sizeof of_a);
-    float of_b[6];
+    float of_b[7];
     memcpy(of_b, &b, sizeof of_b);
     return vesica_iou_f32(kind_a, of_a, kind_b, of_b, (void *)out);
 }
 
 static inline int32_t go_bounds_f64(int32_t kind, vesica_go_numbers shape, char *out) {
-    double of_shape[6];
+    double of_shape[7];
     memcpy(of_shape, &shape, sizeof of_shape);
     return vesica_bounds_f64(kind, of_shape, (void *)out);
 }
 
 static inline int32_t go_bounds_f32(int32_t kind, vesica_go_numbers shape, char *out) {
-    float of_shape[6];
+    float of_shape[7];
     memcpy(of_shape, &shape, sizeof of_shape);
     return vesica_bounds_f32(kind, of_shape, (void *)out);
 }
 
 static inline int32_t go_check_f64(int32_t kind, vesica_go_numbers shape) {
-    double of_shape[6];
+    double of_shape[7];
     memcpy(of_shape, &shape, sizeof of_shape);
     return vesica_check_f64(kind, of_shape);
 }
 
 static inline int32_t go_check_f32(int32_t kind, vesica_go_numbers shape) {
-    float of_shape[6];
+    float of_shape[7];
     memcpy(of_shape, &shape, sizeof of_shape);
     return vesica_check_f32(kind, of_shape);
 }
 
 static inline int64_t go_crossings_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
     char *out, int64_t capacity, char *shared) {
-    double of_a[6];
+    double of_a[7];
     memcpy(of_a, &a, sizeof of_a);
-    double of_b[6];
+    double of_b[7];
     memcpy(of_b, &b, sizeof of_b);
     return vesica_crossings_f64(kind_a, of_a, kind_b, of_b, (void *)out, capacity, (void *)shared);
 }
 
 static inline int64_t go_crossings_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
     char *out, int64_t capacity, char *shared) {
-    float of_a[6];
+    float of_a[7];
     memcpy(of_a, &a, sizeof of_a);
-    float of_b[6];
+    float of_b[7];
     memcpy(of_b, &b, sizeof of_b);
     return vesica_crossings_f32(kind_a, of_a, kind_b, of_b, (void *)out, capacity, (void *)shared);
 }
 
 static inline int32_t go_boundary_distance_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
     char *out) {
-    double of_a[6];
+    double of_a[7];
     memcpy(of_a, &a, sizeof of_a);
-    double of_b[6];
+    double of_b[7];
     memcpy(of_b, &b, sizeof of_b);
     return vesica_boundary_distance_f64(kind_a, of_a, kind_b, of_b, (void *)out);
 }
 
 static inline int32_t go_boundary_distance_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
     char *out) {
-    float of_a[6];
+    float of_a[7];
     memcpy(of_a, &a, sizeof of_a);
-    float of_b[6];
+    float of_b[7];
     memcpy(of_b, &b, sizeof of_b);
     return vesica_boundary_distance_f32(kind_a, of_a, kind_b, of_b, (void *)out);
 }
 
 static inline int32_t go_shape_area_f64(int32_t kind, vesica_go_numbers shape, char *out) {
-    double of_shape[6];
+    double of_shape[7];
     memcpy(of_shape, &shape, sizeof of_shape);
     return vesica_shape_area_f64(kind, of_shape, (void *)out);
 }
 
 static inline int32_t go_shape_area_f32(int32_t kind, vesica_go_numbers shape, char *out) {
-    float of_shape[6];
+    float of_shape[7];
     memcpy(of_shape, &shape, sizeof of_shape);
     return vesica_shape_area_f32(kind, of_shape, (void *)out);
 }
@@ -699,18 +699,18 @@ static inline int64_t go_join_nearest_f32(vesica_go_sets sets_a, int32_t set_cou
 
 static inline int32_t go_ratio_f64(int32_t ratio, int32_t kind_a, vesica_go_numbers a, int32_t kind_b,
     vesica_go_numbers b, char *out) {
-    double of_a[6];
+    double of_a[7];
     memcpy(of_a, &a, sizeof of_a);
-    double of_b[6];
+    double of_b[7];
     memcpy(of_b, &b, sizeof of_b);
     return vesica_ratio_f64(ratio, kind_a, of_a, kind_b, of_b, (void *)out);
 }
 
 static inline int32_t go_ratio_f32(int32_t ratio, int32_t kind_a, vesica_go_numbers a, int32_t kind_b,
     vesica_go_numbers b, char *out) {
-    float of_a[6];
+    float of_a[7];
     memcpy(of_a, &a, sizeof of_a);
-    float of_b[6];
+    float of_b[7];
     memcpy(of_b, &b, sizeof of_b);
     return vesica_ratio_f32(ratio, kind_a, of_a, kind_b, of_b, (void *)out);
 }
@@ -801,18 +801,18 @@ static inline int64_t go_depth_matrix_f32(vesica_go_view a, vesica_go_view b, ch
 
 static inline int32_t go_signed_distance_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
     char *out) {
-    double of_a[6];
+    double of_a[7];
     memcpy(of_a, &a, sizeof of_a);
-    double of_b[6];
+    double of_b[7];
     memcpy(of_b, &b, sizeof of_b);
     return vesica_signed_distance_f64(kind_a, of_a, kind_b, of_b, (void *)out);
 }
 
 static inline int32_t go_signed_distance_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
     char *out) {
-    float of_a[6];
+    float of_a[7];
     memcpy(of_a, &a, sizeof of_a);
-    float of_b[6];
+    float of_b[7];
     memcpy(of_b, &b, sizeof of_b);
     return vesica_signed_distance_f32(kind_a, of_a, kind_b, of_b, (void *)out);
 }
@@ -853,18 +853,18 @@ static inline int64_t go_signed_distance_matrix_f32(vesica_go_view a, vesica_go_
 
 static inline int32_t go_within_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
     double distance) {
-    double of_a[6];
+    double of_a[7];
     memcpy(of_a, &a, sizeof of_a);
-    double of_b[6];
+    double of_b[7];
     memcpy(of_b, &b, sizeof of_b);
     return vesica_within_f64(kind_a, of_a, kind_b, of_b, distance);
 }
 
 static inline int32_t go_within_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
     float distance) {
-    float of_a[6];
+    float of_a[7];
     memcpy(of_a, &a, sizeof of_a);
-    float of_b[6];
+    float of_b[7];
     memcpy(of_b, &b, sizeof of_b);
     return vesica_within_f32(kind_a, of_a, kind_b, of_b, distance);
 }
@@ -939,18 +939,18 @@ static inline int32_t go_suppress_soft_f32(vesica_go_view shapes, const char *sc
 
 static inline int32_t go_cast_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b, double vx,
     double vy, double t_end, char *out) {
-    double of_a[6];
+    double of_a[7];
     memcpy(of_a, &a, sizeof of_a);
-    double of_b[6];
+    double of_b[7];
     memcpy(of_b, &b, sizeof of_b);
     return vesica_cast_f64(kind_a, of_a, kind_b, of_b, vx, vy, t_end, (void *)out);
 }
 
 static inline int32_t go_cast_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b, float vx,
     float vy, float t_end, char *out) {
-    float of_a[6];
+    float of_a[7];
     memcpy(of_a, &a, sizeof of_a);
-    float of_b[6];
+    float of_b[7];
     memcpy(of_b, &b, sizeof of_b);
     return vesica_cast_f32(kind_a, of_a, kind_b, of_b, vx, vy, t_end, (void *)out);
 }
@@ -995,14 +995,14 @@ static inline int64_t go_cast_first_f32(vesica_go_view one, vesica_go_view many,
 
 static inline int32_t go_sweep_bounds_f64(int32_t kind, vesica_go_numbers shape, double vx, double vy, double t_end,
     char *out) {
-    double of_shape[6];
+    double of_shape[7];
     memcpy(of_shape, &shape, sizeof of_shape);
     return vesica_sweep_bounds_f64(kind, of_shape, vx, vy, t_end, (void *)out);
 }
 
 static inline int32_t go_sweep_bounds_f32(int32_t kind, vesica_go_numbers shape, float vx, float vy, float t_end,
     char *out) {
-    float of_shape[6];
+    float of_shape[7];
     memcpy(of_shape, &shape, sizeof of_shape);
     return vesica_sweep_bounds_f32(kind, of_shape, vx, vy, t_end, (void *)out);
 }
@@ -1047,9 +1047,9 @@ static inline int64_t go_index_cast_first_f32(const char *index, vesica_go_sets 
 
 static inline int32_t go_impact_time_f64(int32_t kind_a, vesica_go_numbers a, const char *turn_a, int32_t kind_b,
     vesica_go_numbers b, const char *turn_b, double tolerance, char *out, char *gap) {
-    double of_a[6];
+    double of_a[7];
     memcpy(of_a, &a, sizeof of_a);
-    double of_b[6];
+    double of_b[7];
     memcpy(of_b, &b, sizeof of_b);
     return vesica_impact_time_f64(kind_a, of_a, (const void *)turn_a, kind_b, of_b, (const void *)turn_b, tolerance,
         (void *)out, (void *)gap);
@@ -1057,9 +1057,9 @@ static inline int32_t go_impact_time_f64(int32_t kind_a, vesica_go_numbers a, co
 
 static inline int32_t go_impact_time_f32(int32_t kind_a, vesica_go_numbers a, const char *turn_a, int32_t kind_b,
     vesica_go_numbers b, const char *turn_b, float tolerance, char *out, char *gap) {
-    float of_a[6];
+    float of_a[7];
     memcpy(of_a, &a, sizeof of_a);
-    float of_b[6];
+    float of_b[7];
     memcpy(of_b, &b, sizeof of_b);
     return vesica_impact_time_f32(kind_a, of_a, (const void *)turn_a, kind_b, of_b, (const void *)turn_b, tolerance,
         (void *)out, (void *)gap);
@@ -1144,36 +1144,36 @@ static inline int32_t go_cast_rect_rect_f32(const char *a, const char *b, float 
 
 static inline int32_t go_de9im_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
     char *matrix) {
-    double of_a[6];
+    double of_a[7];
     memcpy(of_a, &a, sizeof of_a);
-    double of_b[6];
+    double of_b[7];
     memcpy(of_b, &b, sizeof of_b);
     return vesica_de9im_f64(kind_a, of_a, kind_b, of_b, (void *)matrix);
 }
 
 static inline int32_t go_de9im_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
     char *matrix) {
-    float of_a[6];
+    float of_a[7];
     memcpy(of_a, &a, sizeof of_a);
-    float of_b[6];
+    float of_b[7];
     memcpy(of_b, &b, sizeof of_b);
     return vesica_de9im_f32(kind_a, of_a, kind_b, of_b, (void *)matrix);
 }
 
 static inline int64_t go_intersection_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
     char *out, int64_t capacity) {
-    double of_a[6];
+    double of_a[7];
     memcpy(of_a, &a, sizeof of_a);
-    double of_b[6];
+    double of_b[7];
     memcpy(of_b, &b, sizeof of_b);
     return vesica_intersection_f64(kind_a, of_a, kind_b, of_b, (void *)out, capacity);
 }
 
 static inline int64_t go_intersection_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
     char *out, int64_t capacity) {
-    float of_a[6];
+    float of_a[7];
     memcpy(of_a, &a, sizeof of_a);
-    float of_b[6];
+    float of_b[7];
     memcpy(of_b, &b, sizeof of_b);
     return vesica_intersection_f32(kind_a, of_a, kind_b, of_b, (void *)out, capacity);
 }

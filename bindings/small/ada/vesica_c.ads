@@ -19,6 +19,8 @@ package Vesica_C is
    Vesica_Aabb : constant := 3;
    Vesica_Rect : constant := 4;
    Vesica_Ellipse : constant := 5;
+   Vesica_Capsule : constant := 6;
+   Vesica_Round_Rect : constant := 7;
    Vesica_Disjoint : constant := 0;
    Vesica_Touch : constant := 1;
    Vesica_Cross : constant := 2;
@@ -116,6 +118,27 @@ package Vesica_C is
       B : IEEE_Float_64;
    end record with Convention => C;
 
+   --  All points at most r from the segment from (x0, y0) to (x1, y1), r >= 0.
+   type Vesica_Capsule_F64 is record
+      X0 : IEEE_Float_64;
+      Y0 : IEEE_Float_64;
+      X1 : IEEE_Float_64;
+      Y1 : IEEE_Float_64;
+      R : IEEE_Float_64;
+   end record with Convention => C;
+
+   --  All points at most r >= 0 from the rectangle (cx, cy, ux, uy, hx, hy): one with round corners. hx and hy are
+   --  the rectangle's, in units of the axis, without the radius; r is in units of the coordinates.
+   type Vesica_Round_Rect_F64 is record
+      Cx : IEEE_Float_64;
+      Cy : IEEE_Float_64;
+      Ux : IEEE_Float_64;
+      Uy : IEEE_Float_64;
+      Hx : IEEE_Float_64;
+      Hy : IEEE_Float_64;
+      R : IEEE_Float_64;
+   end record with Convention => C;
+
    --  A distance, and two points that are that far apart: (ax, ay) of shape a and (bx, by) of shape b.
    type Vesica_Closest_Points_F64 is record
       Distance : IEEE_Float_64;
@@ -191,6 +214,27 @@ package Vesica_C is
       Uy : IEEE_Float_32;
       A : IEEE_Float_32;
       B : IEEE_Float_32;
+   end record with Convention => C;
+
+   --  All points at most r from the segment from (x0, y0) to (x1, y1), r >= 0.
+   type Vesica_Capsule_F32 is record
+      X0 : IEEE_Float_32;
+      Y0 : IEEE_Float_32;
+      X1 : IEEE_Float_32;
+      Y1 : IEEE_Float_32;
+      R : IEEE_Float_32;
+   end record with Convention => C;
+
+   --  All points at most r >= 0 from the rectangle (cx, cy, ux, uy, hx, hy): one with round corners. hx and hy are
+   --  the rectangle's, in units of the axis, without the radius; r is in units of the coordinates.
+   type Vesica_Round_Rect_F32 is record
+      Cx : IEEE_Float_32;
+      Cy : IEEE_Float_32;
+      Ux : IEEE_Float_32;
+      Uy : IEEE_Float_32;
+      Hx : IEEE_Float_32;
+      Hy : IEEE_Float_32;
+      R : IEEE_Float_32;
    end record with Convention => C;
 
    --  A distance, and two points that are that far apart: (ax, ay) of shape a and (bx, by) of shape b.

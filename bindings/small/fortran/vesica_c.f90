@@ -18,6 +18,8 @@ module vesica_c
   integer(c_int32_t), parameter :: vesica_aabb = 3
   integer(c_int32_t), parameter :: vesica_rect = 4
   integer(c_int32_t), parameter :: vesica_ellipse = 5
+  integer(c_int32_t), parameter :: vesica_capsule = 6
+  integer(c_int32_t), parameter :: vesica_round_rect = 7
   integer(c_int32_t), parameter :: vesica_disjoint = 0
   integer(c_int32_t), parameter :: vesica_touch = 1
   integer(c_int32_t), parameter :: vesica_cross = 2
@@ -111,6 +113,27 @@ module vesica_c
     real(c_double) :: b
   end type
 
+  !> All points at most r from the segment from (x0, y0) to (x1, y1), r >= 0.
+  type, bind(c) :: vesica_capsule_f64
+    real(c_double) :: x0
+    real(c_double) :: y0
+    real(c_double) :: x1
+    real(c_double) :: y1
+    real(c_double) :: r
+  end type
+
+  !> All points at most r >= 0 from the rectangle (cx, cy, ux, uy, hx, hy): one with round corners. hx and hy are the
+  !> rectangle's, in units of the axis, without the radius; r is in units of the coordinates.
+  type, bind(c) :: vesica_round_rect_f64
+    real(c_double) :: cx
+    real(c_double) :: cy
+    real(c_double) :: ux
+    real(c_double) :: uy
+    real(c_double) :: hx
+    real(c_double) :: hy
+    real(c_double) :: r
+  end type
+
   !> A distance, and two points that are that far apart: (ax, ay) of shape a and (bx, by) of shape b.
   type, bind(c) :: vesica_closest_points_f64
     real(c_double) :: distance
@@ -186,6 +209,27 @@ module vesica_c
     real(c_float) :: uy
     real(c_float) :: a
     real(c_float) :: b
+  end type
+
+  !> All points at most r from the segment from (x0, y0) to (x1, y1), r >= 0.
+  type, bind(c) :: vesica_capsule_f32
+    real(c_float) :: x0
+    real(c_float) :: y0
+    real(c_float) :: x1
+    real(c_float) :: y1
+    real(c_float) :: r
+  end type
+
+  !> All points at most r >= 0 from the rectangle (cx, cy, ux, uy, hx, hy): one with round corners. hx and hy are the
+  !> rectangle's, in units of the axis, without the radius; r is in units of the coordinates.
+  type, bind(c) :: vesica_round_rect_f32
+    real(c_float) :: cx
+    real(c_float) :: cy
+    real(c_float) :: ux
+    real(c_float) :: uy
+    real(c_float) :: hx
+    real(c_float) :: hy
+    real(c_float) :: r
   end type
 
   !> A distance, and two points that are that far apart: (ax, ay) of shape a and (bx, by) of shape b.

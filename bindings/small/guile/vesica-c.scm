@@ -15,6 +15,8 @@
 (define-public VESICA_AABB 3)
 (define-public VESICA_RECT 4)
 (define-public VESICA_ELLIPSE 5)
+(define-public VESICA_CAPSULE 6)
+(define-public VESICA_ROUND_RECT 7)
 (define-public VESICA_DISJOINT 0)
 (define-public VESICA_TOUCH 1)
 (define-public VESICA_CROSS 2)

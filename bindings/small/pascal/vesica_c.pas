@@ -19,6 +19,8 @@ const
   vesica_aabb = 3;
   vesica_rect = 4;
   vesica_ellipse = 5;
+  vesica_capsule = 6;
+  vesica_round_rect = 7;
   vesica_disjoint = 0;
   vesica_touch = 1;
   vesica_cross = 2;
@@ -113,6 +115,27 @@ type
     b: Double;
   end;
   PVesicaEllipseF64 = ^TVesicaEllipseF64;
+  // All points at most r from the segment from (x0, y0) to (x1, y1), r >= 0.
+  TVesicaCapsuleF64 = record
+    x0: Double;
+    y0: Double;
+    x1: Double;
+    y1: Double;
+    r: Double;
+  end;
+  PVesicaCapsuleF64 = ^TVesicaCapsuleF64;
+  // All points at most r >= 0 from the rectangle (cx, cy, ux, uy, hx, hy): one with round corners. hx and hy are the
+  // rectangle's, in units of the axis, without the radius; r is in units of the coordinates.
+  TVesicaRoundRectF64 = record
+    cx: Double;
+    cy: Double;
+    ux: Double;
+    uy: Double;
+    hx: Double;
+    hy: Double;
+    r: Double;
+  end;
+  PVesicaRoundRectF64 = ^TVesicaRoundRectF64;
   // A distance, and two points that are that far apart: (ax, ay) of shape a and (bx, by) of shape b.
   TVesicaClosestPointsF64 = record
     distance: Double;
@@ -190,6 +213,27 @@ type
     b: Single;
   end;
   PVesicaEllipseF32 = ^TVesicaEllipseF32;
+  // All points at most r from the segment from (x0, y0) to (x1, y1), r >= 0.
+  TVesicaCapsuleF32 = record
+    x0: Single;
+    y0: Single;
+    x1: Single;
+    y1: Single;
+    r: Single;
+  end;
+  PVesicaCapsuleF32 = ^TVesicaCapsuleF32;
+  // All points at most r >= 0 from the rectangle (cx, cy, ux, uy, hx, hy): one with round corners. hx and hy are the
+  // rectangle's, in units of the axis, without the radius; r is in units of the coordinates.
+  TVesicaRoundRectF32 = record
+    cx: Single;
+    cy: Single;
+    ux: Single;
+    uy: Single;
+    hx: Single;
+    hy: Single;
+    r: Single;
+  end;
+  PVesicaRoundRectF32 = ^TVesicaRoundRectF32;
   // A distance, and two points that are that far apart: (ax, ay) of shape a and (bx, by) of shape b.
   TVesicaClosestPointsF32 = record
     distance: Single;

@@ -15,6 +15,8 @@ module Vesica
   AABB = 3
   RECT = 4
   ELLIPSE = 5
+  CAPSULE = 6
+  ROUND_RECT = 7
   DISJOINT = 0
   TOUCH = 1
   CROSS = 2

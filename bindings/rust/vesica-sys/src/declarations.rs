@@ -19,6 +19,10 @@ pub const VESICA_AABB: i32 = 3;
 pub const VESICA_RECT: i32 = 4;
 /// cx cy ux uy a b
 pub const VESICA_ELLIPSE: i32 = 5;
+/// x0 y0 x1 y1 r
+pub const VESICA_CAPSULE: i32 = 6;
+/// cx cy ux uy hx hy r
+pub const VESICA_ROUND_RECT: i32 = 7;
 /// a and b have no common point
 pub const VESICA_DISJOINT: i32 = 0;
 /// they have common points, but their insides have none
@@ -39,7 +43,7 @@ pub const VESICA_EQUAL: i32 = 7;
 pub const VESICA_E_NULL: i32 = -1;
 /// a shape is invalid; vesica_check_f64 or _f32 says why
 pub const VESICA_E_SHAPE: i32 = -2;
-/// a kind is not one of the six
+/// a number is no kind, or the function does not take the kind
 pub const VESICA_E_KIND: i32 = -3;
 /// another argument is out of its documented range
 pub const VESICA_E_ARGUMENT: i32 = -4;
@@ -194,6 +198,41 @@ pub struct Ellipse<T> {
 pub type vesica_ellipse_f64 = Ellipse<f64>;
 /// [`Ellipse`] of f32.
 pub type vesica_ellipse_f32 = Ellipse<f32>;
+
+/// All points at most r from the segment from (x0, y0) to (x1, y1), r \>= 0. If its ends are the same, it is a disc.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[allow(missing_docs)]
+pub struct Capsule<T> {
+    pub x0: T,
+    pub y0: T,
+    pub x1: T,
+    pub y1: T,
+    pub r: T,
+}
+/// [`Capsule`] of f64.
+pub type vesica_capsule_f64 = Capsule<f64>;
+/// [`Capsule`] of f32.
+pub type vesica_capsule_f32 = Capsule<f32>;
+
+/// All points at most r \>= 0 from the rectangle (cx, cy, ux, uy, hx, hy): one with round corners.
+/// hx and hy are the rectangle's, in units of the axis, without the radius; r is in units of the coordinates.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[allow(missing_docs)]
+pub struct RoundRect<T> {
+    pub cx: T,
+    pub cy: T,
+    pub ux: T,
+    pub uy: T,
+    pub hx: T,
+    pub hy: T,
+    pub r: T,
+}
+/// [`RoundRect`] of f64.
+pub type vesica_round_rect_f64 = RoundRect<f64>;
+/// [`RoundRect`] of f32.
+pub type vesica_round_rect_f32 = RoundRect<f32>;
 
 /// A distance, and two points that are that far apart: (ax, ay) of shape a and (bx, by) of shape b.
 #[repr(C)]
@@ -1247,7 +1286,7 @@ extern "C" {
     pub fn vesica_version_patch() -> i32;
     /// How many numbers does a shape of this kind have?
     ///
-    /// Returns: 2, 4, 3, 4, 6, 6 for VESICA_POINT ... VESICA_ELLIPSE.
+    /// Returns: 2, 4, 3, 4, 6, 6, 5, 7 for VESICA_POINT ... VESICA_ROUND_RECT.
     ///
     /// Errors: VESICA_E_KIND.
     ///
@@ -1255,7 +1294,8 @@ extern "C" {
     pub fn vesica_field_count(kind: i32) -> i32;
     /// Name of a kind.
     ///
-    /// Returns: static text: "point", "segment", "circle", "aabb", "rect" or "ellipse"; NULL for an unknown kind.
+    /// Returns: static text: "point", "segment", "circle", "aabb", "rect", "ellipse", "capsule" or "round_rect"; NULL
+    /// for an unknown kind.
     ///
     /// Since: 0.1.
     pub fn vesica_kind_name(kind: i32) -> *const u8;
