@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-//! Exact overlap queries between plain 2D shapes: points, segments, circles, boxes, rotated rectangles and ellipses, in
-//! `f64` and `f32`.
+//! Exact overlap queries between plain 2D shapes: points, segments, circles, boxes, rotated rectangles, ellipses,
+//! capsules and rounded rectangles, in `f64` and `f32`.
 //!
 //! ```
 //! use vesica::{overlap, overlap_many, nearest, Circle, Rect};
@@ -49,8 +49,8 @@ pub use query::*;
 pub use shape::{AnyShape, Kind, Shape, Shapes};
 pub use topology::*;
 pub use vesica_sys as sys;
-pub use vesica_sys::{Aabb, Circle, ClosestPoints, Ellipse, Impact, Penetration, Point, Rect, Scalar};
-pub use vesica_sys::{Segment, Turn};
+pub use vesica_sys::{Aabb, Capsule, Circle, Ellipse, Point, Rect, RoundRect, Segment};
+pub use vesica_sys::{ClosestPoints, Impact, Penetration, Scalar, Turn};
 
 /// The README's example.
 #[cfg(doctest)]

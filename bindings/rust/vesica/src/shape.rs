@@ -3,9 +3,13 @@
 use crate::{Error, Scalar};
 use core::marker::PhantomData;
 use core::slice;
-use vesica_sys::{self as sys, Aabb, Circle, Ellipse, Point, Rect, Segment};
+use vesica_sys::{self as sys, Aabb, Capsule, Circle, Ellipse, Point, Rect, RoundRect, Segment};
 
-/// The six kinds of shapes.
+/// The kinds of shapes.
+///
+/// [`Capsule`] and [`RoundRect`] are for `check`, `bounds`, `shape_area`, `overlap`, `nearest`, `depth`,
+/// `signed_distance`, `within`, and `relation` and `contains` not with an ellipse; the same holds of arrays. An index of
+/// them has joins by overlap or distance, `select` and `nearest`. Other functions return [`Error::Kind`] for them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[allow(missing_docs)]
 #[repr(i32)]
@@ -16,6 +20,8 @@ pub enum Kind {
     Aabb = sys::VESICA_AABB,
     Rect = sys::VESICA_RECT,
     Ellipse = sys::VESICA_ELLIPSE,
+    Capsule = sys::VESICA_CAPSULE,
+    RoundRect = sys::VESICA_ROUND_RECT,
 }
 
 impl Kind {
@@ -25,7 +31,9 @@ impl Kind {
             Kind::Point => 2,
             Kind::Circle => 3,
             Kind::Segment | Kind::Aabb => 4,
+            Kind::Capsule => 5,
             Kind::Rect | Kind::Ellipse => 6,
+            Kind::RoundRect => 7,
         }
     }
 }
@@ -66,13 +74,16 @@ macro_rules! shapes {
         }
     )*};
 }
-shapes! { Point Segment Circle Aabb Rect Ellipse }
+shapes! { Point Segment Circle Aabb Rect Ellipse Capsule RoundRect }
+
+/// The most numbers that a shape of any kind has.
+const MOST_FIELDS: usize = Kind::RoundRect.fields();
 
 /// A shape whose kind is known at run time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AnyShape<T> {
     kind: Kind,
-    numbers: [T; 6],
+    numbers: [T; MOST_FIELDS],
 }
 
 impl<T: Scalar> AnyShape<T> {
@@ -81,7 +92,7 @@ impl<T: Scalar> AnyShape<T> {
         if numbers.len() != kind.fields() {
             return Err(Error::Room { needed: kind.fields(), given: numbers.len() });
         }
-        let mut shape = AnyShape { kind, numbers: [T::default(); 6] };
+        let mut shape = AnyShape { kind, numbers: [T::default(); MOST_FIELDS] };
         shape.numbers[..numbers.len()].copy_from_slice(numbers);
         Ok(shape)
     }
@@ -181,7 +192,7 @@ impl<'a, S: KnownKind, const N: usize> From<&'a [S; N]> for Shapes<'a, S::Scalar
 
 impl<'a, T: Scalar> From<&'a AnyShape<T>> for Shapes<'a, T> {
     fn from(shape: &'a AnyShape<T>) -> Self {
-        Shapes::at(shape.kind, shape.numbers.as_ptr(), 1, 6)
+        Shapes::at(shape.kind, shape.numbers.as_ptr(), 1, MOST_FIELDS)
     }
 }
 

@@ -119,7 +119,16 @@ fn any_arguments() {
     const QUESTIONS: usize = 23;
     let calls: usize = std::env::var("VESICA_CALLS").map_or(5_000, |text| text.parse().unwrap());
     let special = [0.0, -0.0, 1.0, -1.0, 0.5, f64::NAN, f64::INFINITY, 5e-324, 1.7e308, 1e-200];
-    let kinds = [Kind::Point, Kind::Segment, Kind::Circle, Kind::Aabb, Kind::Rect, Kind::Ellipse];
+    let kinds = [
+        Kind::Point,
+        Kind::Segment,
+        Kind::Circle,
+        Kind::Aabb,
+        Kind::Rect,
+        Kind::Ellipse,
+        Kind::Capsule,
+        Kind::RoundRect,
+    ];
     let seed = std::process::id() as u64;
     println!("seed {seed}");
     let mut state = seed;
@@ -129,7 +138,7 @@ fn any_arguments() {
     };
     let mut answered = [0; QUESTIONS];
     for _ in 0..calls {
-        let (kind_a, kind_b, room, step) = (kinds[draw(6)], kinds[draw(6)], draw(100), draw(9));
+        let (kind_a, kind_b, room, step) = (kinds[draw(8)], kinds[draw(8)], draw(100), draw(9));
         let mut numbers = |kind: Kind| -> Vec<f64> {
             let count = if draw(4) == 0 { draw(40) } else { kind.fields() * draw(6) };
             (0..count).map(|_| if draw(40) == 0 { special[draw(special.len())] } else { draw(9) as f64 }).collect()

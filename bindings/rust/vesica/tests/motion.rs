@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-//! Casts, boxes and ratios by numbers that are known, and what is refused.
+//! Casts, boxes, ratios and shapes with a radius by numbers that are known, and what is refused.
 use vesica::*;
 
 const DISC: Circle<f64> = Circle { cx: 0.0, cy: 0.0, r: 1.0 };
@@ -115,4 +115,27 @@ fn near_deep_and_how_they_meet() {
     let how = SoftSuppression { decay, ratio, labels: &[], least_score: 0.0, most: 3 };
     assert_eq!(suppress_soft(&soft, &[1.0, 0.75, 0.5], how, &mut scratch, &mut keep, &mut left), Ok(3));
     assert_eq!((keep, left), ([0, 2, 1], [1.0, 0.5, 0.1875]));
+}
+
+#[test]
+fn capsules_and_rounded_rectangles() {
+    let bars = [0.0, 5.0].map(|y| Capsule { x0: 0.0, y0: y, x1: 4.0, y1: y, r: 1.0 });
+    let rounded = RoundRect { cx: 10.0, cy: 0.0, ux: 1.0, uy: 0.0, hx: 2.0, hy: 1.0, r: 0.5 };
+    let end = Point { x: 5.0, y: 0.0 };
+    assert_eq!(overlap(&bars[0], &end), Ok(true));
+    assert_eq!(overlap(&bars[0], &Point { y: 5e-324, ..end }), Ok(false));
+    assert_eq!(nearest(&bars[0], &rounded).map(|found| found.distance), Ok(2.5));
+    assert_eq!(bounds(&rounded), Ok(Aabb { min_x: 7.5, min_y: -1.5, max_x: 12.5, max_y: 1.5 }));
+    let any = AnyShape::new(Kind::RoundRect, &[10.0, 0.0, 1.0, 0.0, 2.0, 1.0, 0.5]).unwrap();
+    let mut hits = [true; 2];
+    assert_eq!(overlap_many(&bars, &end, &mut hits), Ok(1));
+    assert_eq!(hits, [true, false]);
+    let mut near = [Within::No; 2];
+    assert_eq!(within_many(&bars, &any, 2.5, &mut near), Ok(1));
+    let index = Index::new(&[Shapes::from(&bars)]).unwrap();
+    assert_eq!(index.select(&end), Ok(vec![0]));
+    assert_eq!(area(&bars[0], &rounded), Err(Error::Kind));
+    assert_eq!(cast(&bars[0], &rounded, motion(1.0, 1.0)).err(), Some(Error::Kind));
+    let ellipse = Ellipse { cx: 10.0, cy: 0.0, ux: 1.0, uy: 0.0, a: 1.0, b: 1.0 };
+    assert_eq!(contains(&rounded, &ellipse), Err(Error::Kind));
 }
