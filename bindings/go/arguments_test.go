@@ -176,9 +176,9 @@ func TestAnyArguments(t *testing.T) {
 	special := func() float64 { return values[draw(len(values))] }
 	kind := func() Kind {
 		if draw(20) == 0 {
-			return Kind(draw(8) - 1)
+			return Kind(draw(10) - 1)
 		}
-		return Kind(draw(6))
+		return Kind(draw(8))
 	}
 	numbers := func(kind Kind) []float64 {
 		count := kind.Fields() * draw(6)

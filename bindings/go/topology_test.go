@@ -70,3 +70,39 @@ func TestSoftSuppression(t *testing.T) {
 		t.Error(err)
 	}
 }
+
+func TestCapsulesAndRoundedRectangles(t *testing.T) {
+	bars := []Capsule[float64]{{0, 0, 4, 0, 1}, {0, 5, 4, 5, 1}}
+	rounded, end := RoundRect[float64]{10, 0, 1, 0, 2, 1, 0.5}, Point[float64]{5, 0}
+	if hit, err := Overlap(bars[0], end); !hit || err != nil {
+		t.Error(hit, err)
+	}
+	if hit, err := Overlap(bars[0], Point[float64]{5, 5e-324}); hit || err != nil {
+		t.Error(hit, err)
+	}
+	if found, err := Nearest(bars[0], rounded); found.Distance != 2.5 || err != nil {
+		t.Error(found, err)
+	}
+	// The radius is the seventh number.
+	anyOne := Any[float64]{KindRoundRect, [mostFields]float64{10, 0, 1, 0, 2, 1, 0.5}}
+	if found, err := Nearest(bars[0], anyOne); found.Distance != 2.5 || err != nil {
+		t.Error(found, err)
+	}
+	if box, err := Bounds(rounded); box != (AABB[float64]{7.5, -1.5, 12.5, 1.5}) || err != nil {
+		t.Error(box, err)
+	}
+	hits := []bool{false, true}
+	if n, err := OverlapMany(Capsules(bars), Points([]Point[float64]{end}), hits); n != 1 || !hits[0] || err != nil {
+		t.Error(n, hits, err)
+	}
+	index := must(NewIndex(Capsules(bars), RoundRects([]RoundRect[float64]{rounded})))
+	if items, err := index.Select(rounded); len(items) != 1 || items[0] != 2 || err != nil {
+		t.Error(items, err)
+	}
+	if _, err := Area(bars[0], rounded); err != ErrKind {
+		t.Error(err)
+	}
+	if _, err := Contains(rounded, Ellipse[float64]{10, 0, 1, 0, 1, 1}); err != ErrKind {
+		t.Error(err)
+	}
+}

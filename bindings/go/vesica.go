@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Package vesica answers exact overlap queries between plain 2D shapes: points, segments, circles, boxes, rotated
-// rectangles and ellipses, in float64 and float32.
+// rectangles, ellipses, capsules and rounded rectangles, in float64 and float32.
 //
 //	car, err := vesica.RectFromAngle(0.0, 0.0, 0.5, 4.0, 2.0) // centre, angle, width, height
 //	people := []vesica.Circle[float64]{{CX: 1.4, CY: 1.5, R: 0.5}, {CX: 8, CY: 1, R: 0.5}}
@@ -11,6 +11,10 @@
 //	pairs, err := index.Join(index, vesica.JoinOverlap)
 //
 // Shapes are closed and solid, and touching is overlap. Answers that are yes or no are exact for every valid input.
+// Capsules and rounded rectangles are for Check, Bounds, ShapeArea, Overlap, Nearest, Depth, SignedDistance, Within,
+// and RelationOf and Contains not with an ellipse; the same holds of arrays. An index of them has joins by overlap or
+// distance, Select and Nearest. Other functions return ErrKind for them.
+//
 // Slices are used where they lie. An invalid shape is ErrShape; in a batch all other answers are written all the same.
 // The C library's vesica.h has the whole text of each function.
 package vesica
@@ -29,13 +33,16 @@ import (
 // Float is what numbers are.
 type Float interface{ float32 | float64 }
 
-// Shape is one shape: a Point, Segment, Circle, AABB, Rect, Ellipse or Any.
+// Shape is one shape: a Point, Segment, Circle, AABB, Rect, Ellipse, Capsule, RoundRect or Any.
 type Shape interface{ one() one }
+
+// The most numbers that a shape has. declarations.h has room for as many.
+const mostFields = 7
 
 // Any is a shape whose kind is known at run time, with its numbers in the order of its struct.
 type Any[T Float] struct {
 	Kind    Kind
-	Numbers [6]T
+	Numbers [mostFields]T
 }
 
 func (s Any[T]) one() one { return oneOf[T](s.Kind, unsafe.Pointer(&s.Numbers)) }
@@ -54,15 +61,15 @@ func isWide[T Float]() bool {
 
 // Fields is how many numbers a shape of a kind has, or 0 for an unknown kind.
 func (k Kind) Fields() int {
-	if k < KindPoint || k > KindEllipse {
+	if k < KindPoint || k > KindRoundRect {
 		return 0
 	}
-	return [...]int{2, 4, 3, 4, 6, 6}[k]
+	return [...]int{2, 4, 3, 4, 6, 6, 5, 7}[k]
 }
 
 func oneOf[T Float](kind Kind, numbers unsafe.Pointer) one {
 	shape := one{kind: C.int32_t(kind), wide: isWide[T]()}
-	copy((*[6]T)(unsafe.Pointer(&shape.numbers))[:], unsafe.Slice((*T)(numbers), kind.Fields()))
+	copy((*[mostFields]T)(unsafe.Pointer(&shape.numbers))[:], unsafe.Slice((*T)(numbers), kind.Fields()))
 	return shape
 }
 
