@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 package vesica;
 
-/** One shape: a record of its numbers. */
-public sealed interface Shape permits Point, Segment, Circle, Aabb, Rect, Ellipse {
+/**
+ * One shape: a record of its numbers.
+ *
+ * <p>Capsules and rounded rectangles are for check, bounds, shapeArea, overlap, nearest, depth, signedDistance, within,
+ * and relation and contains not with an ellipse; the same holds of arrays. An index of them has joins by overlap or
+ * distance, select and nearest. Other methods throw a {@link VesicaException} for them.
+ */
+public sealed interface Shape permits Point, Segment, Circle, Aabb, Rect, Ellipse, Capsule, RoundRect {
   /** Its kind. */
   Kind kind();
 
@@ -22,6 +28,8 @@ public sealed interface Shape permits Point, Segment, Circle, Aabb, Rect, Ellips
       case AABB -> Aabb.of(numbers);
       case RECT -> Rect.of(numbers);
       case ELLIPSE -> Ellipse.of(numbers);
+      case CAPSULE -> Capsule.of(numbers);
+      case ROUND_RECT -> RoundRect.of(numbers);
     };
   }
 }

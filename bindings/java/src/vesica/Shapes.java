@@ -13,7 +13,7 @@ import java.nio.FloatBuffer;
  * <p>While a call lasts, arrays keep the collector waiting. For calls of seconds use direct buffers.
  */
 public final class Shapes {
-  private static final int[] FIELDS = {2, 4, 3, 4, 6, 6};
+  private static final int[] FIELDS = {2, 4, 3, 4, 6, 6, 5, 7};
 
   static {
     Native.version(); // loads the library, which has address() too

@@ -186,6 +186,24 @@ final class Arguments {
     check(Arrays.equals(kept.scores(), new double[] {1, 0.5, 0.1875}), "scores that are left");
   }
 
+  private static void capsulesAndRoundedRectangles() {
+    Capsule bar = new Capsule(0, 0, 4, 0, 1);
+    RoundRect rounded = new RoundRect(10, 0, 1, 0, 2, 1, 0.5);
+    check(Vesica.overlap(bar, new Point(5, 0)), "the end of a capsule");
+    check(!Vesica.overlap(bar, new Point(5, Double.MIN_VALUE)), "beyond the end of a capsule");
+    check(Vesica.nearest(bar, rounded).distance() == 2.5, "the distance of a rounded rectangle");
+    check(Shape.of(Kind.ROUND_RECT, 10, 0, 1, 0, 2, 1, 0.5).equals(rounded), "a shape of numbers");
+    check(Vesica.bounds(rounded).equals(new Aabb(7.5, -1.5, 12.5, 1.5)), "bounds of a rounded rectangle");
+    Shapes bars = Shapes.of(Kind.CAPSULE, bar, new Capsule(0, 5, 4, 5, 1));
+    boolean[] hits = {false, true};
+    Shapes end = Shapes.of(Kind.POINT, new Point(5, 0)), two = Shapes.of(Kind.ROUND_RECT, rounded, rounded);
+    check(Vesica.overlapMany(bars, end, hits) == 1 && hits[0], "capsules");
+    check(new Index(bars).join(new Index(end), JoinQuery.OVERLAP)[0].length == 1, "an index of capsules");
+    check(new Index(bars).joinWithin(new Index(two), 2.5)[0].length == 2, "pairs within a distance");
+    refused(VesicaException.class, "kind", () -> Vesica.area(bar, rounded));
+    refused(VesicaException.class, "kind", () -> Vesica.contains(rounded, new Ellipse(10, 0, 1, 0, 1, 1)));
+  }
+
   private static DoubleBuffer direct(double... numbers) {
     DoubleBuffer buffer = ByteBuffer.allocateDirect(8 * numbers.length).order(ByteOrder.nativeOrder()).asDoubleBuffer();
     return buffer.put(0, numbers);
@@ -310,7 +328,7 @@ final class Arguments {
   }
 
   private static void anyCall(Random draw, int question) {
-    Kind kindA = Kind.of(draw.nextInt(6)), kindB = Kind.of(draw.nextInt(6));
+    Kind kindA = Kind.of(draw.nextInt(8)), kindB = Kind.of(draw.nextInt(8));
     double[] first = some(draw, kindA), second = some(draw, kindB);
     Shapes a = draw.nextBoolean() ? Shapes.of(kindA, first) : Shapes.columns(kindA, direct(first));
     Shapes b = Shapes.of(kindB, second);
@@ -376,6 +394,7 @@ final class Arguments {
     measuresAndMotion();
     turns();
     topology();
+    capsulesAndRoundedRectangles();
     nothingIsCopied();
     manyArrays();
     joinsTakeNoMemory();
