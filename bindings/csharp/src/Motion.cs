@@ -92,7 +92,7 @@ namespace Vesica
         {
             if (many == null) throw new ArgumentNullException("many");
             Query.Alike(one.IsDouble, many.IsDouble);
-            double* numbers = stackalloc double[6], n = stackalloc double[5];
+            double* numbers = stackalloc double[Query.MostNumbers], n = stackalloc double[5];
             View view = Query.ViewOf(one, numbers);
             using (var pinned = new Pinned(many))
                 fixed (View* views = pinned.Views)
@@ -127,7 +127,7 @@ namespace Vesica
         /// <summary>A box that holds a shape throughout its motion.</summary>
         public Aabb Bounds<S>(S shape) where S : IShape
         {
-            double* n = stackalloc double[4], numbers = stackalloc double[6];
+            double* n = stackalloc double[4], numbers = stackalloc double[Query.MostNumbers];
             shape.Write(numbers);
             bool wide = shape.IsDouble;
             Native.Checked(Native.SweepBounds(wide, (int)shape.Kind, numbers, VX, VY, End, n));

@@ -11,7 +11,7 @@ namespace Vesica
     /// </summary>
     public static unsafe partial class Query
     {
-        private const int MostNumbers = 6;
+        internal const int MostNumbers = 7;
 
         private delegate int Codes(bool wide, int kindA, void* a, int kindB, void* b);
 

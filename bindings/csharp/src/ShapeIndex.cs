@@ -194,7 +194,7 @@ namespace Vesica
         public long[] Select<S>(S one) where S : IShape
         {
             Query.Alike(wide, one.IsDouble);
-            double* numbers = stackalloc double[6];
+            double* numbers = stackalloc double[Query.MostNumbers];
             View view = Query.ViewOf(one, numbers);
             long* state = stackalloc long[4];
             for (int i = 0; i < 4; ++i) state[i] = 0;
@@ -217,7 +217,7 @@ namespace Vesica
         public long[] Cast<S>(S one, Motion motion) where S : IShape
         {
             Query.Alike(wide, one.IsDouble);
-            double* numbers = stackalloc double[6];
+            double* numbers = stackalloc double[Query.MostNumbers];
             View view = Query.ViewOf(one, numbers);
             using (var held = new Held(this))
             using (var pinned = new Pinned(sets))
@@ -230,7 +230,7 @@ namespace Vesica
         public long CastFirst<S>(S one, Motion motion, out Impact impact) where S : IShape
         {
             Query.Alike(wide, one.IsDouble);
-            double* numbers = stackalloc double[6];
+            double* numbers = stackalloc double[Query.MostNumbers];
             View view = Query.ViewOf(one, numbers);
             using (var held = new Held(this))
             using (var pinned = new Pinned(sets))
@@ -248,7 +248,7 @@ namespace Vesica
             Query.Alike(wide, one.IsDouble);
             if (k < 0) throw new ArgumentException("k is " + k + ", not a count");
             k = (int)Math.Min(k, Count);
-            double* numbers = stackalloc double[6];
+            double* numbers = stackalloc double[Query.MostNumbers];
             View view = Query.ViewOf(one, numbers);
             long[] items = new long[k];
             double[] distances = new double[k];

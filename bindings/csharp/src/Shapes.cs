@@ -5,6 +5,9 @@ using System.Runtime.InteropServices;
 namespace Vesica
 {
     /// <summary>One shape: the structs Point, Rect and the like in double, PointF and the like in float.</summary>
+    /// <remarks>Capsules and rounded rectangles are for Check, Bounds, ShapeArea, Overlap, Nearest, Depth, Signed,
+    /// Within, and Relation and Contains not with an ellipse; the same holds of arrays. An index of them has joins by
+    /// overlap or distance, Select and Nearest. Other methods throw a VesicaException for them.</remarks>
     public interface IShape
     {
         /// <summary>Its kind.</summary>
@@ -64,7 +67,7 @@ namespace Vesica
     /// <summary>An array of shapes of one kind, however it lies in memory. Nothing is copied.</summary>
     public sealed class Shapes
     {
-        private static readonly int[] FieldCounts = { 2, 4, 3, 4, 6, 6 };
+        private static readonly int[] FieldCounts = { 2, 4, 3, 4, 6, 6, 5, 7 };
 
         private readonly Array array;
         private readonly IntPtr memory;
@@ -93,7 +96,7 @@ namespace Vesica
         /// <summary>How many numbers a shape of a kind has.</summary>
         public static int Fields(Kind kind)
         {
-            if (kind < Kind.Point || kind > Kind.Ellipse)
+            if (kind < Kind.Point || kind > Kind.RoundRect)
                 throw new ArgumentException(kind + " is not a kind of shapes");
             return FieldCounts[(int)kind];
         }
@@ -213,7 +216,7 @@ namespace Vesica
             {
                 Kind = (int)Kind, Count = Count, Stride = (IntPtr)stride, Field0 = first, Field1 = first + step,
                 Field2 = first + 2 * step, Field3 = first + 3 * step, Field4 = first + 4 * step,
-                Field5 = first + 5 * step
+                Field5 = first + 5 * step, Field6 = first + 6 * step
             };
             return handle;
         }

@@ -397,6 +397,30 @@ internal static unsafe class Arguments
         Check(kept[2].Score == 0.1875, "a score that is left");
     }
 
+    private static void CapsulesAndRoundedRectangles()
+    {
+        var bar = new Capsule(0, 0, 4, 0, 1);
+        var rounded = new RoundRect(10, 0, 1, 0, 2, 1, 0.5);
+        Check(Query.Overlap(bar, new Point(5, 0)), "the end of a capsule");
+        Check(!Query.Overlap(bar, new Point(5, double.Epsilon)), "beyond the end of a capsule");
+        Check(Query.Nearest(bar, rounded).Distance == 2.5, "the distance of a rounded rectangle");
+        Check(Query.Bounds(rounded).Equals(new Aabb(7.5, -1.5, 12.5, 1.5)), "bounds of a rounded rectangle");
+        var any = new AnyShape(Kind.RoundRect, true, 10, 0, 1, 0, 2, 1, 0.5);
+        Shapes bars = Shapes.Of(new[] { bar, new Capsule(0, 5, 4, 5, 1) });
+        Shapes two = Shapes.Of(new[] { rounded, new RoundRect(10, 0, 1, 0, 2, 1, 0.25) });
+        var distances = new double[2];
+        Query.NearestMany(Shapes.Of(new[] { bar }), two, distances, default(Span<double>), default(Span<double>),
+            default(Span<double>), default(Span<double>));
+        Check(distances.SequenceEqual(new[] { 2.5, 2.75 }), "distances of rounded rectangles");
+        using (var index = new ShapeIndex(bars))
+        {
+            Check(index.Select(new Point(5, 0)).SequenceEqual(new long[] { 0 }), "an index of capsules");
+            Check(index.Nearest(any, 1, 9)[0].Distance == 2.5, "the nearest capsule");
+        }
+        Refused<VesicaException>("kind", () => Query.Area(bar, rounded));
+        Refused<VesicaException>("kind", () => Query.Contains(rounded, new Ellipse(10, 0, 1, 0, 1, 1)));
+    }
+
     private static void Layouts()
     {
         Shapes records = Shapes.Of(Kind.Circle, new double[] { 0, 0, 1, 77, 5, 0, 1, 77 }, 4);
@@ -491,7 +515,7 @@ internal static unsafe class Arguments
 
         internal void Call(int question)
         {
-            Kind kindA = (Kind)draw.Next(6), kindB = (Kind)draw.Next(6);
+            Kind kindA = (Kind)draw.Next(8), kindB = (Kind)draw.Next(8);
             double[] first = Some(kindA), second = Some(kindB);
             if (question < 15) OfArrays(question, kindA, kindB, first, second);
             else OfTwo(question, Single(kindA, first), Single(kindB, second));
@@ -568,6 +592,7 @@ internal static unsafe class Arguments
         Motions();
         Turns();
         Topologies();
+        CapsulesAndRoundedRectangles();
         NothingIsCopied();
         AnyArguments(arguments.Length > 1 ? int.Parse(arguments[1]) : 5000);
         Console.WriteLine("arguments: as they should be");
