@@ -9,6 +9,8 @@ export const fields = Object.freeze({
   aabb: ['min_x', 'min_y', 'max_x', 'max_y'],
   rect: ['cx', 'cy', 'ux', 'uy', 'hx', 'hy'],
   ellipse: ['cx', 'cy', 'ux', 'uy', 'a', 'b'],
+  capsule: ['x0', 'y0', 'x1', 'y1', 'r'],
+  round_rect: ['cx', 'cy', 'ux', 'uy', 'hx', 'hy', 'r'],
 });
 export const kinds = Object.freeze(Object.keys(fields));
 /** sizeof(vesica_shapes_f64) in the module, whose pointers have 4 bytes. */
@@ -40,6 +42,8 @@ function axis(angle, degrees) {
 export const point = (x, y) => ({ kind: 'point', x, y });
 export const segment = (x0, y0, x1, y1) => ({ kind: 'segment', x0, y0, x1, y1 });
 export const circle = (cx, cy, r) => ({ kind: 'circle', cx, cy, r });
+export const capsule = (x0, y0, x1, y1, r) => ({ kind: 'capsule', x0, y0, x1, y1, r });
+export const roundRect = (cx, cy, ux, uy, hx, hy, r) => ({ kind: 'round_rect', cx, cy, ux, uy, hx, hy, r });
 export const aabb = (min_x, min_y, max_x, max_y) => ({ kind: 'aabb', min_x, min_y, max_x, max_y });
 
 export function rect(cx, cy, width, height, angle = 0, { degrees = false } = {}) {

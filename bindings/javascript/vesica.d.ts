@@ -2,7 +2,7 @@
 import type { C } from './c.js';
 export type { C };
 
-export type Kind = 'point' | 'segment' | 'circle' | 'aabb' | 'rect' | 'ellipse';
+export type Kind = 'point' | 'segment' | 'circle' | 'aabb' | 'rect' | 'ellipse' | 'capsule' | 'round_rect';
 /**
  * float64 or float32 numbers. Both are exact; float32 takes half the memory. Beside an array of float32, plain shapes,
  * distances, times, velocities, thresholds and the scores of nmsSoft are rounded to float32 first, and answers are
@@ -22,7 +22,18 @@ export interface Aabb { kind: 'aabb'; min_x: number; min_y: number; max_x: numbe
 export interface Rect { kind: 'rect'; cx: number; cy: number; ux: number; uy: number; hx: number; hy: number }
 /** An ellipse: centre, axis, half axes along and across it. */
 export interface Ellipse { kind: 'ellipse'; cx: number; cy: number; ux: number; uy: number; a: number; b: number }
-export type Shape = Point | Segment | Circle | Aabb | Rect | Ellipse;
+/** All points at most r from a segment. */
+export interface Capsule { kind: 'capsule'; x0: number; y0: number; x1: number; y1: number; r: number }
+/** All points at most r from a rectangle. hx and hy are the rectangle's, in units of the axis; r is not in those. */
+export interface RoundRect {
+  kind: 'round_rect'; cx: number; cy: number; ux: number; uy: number; hx: number; hy: number; r: number;
+}
+/**
+ * Capsules and rounded rectangles are for invalidity, bounds, shapeArea, overlap, overlapSelect, nearest, depth,
+ * signedDistance, within, and relation and contains not with an ellipse; an index of them has join of overlaps,
+ * joinWithin, select, nearest and nearestOfEach. Other calls throw a VesicaError for them.
+ */
+export type Shape = Point | Segment | Circle | Aabb | Rect | Ellipse | Capsule | RoundRect;
 
 interface Angle {
   /** The angle is in degrees; multiples of 90 turn exactly. */
@@ -39,6 +50,10 @@ export function aabb(min_x: number, min_y: number, max_x: number, max_y: number)
 export function rect(cx: number, cy: number, width: number, height: number, angle?: number, options?: Angle): Rect;
 /** From centre, half axes, and the angle of a. */
 export function ellipse(cx: number, cy: number, a: number, b: number, angle?: number, options?: Angle): Ellipse;
+export function capsule(x0: number, y0: number, x1: number, y1: number, r: number): Capsule;
+/** From the numbers that it has. */
+export function roundRect(
+  cx: number, cy: number, ux: number, uy: number, hx: number, hy: number, r: number): RoundRect;
 
 export const kinds: readonly Kind[];
 /** The names of each kind's numbers, in their order in arrays. */

@@ -6,12 +6,12 @@ import * as measures from './measures.mjs';
 import { bytesOf, Memory, Room } from './memory.mjs';
 import * as motion from './motion.mjs';
 import { distanceFor, fields, flat, kindNumber, kinds, numbersOf, scalars } from './shapes.mjs';
-import { aabb, circle, ellipse, point, rect, segment, ShapeArray, shapesSize } from './shapes.mjs';
+import { aabb, capsule, circle, ellipse, point, rect, roundRect, segment, ShapeArray, shapesSize } from './shapes.mjs';
 import * as topology from './topology.mjs';
 
 const { casts } = motion, { ratios } = measures, { withins } = topology;
-export { aabb, casts, circle, constants, ellipse, fields, Index, kinds, point, ratios, rect, segment, ShapeArray };
-export { withins };
+export { aabb, capsule, circle, ellipse, point, rect, roundRect, segment };
+export { casts, constants, fields, Index, kinds, ratios, ShapeArray, withins };
 
 /** Names of relations, by the numbers that arrays have. */
 export const relations = Object.freeze([

@@ -2,7 +2,7 @@
 // Whatever is passed, a call returns or throws an Error of JavaScript's; afterwards the module is as it was.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { aabb, circle, ellipse, kinds, load, point, ratios, rect, segment } from 'vesica';
+import { aabb, capsule, circle, ellipse, fields, kinds, load, point, ratios, rect, roundRect, segment } from 'vesica';
 
 const vesica = await load();
 const calls = +(process.env.VESICA_CALLS ?? 5000);
@@ -14,12 +14,14 @@ const numbers = [0, 1, -1, 0.5, NaN, Infinity, -0, 5e-324, 1.7e308, 1e-200];
 
 function value() {
   const kind = pick(kinds);
-  const some = () => Array.from({ length: 12 }, () => pick(numbers));
+  const some = () => Array.from({ length: 14 }, () => pick(numbers));
   // Shapes come often enough that some calls are answered.
   const shape = [
     () => rect(pick(numbers), pick(numbers), pick(numbers), pick(numbers), pick(numbers)),
     () => circle(pick(numbers), pick(numbers), pick(numbers)),
-    () => vesica.shapes(kind, some().slice(0, { point: 4, segment: 8, aabb: 8 }[kind] ?? 12)),
+    () => capsule(pick(numbers), pick(numbers), pick(numbers), pick(numbers), pick(numbers)),
+    () => roundRect(...some()),
+    () => vesica.shapes(kind, some().slice(0, 2 * fields[kind].length)),
     () => vesica.shapes(kind, 3, { scalar: 'f32' }),
     () => vesica.shapes('rect', [rect(0, 0, 2, 1), rect(1, 0, 2, 1)]),
   ];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a program in TypeScript may write, and what it may not: read by tsc, never run.
-import { circle, ellipse, load, rect } from 'vesica';
+import { capsule, circle, ellipse, load, rect, roundRect } from 'vesica';
 import type { Crossings, FirstImpact, ImpactTime, Outcome, Relation, Shape, ShapeArray, Within } from 'vesica';
 import { loadMethods } from 'vesica/methods';
 
@@ -17,6 +17,7 @@ const { a, b }: { a: number[]; b: number[] } = vesica.index(cars).join({ query: 
 const raw: number = vesica.c.vesica_version();
 const count: bigint = vesica.c.vesica_index_size(1n);
 vesica.index(cars).forEachPair((first: number, second: number) => first + second, { query: 'bounds' });
+const rounded: number = vesica.nearest(capsule(0, 0, 1, 0, 1), roundRect(9, 0, 1, 0, 2, 1, 0.5)).distance;
 const near: Within = vesica.within(car, car, 2);
 const matrix: boolean = vesica.de9imMatch(vesica.de9im(car, car), 'T********');
 const left: number[] = vesica.nmsSoft(cars, [1, 2], 0.5, { decay: 'gaussian' }).scores;
@@ -63,5 +64,5 @@ vesica.cast(car, car, 1);
 vesica.impactTime(car, [0, 0], car, [1, 0], 1e-6);
 
 export { a, b, bound, count, distance, distances, hit, hits, places, raw, relation, wrong };
-export { corners, impact, left, matrix, near, signed };
+export { corners, impact, left, matrix, near, rounded, signed };
 export { kept, ofEither, outcome, overSmaller, times, turned, turning };
