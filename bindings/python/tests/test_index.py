@@ -11,12 +11,12 @@ import numpy
 import vesica
 from vesica import Kind
 
-from test_queries import random_shapes
+from test_queries import ROUNDED, random_shapes
 
 
-def mixed(count, generator, dtype):
+def mixed(count, generator, dtype, kinds=Kind):
     sets = []
-    for kind in Kind:
+    for kind in kinds:
         shapes = random_shapes(kind, count, generator, dtype)
         sets.append(vesica.shapes(kind, spread(shapes, generator)))
     return sets
@@ -25,7 +25,7 @@ def mixed(count, generator, dtype):
 def spread(shapes, generator):
     """Smaller and further apart, each number of a shape's places moved alike."""
     numbers, moves = shapes.numbers, generator.uniform(-8, 8, (len(shapes), 2)).astype(shapes.dtype)
-    for k in range(0, 4 if shapes.kind in (Kind.SEGMENT, Kind.AABB) else 2, 2):
+    for k in range(0, 4 if shapes.kind in (Kind.SEGMENT, Kind.AABB, Kind.CAPSULE) else 2, 2):
         numbers[:, k : k + 2] += moves
     return numbers
 
@@ -45,8 +45,9 @@ class Index(unittest.TestCase):
 
     def test_joins(self):
         generator = numpy.random.default_rng(7)
+        kinds = [kind for kind in Kind if kind not in ROUNDED]
         for dtype in ("f8", "f4"):
-            a, b = mixed(40, generator, dtype), mixed(30, generator, dtype)
+            a, b = mixed(40, generator, dtype, kinds), mixed(30, generator, dtype, kinds)
             index_a, index_b = vesica.Index(*a), vesica.Index(*b)
             for query in ("overlap", "contains", "inside"):
                 expected = self.pairs_by_matrix(
@@ -65,6 +66,16 @@ class Index(unittest.TestCase):
             self.assertLessEqual(expected, set(zip(*index_a.join(index_b, "bounds"))))
             own = self.pairs_by_matrix(vesica.overlap_matrix, a, a)
             self.assertEqual(set(zip(*index_a.join())), {(i, j) for i, j in own if i < j})
+
+    def test_joins_of_all_kinds(self):
+        generator = numpy.random.default_rng(8)
+        a, b = mixed(40, generator, "f8"), mixed(30, generator, "f8")
+        index_a, index_b = vesica.Index(*a), vesica.Index(*b)
+        self.assertEqual(set(zip(*index_a.join(index_b))), self.pairs_by_matrix(vesica.overlap_matrix, a, b))
+        near = self.pairs_by_matrix(lambda x, y: vesica.within_matrix(x, y, 0.5), a, b)
+        self.assertEqual(set(zip(*index_a.join_within(0.5, index_b))), near)
+        with self.assertRaisesRegex(vesica.VesicaError, "not for this kind of shape"):
+            index_a.join(index_b, "contains")
 
     def test_more_pairs_than_a_call_gives(self):
         same = vesica.circles(numpy.ones((500, 3)))

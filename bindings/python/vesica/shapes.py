@@ -13,7 +13,7 @@ from ._library import VesicaError, by_scalar, checked
 
 
 class Kind(enum.IntEnum):
-    """The six kinds of shapes."""
+    """The kinds of shapes."""
 
     POINT = _declarations.POINT
     SEGMENT = _declarations.SEGMENT
@@ -21,6 +21,8 @@ class Kind(enum.IntEnum):
     AABB = _declarations.AABB
     RECT = _declarations.RECT
     ELLIPSE = _declarations.ELLIPSE
+    CAPSULE = _declarations.CAPSULE
+    ROUND_RECT = _declarations.ROUND_RECT
 
 
 #: The numbers of each kind, in their order.
