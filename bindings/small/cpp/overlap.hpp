@@ -46,6 +46,10 @@ template <>
 inline constexpr std::int32_t kind<vesica_rect_f64> = VESICA_RECT;
 template <>
 inline constexpr std::int32_t kind<vesica_ellipse_f64> = VESICA_ELLIPSE;
+template <>
+inline constexpr std::int32_t kind<vesica_capsule_f64> = VESICA_CAPSULE;
+template <>
+inline constexpr std::int32_t kind<vesica_round_rect_f64> = VESICA_ROUND_RECT;
 
 /// Do two shapes share a point? Touching counts.
 template <class A, class B>
@@ -55,13 +59,18 @@ bool overlap(const A& a, const B& b) {
                                     reinterpret_cast<const double*>(&b))) == 1;
 }
 
+inline void need(std::int32_t kind, std::size_t count) {
+  if (count < static_cast<std::size_t>(checked(vesica_field_count(kind))))
+    throw std::length_error("too few numbers for a shape");
+}
+
 /// The same of flat numbers, whose kinds are known at run time only.
-inline bool overlap(std::int32_t kind_a, std::span<const double, 6> a, std::int32_t kind_b,
-                    std::span<const double, 6> b) {
+inline bool overlap(std::int32_t kind_a, std::span<const double> a, std::int32_t kind_b, std::span<const double> b) {
+  need(kind_a, a.size()), need(kind_b, b.size());
   return checked(vesica_overlap_f64(kind_a, a.data(), kind_b, b.data())) == 1;
 }
-inline bool overlap(std::int32_t kind_a, std::span<const float, 6> a, std::int32_t kind_b,
-                    std::span<const float, 6> b) {
+inline bool overlap(std::int32_t kind_a, std::span<const float> a, std::int32_t kind_b, std::span<const float> b) {
+  need(kind_a, a.size()), need(kind_b, b.size());
   return checked(vesica_overlap_f32(kind_a, a.data(), kind_b, b.data())) == 1;
 }
 

@@ -8,11 +8,12 @@ module vesica
   implicit none
   private
   public :: overlap, overlap_many, closest_points, vesica_message, vesica_require_version, vesica_closest_points_f64
-  public :: vesica_point, vesica_segment, vesica_circle, vesica_aabb, vesica_rect, vesica_ellipse
+  public :: vesica_point, vesica_segment, vesica_circle, vesica_aabb, vesica_rect, vesica_ellipse, &
+    vesica_capsule, vesica_round_rect
   public :: vesica_e_shape, vesica_e_kind, vesica_e_argument
 
   !> How many numbers a shape of each kind has.
-  integer, parameter, public :: vesica_numbers(0:5) = [2, 4, 3, 4, 6, 6]
+  integer, parameter, public :: vesica_numbers(0:7) = [2, 4, 3, 4, 6, 6, 5, 7]
 
   !> overlap(kind_a, a, kind_b, b): 1 where two shapes, arrays of their numbers, share a point, else 0; or an error.
   interface overlap
@@ -83,7 +84,7 @@ contains
     integer(c_int32_t), intent(in) :: kind_a, kind_b
     integer, intent(in) :: size_a, size_b
     error = vesica_e_kind
-    if (min(kind_a, kind_b) < 0 .or. max(kind_a, kind_b) > 5) return
+    if (min(kind_a, kind_b) < 0 .or. max(kind_a, kind_b) > 7) return
     error = vesica_e_argument
     if (size_a < vesica_numbers(kind_a) .or. size_b < vesica_numbers(kind_b)) return
     error = 0

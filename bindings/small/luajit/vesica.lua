@@ -25,7 +25,7 @@ function vesica.checked(answer)
 end
 
 local kinds = {}
-for kind, name in pairs({[0] = "point", "segment", "circle", "aabb", "rect", "ellipse"}) do
+for kind, name in pairs({[0] = "point", "segment", "circle", "aabb", "rect", "ellipse", "capsule", "round_rect"}) do
   for _, scalar in ipairs({"f64", "f32"}) do
     kinds[tonumber(ffi.typeof("vesica_" .. name .. "_" .. scalar))] = {kind = kind, scalar = scalar}
   end

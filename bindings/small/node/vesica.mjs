@@ -6,7 +6,7 @@ import koffi from 'koffi';
 
 /** What this file was written to. */
 const version = 100;
-export const kinds = { point: 0, segment: 1, circle: 2, aabb: 3, rect: 4, ellipse: 5 };
+export const kinds = { point: 0, segment: 1, circle: 2, aabb: 3, rect: 4, ellipse: 5, capsule: 6, round_rect: 7 };
 
 const library = koffi.load('libvesica.so.0');
 const loaded = library.func('int32_t vesica_version()')();

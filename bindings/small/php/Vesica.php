@@ -13,7 +13,7 @@ final class Vesica
     /** Of the declarations below. */
     const VERSION = 100;
 
-    const POINT = 0, SEGMENT = 1, CIRCLE = 2, AABB = 3, RECT = 4, ELLIPSE = 5;
+    const POINT = 0, SEGMENT = 1, CIRCLE = 2, AABB = 3, RECT = 4, ELLIPSE = 5, CAPSULE = 6, ROUND_RECT = 7;
 
     /** Every function, constant and struct, as in vesica.h: $vesica->c->vesica_version(). */
     public readonly FFI $c;

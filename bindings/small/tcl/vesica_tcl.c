@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Exact overlap queries between plain 2D shapes, from Tcl: `load libvesica_tcl.so Vesica`. A kind is 0 (point) to 5
- * (ellipse), as in vesica.h.
+ * Exact overlap queries between plain 2D shapes, from Tcl: `load libvesica_tcl.so Vesica`. A kind is 0 (point) to 7
+ * (rounded rectangle), as in vesica.h.
  *
  *   vesica::overlap KIND LIST KIND LIST            1 where two shapes, lists of their numbers, share a point, else 0
  *   vesica::overlap_float KIND LIST KIND LIST      the same of floats
@@ -38,7 +38,7 @@ static int read_number(Tcl_Interp* interp, Tcl_Obj* word, double* number) {
 }
 
 /* Reads a kind and as many numbers as it has. */
-static int read_shape(Tcl_Interp* interp, Tcl_Obj* const words[2], int* kind, double numbers[6]) {
+static int read_shape(Tcl_Interp* interp, Tcl_Obj* const words[2], int* kind, double numbers[7]) {
   Tcl_Obj** items;
   int length;
   if (Tcl_GetIntFromObj(interp, words[0], kind) != TCL_OK) return TCL_ERROR;
@@ -53,8 +53,8 @@ static int read_shape(Tcl_Interp* interp, Tcl_Obj* const words[2], int* kind, do
 }
 
 static int overlap(ClientData in_float, Tcl_Interp* interp, int objc, Tcl_Obj* const objv[]) {
-  double a[6] = {0}, b[6] = {0};
-  float float_a[6], float_b[6];
+  double a[7] = {0}, b[7] = {0};
+  float float_a[7], float_b[7];
   int kind_a, kind_b;
   if (objc != 5) {
     Tcl_WrongNumArgs(interp, 1, objv, "kindA numbersA kindB numbersB");
@@ -64,7 +64,7 @@ static int overlap(ClientData in_float, Tcl_Interp* interp, int objc, Tcl_Obj* c
     return TCL_ERROR;
   }
   if (in_float == NULL) return result(interp, vesica_overlap_f64(kind_a, a, kind_b, b));
-  for (int i = 0; i < 6; ++i) {
+  for (int i = 0; i < 7; ++i) {
     float_a[i] = (float)a[i];
     float_b[i] = (float)b[i];
   }
@@ -72,7 +72,7 @@ static int overlap(ClientData in_float, Tcl_Interp* interp, int objc, Tcl_Obj* c
 }
 
 static int nearest(ClientData unused, Tcl_Interp* interp, int objc, Tcl_Obj* const objv[]) {
-  double a[6] = {0}, b[6] = {0};
+  double a[7] = {0}, b[7] = {0};
   int kind_a, kind_b;
   vesica_closest_points_f64 points;
   (void)unused;

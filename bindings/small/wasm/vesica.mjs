@@ -7,11 +7,13 @@
 // and no view is ever detached, for the memory does not grow again.
 
 /** Kinds, in the order of shapes. */
-export const kinds = { point: 0, segment: 1, circle: 2, aabb: 3, rect: 4, ellipse: 5 };
+export const kinds = { point: 0, segment: 1, circle: 2, aabb: 3, rect: 4, ellipse: 5, capsule: 6, round_rect: 7 };
 
 /** What this file is written to: VESICA_VERSION of its vesica.h. */
 const version = 100;
 const pageSize = 65536;
+/** The most numbers that a shape has. */
+const mostFields = 7;
 /** sizeof(vesica_shapes_f64) here: pointers and ptrdiff_t have 4 bytes, not 8 as in capi/vesica.json. */
 const shapesSize = 72;
 const arrayTypes = { f64: Float64Array, f32: Float32Array };
@@ -40,7 +42,7 @@ class Vesica {
 
   constructor(exports, room) {
     this.c = exports; // every function of vesica.h by its name: an int64_t is a BigInt, a pointer an address
-    const scratchSize = 2 * 6 * 8;
+    const scratchSize = 2 * mostFields * 8;
     const pages = Math.ceil((room + scratchSize) / pageSize);
     this.#free = exports.memory.grow(pages) * pageSize;
     this.#end = this.#free + pages * pageSize;
@@ -71,10 +73,10 @@ class Vesica {
 
   /** Do two shapes, given as arrays of their numbers, share a point? Touching counts. */
   overlap(kindA, a, kindB, b, scalar = 'f64') {
-    const numbers = new arrayTypes[scalar](this.c.memory.buffer, this.#scratch, 12);
+    const numbers = new arrayTypes[scalar](this.c.memory.buffer, this.#scratch, 2 * mostFields);
     numbers.set(this.#fitting(kindA, a), 0);
-    numbers.set(this.#fitting(kindB, b), 6);
-    const second = this.#scratch + 6 * numbers.BYTES_PER_ELEMENT;
+    numbers.set(this.#fitting(kindB, b), mostFields);
+    const second = this.#scratch + mostFields * numbers.BYTES_PER_ELEMENT;
     return this.#check(this.c[`vesica_overlap_${scalar}`](kindA, this.#scratch, kindB, second)) === 1;
   }
 
