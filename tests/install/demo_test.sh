@@ -22,31 +22,38 @@ and should be
 $2"
 }
 
-# The last lines in short: answered, right, wrong and not known of all queries, then lines with errors.
-summary() {
-  awk '$1 == "all" { all = $2 " " $3 " " $4 " " $5 } /^lines with errors: / { errors = $4 } END { print all ", " errors }' "$1"
+# answered NAME STATUS COMPLAINTS SUMMARY: of the file `scene`. The summary is what its last lines say: answered, right,
+# wrong and not known of all queries, then lines with errors.
+mkdir pictures
+scenes=0
+answered() {
+  local status=0 line all='' errors=''
+  name=$1
+  picture="pictures/$((++scenes)) $name.svg"
+  ./demo --table -o "$picture" scene >answers 2>complaints || status=$?
+  check status "$2" $status
+  check complaints "$3" "$(<complaints)"
+  while read -ra line; do
+    case ${line[*]} in
+      'all '*) all=${line[*]:1:4} ;;
+      'lines with errors: '*) errors=${line[3]} ;;
+    esac
+  done <answers
+  check summary "$4" "$all, $errors"
+  [ -e "$picture" ] || complain "$name: no picture"
 }
 
 # scene NAME STATUS COMPLAINTS SUMMARY, the scene itself on standard input. The file is always called `scene`.
 scene() {
-  local status=0
-  name=$1
   cat >scene
-  rm -f picture.svg
-  ./demo --table -o picture.svg scene >answers 2>complaints || status=$?
-  check status "$2" $status
-  check complaints "$3" "$(cat complaints)"
-  check summary "$4" "$(summary answers)"
-  xmllint --noout picture.svg || complain "$name: the picture is not XML"
-  if sed 's/<title>[^<]*//' picture.svg | grep -Eiq '[^a-z](nan|inf)[^a-z]'; then complain "$name: a picture of no numbers"; fi
+  answered "$@"
 }
 
 # broken NAME REASON: one line, on standard input, that is refused for that reason, between two good ones.
 broken() {
   local good='point 0 0 point 0 0 = 1'
-  scene "$1" 1 "scene:2: $2" \
-    '2 2 0 0, 1' \
-    < <(echo "$good" && cat && echo "$good")
+  { echo "$good" && cat && echo "$good"; } >scene
+  answered "$1" 1 "scene:2: $2" '2 2 0 0, 1'
 }
 
 row_start='id,source,rect,0,0,1,0,2,1,circle,5,0,3,,,'
@@ -73,7 +80,7 @@ overlap                   3         2         0          1
 distance                  1         1         0          0
 all                       4         3         0          1
 lines with errors: 0' "$(cat answers)"
-check panels 3 "$(grep -c '<g>' picture.svg)"
+check panels 3 "$(grep -c '<g>' "$picture")"
 check 'without the table' "$(tail -n 5 answers)" "$(./demo -o picture.svg scene)"
 
 scene 'every query, alone and behind others' 0 '' '9 9 0 0, 0' <<EOF1
@@ -115,7 +122,7 @@ circle 1.7e308 0 1e308 point 0 0 = 0
 ellipse 0 0 1e-200 1e-200 1e200 1e-10 point 0.5 0.5 = 1
 rect 1e18 0 1 0 1e-7 1e-7 ellipse -1e18 0 1 0 1 1 = 0
 EOF1
-check 'panels without a drawing' 1 "$(grep -c 'too large to draw' picture.svg)"
+check 'panels without a drawing' 1 "$(grep -c 'too large to draw' "$picture")"
 
 # ---- Wrong answers --------------------------------------------------------------------------------------------------
 scene 'a known answer that is not met' 1 '' \
@@ -126,7 +133,7 @@ EOF1
 check 'lines marked' '     1  point-point       overlap                                 1                       0  line 1  WRONG' \
   "$(grep WRONG answers)"
 check 'lines marked without the table' "$(grep WRONG answers)" "$(./demo scene | head -n 1)"
-check 'panels marked' 1 "$(grep -c '(WRONG)' picture.svg)"
+check 'panels marked' 1 "$(grep -c '(WRONG)' "$picture")"
 
 scene 'tolerance' 1 '' '4 2 2 0, 0' <<EOF1
 i,s,point,0,0,,,,,point,3,4,,,,,distance,5.5,0.5,
@@ -134,13 +141,13 @@ i,s,point,0,0,,,,,point,3,4,,,,,distance,4.5,0.5,
 i,s,point,0,0,,,,,point,3,4,,,,,distance,5.5,0.4375,
 i,s,point,0,0,,,,,point,3,4,,,,,distance,4.5,,
 EOF1
-check 'panels of one pair' 1 "$(grep -c '<g>' picture.svg)"
+check 'panels of one pair' 1 "$(grep -c '<g>' "$picture")"
 
 # ---- Insets ---------------------------------------------------------------------------------------------------------
 # insets COUNT SIZES: how many pairs of the last scene are magnified, and the sizes written there.
 insets() {
-  check insets "$1" "$(grep -c '<svg x=' picture.svg)"
-  check sizes "$2" "$(grep -o 'class="s"[^<]*' picture.svg | sed 's/.*>//' | xargs)"
+  check insets "$1" "$(grep -c '<svg x=' "$picture")"
+  check sizes "$2" "$(grep -o 'class="s"[^<]*' "$picture" | sed 's/.*>//' | xargs)"
 }
 scene 'too close to see' 0 '' '9 9 0 0, 0' <<EOF1
 circle 0 0 1 circle 0x1.0000000000001p+1 0 1 = 0
@@ -167,15 +174,15 @@ ends() {
                if (shapes == 2) print line
              }' "$1"
 }
-check 'ends of a corner at a side' '-8.00 8.00' "$(ends picture.svg | sed -n 2p)"
+check 'ends of a corner at a side' '-8.00 8.00' "$(ends "$picture" | sed -n 2p)"
 # A gap of one digit of a double takes a long double that is longer.
 if "$CC" -dM -E -x c /dev/null | grep -Eq '__LDBL_MANT_DIG__ (64|113)'; then
-  check 'ends of the smallest gap' '-8.00 8.00' "$(ends picture.svg | sed -n 1p)"
-  check 'ends of the smallest overlap' '8.00 -8.00' "$(ends picture.svg | sed -n 5p)"
+  check 'ends of the smallest gap' '-8.00 8.00' "$(ends "$picture" | sed -n 1p)"
+  check 'ends of the smallest overlap' '8.00 -8.00' "$(ends "$picture" | sed -n 5p)"
 fi
 scene 'nothing too close' 0 '' '1 0 0 1, 0' <<<'point 0 0 point 1 0'
 insets 0 ''
-check 'sections' 'Plain to see' "$(grep -o 'Apart, by\|Overlapping\|Touching\|Plain to see' picture.svg | xargs)"
+check 'sections' 'Plain to see' "$(grep -o 'Apart, by\|Overlapping\|Touching\|Plain to see' "$picture" | xargs)"
 
 # ---- Lines that are refused -----------------------------------------------------------------------------------------
 broken 'no kind' "'square' is neither a query nor a kind" <<<'square 0 0 1'
@@ -254,13 +261,20 @@ unusable 'unknown option' 'usage: demo [--table] [-o PICTURE] SCENE' -x scene
 scene 'markup' 0 '' \
   '1 1 0 0, 0' \
   <<<'<b>&amp;]]>",s,point,0,0,,,,,point,0,0,,,,,overlap,1,0,'
-check 'ids in the picture' 2 "$(grep -c '&lt;b&gt;&amp;amp;]]&gt;"' picture.svg)"
+check 'ids in the picture' 2 "$(grep -c '&lt;b&gt;&amp;amp;]]&gt;"' "$picture")"
 scene 'many pairs' 0 '' \
   '500 500 0 0, 0' \
   < <(for ((i = 0; i < 500; i++)); do echo "circle 0 0 1 circle $i 0 1 = $((i <= 2))"; done)
-check panels 400 "$(grep -c '<g>' picture.svg)"
+check panels 400 "$(grep -c '<g>' "$picture")"
 check heading '500 questions about 500 pairs of shapes, the first 400 drawn' \
-  "$(grep -o '[0-9]* questions[^<]*' picture.svg)"
+  "$(grep -o '[0-9]* questions[^<]*' "$picture")"
+
+# ---- Pictures of all scenes -----------------------------------------------------------------------------------------
+name=pictures
+xmllint --noout pictures/*.svg || complain 'a picture is not XML'
+awk '{ sub(/<title>[^<]*/, "") }
+     tolower($0) ~ /[^a-z](nan|inf)[^a-z]/ { print FILENAME ": a picture of no numbers"; found = 1 }
+     END { exit found }' pictures/*.svg || failures=$((failures + 1))
 
 [ $failures = 0 ] || exit 1
 echo "all scenes as expected"

@@ -52,12 +52,13 @@ printf 'int main() { return hit ? 0 : 1; }\n' >>"$work/core.cpp"
 
 block "$guide" cpp 3 >"$work/constant.cpp"
 grep -q static_assert "$work/constant.cpp"
-"$CXX" -std=c++20 -Wall -Wextra -Werror -c -o "$work/constant.o" "$work/constant.cpp" "${flags[@]}"
+"$CXX" -std=c++20 -Wall -Wextra -Werror -fsyntax-only "$work/constant.cpp" "${flags[@]}"
 
 [ "$(wc -l <"$readme")" -le 120 ]
 for page in "$readme" "$root"/docs/*.md; do
-  { grep -o ']([^)]*)' "$page" || true; } | sed 's/^](\(.*\))$/\1/; s/#.*//' | while read -r target; do
-    [[ -z $target || $target == http* ]] || [ -e "$(dirname "$page")/$target" ] ||
+  while read -r target; do
+    target=${target:2:-1} target=${target%%#*}
+    [[ -z $target || $target == http* || -e ${page%/*}/$target ]] ||
       { echo "$page: a link to $target, which is not there"; exit 1; }
-  done
+  done < <(grep -o ']([^)]*)' "$page")
 done
