@@ -14,8 +14,8 @@ using namespace vesica::capi;
 using vesica::Impact;
 using vesica::batch::body_at;
 using vesica::detail::cast::Body;
+using vesica::detail::cast::EarlyOut;
 using vesica::detail::cast::Motion;
-using vesica::detail::cast::Quick;
 namespace index = vesica::index;
 
 static_assert(vesica::cast_miss == VESICA_CAST_MISS && vesica::cast_hit == VESICA_CAST_HIT &&
@@ -42,7 +42,7 @@ Body body_of(int32_t kind, const void* shape) noexcept {
 }
 
 /// Of shapes whose kinds are known when this is compiled. The C structs are the core's shapes and contacts byte for
-/// byte, and of doubles its result is written where it shall be. `told`: what the quick filter has told, where it was
+/// byte, and of doubles its result is written where it shall be. `told`: the result of the early out, where it was
 /// asked before.
 template <class A, class B, class T, class... Told>
 VESICA_INLINE int32_t cast_shapes(const void* a, const void* b, const Motion& motion, void* out,
@@ -72,7 +72,7 @@ int32_t cast_known(const void* a, const void* b, T vx, T vy, T end, void* out) n
 
 /// For calls that have not read the control register.
 template <class A, class B, class T>
-int32_t rest_of_cast(const void* a, const void* b, T vx, T vy, T end, void* out, Quick told) noexcept {
+int32_t rest_of_cast(const void* a, const void* b, T vx, T vy, T end, void* out, EarlyOut told) noexcept {
   VESICA_DEFAULT_ENVIRONMENT((cast_known<A, B, T>), a, b, vx, vy, end, out);
   return cast_shapes<A, B, T>(a, b, motion_of(vx, vy, end), out, told);
 }

@@ -31,8 +31,8 @@ bool is_valid(const Body& body) noexcept {
   return detail::cast::with_shape(body, [](const auto& s) { return check(s) == 0; });
 }
 
-/// After a block of which the kernels know less than a sixteenth, so many are asked as single pairs: the filter takes
-/// 3% of the time of a contact that it does not spare.
+/// After a block of which the kernels decide less than a sixteenth, this many blocks are answered as single pairs: the
+/// filter takes 3% of the time of a contact that it does not decide.
 inline constexpr std::int32_t blocks_without = 7;
 
 /// Numbers of listed elements side by side, in whole vectors that repeat the first; of an operand that repeats, as
@@ -121,7 +121,7 @@ class CastBlock {
 
  private:
   static constexpr std::int32_t unknown = -1;
-  /// As detail::cast::is_quick() has it.
+  /// The least end in detail::cast::in_early_range().
   static constexpr double least_end = 0x1p-300;
 
   const KernelTable& kernels_;
@@ -139,7 +139,7 @@ class CastBlock {
     return out;
   }
 
-  /// n in whole vectors of these kernels, which do not take two as one.
+  /// n in whole vectors of these kernels.
   std::int32_t whole(std::int32_t n) const noexcept {
     const std::int32_t width = kernels_.width_f64;
     return (n + width - 1) / width * width;
@@ -302,7 +302,7 @@ struct FirstSearch {
     if (first.error != error_range || !some()) return;
     first.error = 0;
     for (std::int64_t i = 0; i < many.count; ++i) {
-      // Of equal times the first element's counts. Contact before the next number has the time of the best.
+      // Among equal times the first element counts. Contact before the next number has the time of the best.
       const auto next = static_cast<double>(detail::arithmetic::next_above(best.t));
       ask(i, body_at(many, i), i > first.index ? end() : next < motion.end ? next : motion.end);
     }

@@ -2,13 +2,13 @@
 /// cast(a, b, vx, vy, t_end): a is at rest, b moves by v t while t runs from 0 to t_end. Does b touch a, and if so,
 /// when first, where and along which normal? A ray is a point that moves; t_end may be infinite.
 ///
-/// Whether there is contact is exact for every valid input, touching included. The time is the greatest number of its
+/// The decision is exact for every valid input, touching included. The time is the greatest number of its
 /// type with no contact before it: the true time, rounded down.
 ///
 /// Accuracy, u = 2^-53, scale the largest coordinate of the offset of centres or half length: the point is within 8u
 /// scale of a's outline, before the rounding of its coordinates. Along the outline the error may be (8u scale + 4u R) /
 /// |n.v| for unit n and v, R being a's greatest radius of curvature; rays reach 0.93 of that. The normal is a unit
-/// vector to 4u. If a corner meets a corner it is that of one of the edges there; if b only slides along a it is
+/// vector to 4u. If a corner meets a corner, it is the normal of one of the edges there; if b only slides along a it is
 /// perpendicular to v. Shapes that overlap at the start have the direction of depth() as normal and the point of
 /// nearest(): if their depth is 0 and n.v >= 0, they are moving apart.
 ///
@@ -20,7 +20,7 @@
 #include <limits>
 #include <type_traits>
 #include <vesica/bounds.hpp>
-#include <vesica/cast/quick_hit.hpp>
+#include <vesica/cast/fast_cast.hpp>
 #include <vesica/depth.hpp>
 #include <vesica/nearest.hpp>
 
@@ -42,14 +42,14 @@ bool rounded_to(const Impact<double>& i, Impact<T>& out) noexcept {
   return true;
 }
 
-/// cast_or_error() without the quick way.
+/// cast_or_error() without early outs.
 template <template <class> class A, template <class> class B, class T>
 std::int32_t cast_any(const A<T>& a, const B<T>& b, const Motion& motion, Impact<T>& out) noexcept {
   if (!is_sound(motion)) return error_argument;
   Impact<double> found;
   const Body first = body(a), second = body(b);
   const Filtered known = filter(sketch(first), sketch(second), motion);
-  // The depth of shapes that overlap is wanted too, and tells whether they do: only then it has a direction.
+  // The result needs the depth of overlapping shapes. Only they have a depth with a direction: so it decides overlap.
   Penetration<T> penetration{};
   const auto overlap_at_start = [&]() -> std::int32_t {
     const std::int32_t error = depth_or_error(a, b, penetration);
@@ -77,19 +77,19 @@ template <template <class> class A, template <class> class B, class T>
 std::int32_t cast_or_error(const A<T>& a, const B<T>& b, std::type_identity_t<T> vx, std::type_identity_t<T> vy,
                            std::type_identity_t<T> t_end, Impact<T>& out) noexcept {
   const detail::cast::Motion motion{static_cast<double>(vx), static_cast<double>(vy), static_cast<double>(t_end)};
-  if constexpr (detail::cast::HasQuick<A<double>, B<double>>) {
-    using detail::cast::Quick;
+  if constexpr (detail::cast::HasEarlyOut<A<double>, B<double>>) {
+    using detail::cast::EarlyOut;
     Impact<double> in_double;
     Impact<double>* found = &in_double;
     if constexpr (std::is_same_v<T, double>) found = &out;
-    const Quick quick = detail::cast::quick_cast<detail::cast::UsualProducts>(
+    const EarlyOut early = detail::cast::fast_cast<detail::cast::UsualProducts>(
         detail::cast::in_double(a), detail::cast::in_double(b), motion, *found);
-    if (quick == Quick::missed) {
+    if (early == EarlyOut::missed) {
       out = detail::cast::no_impact<T>();
       return cast_miss;
     }
-    if (quick == Quick::hit) {
-      // A quick hit is finite, in double.
+    if (early == EarlyOut::hit) {
+      // A fast hit is finite in double.
       if (!std::is_same_v<T, double> && !detail::cast::rounded_to(*found, out)) return error_range;
       return cast_hit;
     }

@@ -3,7 +3,7 @@
 // Steady, whose operations do not depend on it.
 #pragma once
 
-#include <vesica/cast/quick.hpp>
+#include <vesica/cast/early_out.hpp>
 #include <vesica/overlap.hpp>
 
 #include "kernels/table.hpp"
@@ -25,12 +25,12 @@ template <class A, class B, class T>
 VESICA_KERNEL std::int32_t cast_call(const void* a, const void* b, T vx, T vy, T end, void* out,
                                      RestOfCast<T> rest) noexcept {
   using namespace detail::cast;
-  Quick quick = Quick::open;
+  EarlyOut early = EarlyOut::open;
   if (keeps_subnormals()) [[likely]] {
     const MotionOf<Steady> motion{Steady::load(vx), Steady::load(vy), Steady::load(end)};
-    quick = quick_filter(Read<A>::from(a), Read<B>::from(b), motion);
+    early = early_out(Read<A>::from(a), Read<B>::from(b), motion);
   }
-  if (quick != Quick::missed) return rest(a, b, vx, vy, end, out, quick);
+  if (early != EarlyOut::missed) return rest(a, b, vx, vy, end, out, early);
   *static_cast<Impact<T>*>(out) = no_impact<T>();
   return cast_miss;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// First contacts of a circle or an ellipse with a point or with another such shape, either of which moves
-// (ellipses_meeting() of include/vesica/cast/quick_round_hit.hpp). A circle is an ellipse with the axis (1, 0).
+// First contacts of a circle or an ellipse with a point or with another such shape; one of them moves
+// (ellipses_meeting() of include/vesica/cast/fast_round_hit.hpp). A circle is an ellipse with the axis (1, 0).
 #pragma once
 
 #include "kernels/cast_scene.hpp"
@@ -8,7 +8,7 @@
 namespace vesica {
 namespace {
 
-using EllipseLanes = detail::cast::QuickEllipse<Doubles>;
+using EllipseLanes = detail::cast::FastEllipse<Doubles>;
 
 VESICA_INLINE EllipseLanes ellipse_lanes(const SideColumns& side, std::int32_t i) noexcept {
   return {load(side.ux.to, i), load(side.uy.to, i), load(side.hx.to, i), load(side.hy.to, i)};

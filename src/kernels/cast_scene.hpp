@@ -6,7 +6,7 @@
 
 #include <limits>
 #include <type_traits>
-#include <vesica/cast/quick_round_hit.hpp>
+#include <vesica/cast/fast_round_hit.hpp>
 
 #include "kernels/cast_filter.hpp"
 
@@ -33,7 +33,7 @@ VESICA_INLINE TwofoldLanes exact_offset(Doubles to0, Doubles to1, Doubles from0,
   return {Doubles(0.5) * twice.high, Doubles(0.5) * twice.low};
 }
 
-/// The offset of the centres and the velocity, and whether both are plain (cast/quick_numbers.hpp).
+/// The offset of the centres and the velocity, and whether both are plain (cast/fast_numbers.hpp).
 struct WayLanes {
   VectorLanes d;
   OffsetLanes v;

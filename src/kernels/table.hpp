@@ -87,16 +87,16 @@ template <class T>
 using CopyRecords = void (*)(Unaligned<T> from, std::ptrdiff_t stride, int fields, std::int32_t n, T* columns,
                              std::int32_t column_length) noexcept;
 
-/// Fallback of a cast if the quick filter finds no miss. The filter's verdict is passed on: `open` where subnormals are
+/// Fallback of a cast if the early out finds no miss. The filter's verdict is passed on: `open` where subnormals are
 /// flushed.
 namespace detail::cast {
-enum class Quick;
+enum class EarlyOut;
 }
 template <class T>
 using RestOfCast = std::int32_t (*)(const void* a, const void* b, T vx, T vy, T end, void* out,
-                                    detail::cast::Quick quick) noexcept;
+                                    detail::cast::EarlyOut early) noexcept;
 
-/// Casts by a quick filter, in any floating-point environment, without reading the control register. By the two kinds;
+/// Casts by an early out, in any floating-point environment, without reading the control register. By the two kinds;
 /// null where there is none. kernels/cast_calls.hpp has the functions.
 struct CallTable {
   template <class T>

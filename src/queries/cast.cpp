@@ -19,21 +19,15 @@ std::int32_t answer(const Query& query, const Body& a, const Body& b, void* out)
 }
 
 #if VESICA_CHOOSES_FUSED
-/// All that each calls is compiled into it, for processors that fuse; what exists beside them is for any. As one
-/// function they would be beyond what g++ inlines.
-[[gnu::target("fma"), gnu::flatten, gnu::noinline]] bool quick_meeting_fused(const detail::cast::Scene& scene,
-                                                                             detail::cast::Meeting& out) noexcept {
-  return detail::cast::quick_meeting<detail::cast::FusedProducts>(scene, out);
-}
+/// All that each calls is compiled into it, for processors that fuse; what exists beside them is for any.
 [[gnu::target("fma"), gnu::flatten]] bool find_meeting_fused(const detail::cast::Scene& scene,
                                                              detail::cast::Meeting& out) noexcept {
-  using namespace detail::cast;
-  return (is_box_and_round(scene) && quick_meeting_fused(scene, out)) || find_meeting<FusedProducts>(scene, out);
+  return detail::cast::find_meeting<detail::cast::FusedProducts>(scene, out);
 }
 template <class A, class B>
-[[gnu::target("fma"), gnu::flatten]] detail::cast::Quick quick_hit_fused(const A& a, const B& b, double vx, double vy,
-                                                                         double end, Impact<double>& out) noexcept {
-  return detail::cast::quick_hit<detail::cast::FusedProducts>(a, b, {vx, vy, end}, out);
+[[gnu::target("fma"), gnu::flatten]] detail::cast::EarlyOut fast_hit_fused(const A& a, const B& b, double vx, double vy,
+                                                                           double end, Impact<double>& out) noexcept {
+  return detail::cast::fast_hit<detail::cast::FusedProducts>(a, b, {vx, vy, end}, out);
 }
 detail::cast::FindMeeting fused_meeting() noexcept { return has_fused() ? find_meeting_fused : nullptr; }
 #else
@@ -88,24 +82,24 @@ namespace queries {
 }
 
 template <class A, class B>
-[[gnu::noinline]] detail::cast::Quick quick_hit(const A& a, const B& b, double vx, double vy, double end,
-                                                Impact<double>& out) noexcept {
+[[gnu::noinline]] detail::cast::EarlyOut fast_hit(const A& a, const B& b, double vx, double vy, double end,
+                                                  Impact<double>& out) noexcept {
 #if VESICA_CHOOSES_FUSED
-  if (has_fused()) return quick_hit_fused(a, b, vx, vy, end, out);
+  if (has_fused()) return fast_hit_fused(a, b, vx, vy, end, out);
 #endif
-  return detail::cast::quick_hit<detail::cast::UsualProducts>(a, b, {vx, vy, end}, out);
+  return detail::cast::fast_hit<detail::cast::UsualProducts>(a, b, {vx, vy, end}, out);
 }
-#define VESICA_QUICK_HIT(A, B)                                                                       \
-  template detail::cast::Quick quick_hit(const A<double>&, const B<double>&, double, double, double, \
-                                         Impact<double>&) noexcept;
-VESICA_QUICK_HIT(Segment, Point)
-VESICA_QUICK_HIT(Circle, Point)
-VESICA_QUICK_HIT(Aabb, Point)
-VESICA_QUICK_HIT(Rect, Point)
-VESICA_QUICK_HIT(Ellipse, Point)
-VESICA_QUICK_HIT(Circle, Circle)
-VESICA_QUICK_HIT(Ellipse, Ellipse)
-#undef VESICA_QUICK_HIT
+#define VESICA_FAST_HIT(A, B)                                                                          \
+  template detail::cast::EarlyOut fast_hit(const A<double>&, const B<double>&, double, double, double, \
+                                           Impact<double>&) noexcept;
+VESICA_FAST_HIT(Segment, Point)
+VESICA_FAST_HIT(Circle, Point)
+VESICA_FAST_HIT(Aabb, Point)
+VESICA_FAST_HIT(Rect, Point)
+VESICA_FAST_HIT(Ellipse, Point)
+VESICA_FAST_HIT(Circle, Circle)
+VESICA_FAST_HIT(Ellipse, Ellipse)
+#undef VESICA_FAST_HIT
 
 [[gnu::noinline]] std::int32_t cast(const Body& a, const Body& b, const Motion& motion, Impact<double>& out) noexcept {
   const auto at_point = [&](const auto& shape) {

@@ -7,9 +7,9 @@
 # Three rules, for x86-64:
 #   src/isa/<set>.cpp, _calls                may fuse: they only decide
 #   src/isa/<set>_queries.cpp                fuse where the source says so, but never in alternation
-#   all others                               fuse in functions for processors that do (quick_hit_fused,
-#                                            quick_meeting_fused, find_meeting_fused of src/queries/cast.cpp,
-#                                            area_in_disc_fused), and not in alternation there
+#   all others                               fuse in functions for processors that do (fast_hit_fused and
+#                                            find_meeting_fused of src/queries/cast.cpp, area_in_disc_fused), and not
+#                                            in alternation there
 set -euo pipefail
 
 # shellcheck source=tests/batch/objects.sh
@@ -18,7 +18,7 @@ set -euo pipefail
 # found RULE OBJECT: the functions of an object with instructions that the rule forbids, and one such instruction each.
 found() {
   "$objdump" -d --no-show-raw-insn "$2" | awk -v rule="$1" '
-    /^[0-9a-f]+ <.*>:$/ { function_name = $2; allowed = rule == "queries" || $2 ~ /quick_hit_fused|quick_meeting_fused|find_meeting_fused|area_in_disc_fused/ }
+    /^[0-9a-f]+ <.*>:$/ { function_name = $2; allowed = rule == "queries" || $2 ~ /fast_hit_fused|find_meeting_fused|area_in_disc_fused/ }
     $2 ~ /^vf(maddsub|msubadd)[0-9]/ || (!allowed && $2 ~ /^vfn?m(add|sub)[0-9]/) {
       if (!seen[function_name]++) print "  " function_name " " $2
     }'

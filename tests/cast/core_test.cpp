@@ -93,7 +93,8 @@ TEST(CastOfTheHeader, NormalsHaveNoNegativeZero) {
       EXPECT_EQ(i.nx, vx == 0 ? 0 : -vx);
       EXPECT_EQ(i.ny, vy == 0 ? 0 : -vy);
     };
-    if (detail::cast::quick_hit<detail::cast::UsualProducts>(a, b, {vx, vy, never}, quick) == detail::cast::Quick::hit)
+    if (detail::cast::fast_hit<detail::cast::UsualProducts>(a, b, {vx, vy, never}, quick) ==
+        detail::cast::EarlyOut::hit)
       check(quick);
     ASSERT_EQ(detail::cast::cast_any(a, b, {vx, vy, never}, found), cast_hit);
     check(found);

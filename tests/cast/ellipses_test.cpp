@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ellipses at what their quick decisions are made for: how many contacts of two are left to the general search, and
+// Ellipses at what their fast decisions are made for: how many contacts of two are left to the general search, and
 // rays at ellipses that are tiny or thin, where a bound that is a little too small tells a wrong answer.
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
-#include <vesica/cast/quick_round_hit.hpp>
+#include <vesica/cast/fast_round_hit.hpp>
 
 #include "cast/motions.hpp"
 #include "properties/random.hpp"
@@ -30,8 +30,8 @@ Approach draw(properties::Random& random, int exponent_of_speed) {
           {-speed * (x + random.between(-0.3, 0.3)), -speed * (y + random.between(-0.3, 0.3)), infinity}};
 }
 
-/// Of 500 at each speed those that the quick way leaves open.
-TEST(EllipsesThatMeet, AreAnsweredQuicklyAtAnySpeed) {
+/// Counts the hits that the fast path leaves open, of 500 at each speed.
+TEST(EllipsesThatMeet, AreAnsweredFastAtAnySpeed) {
   constexpr std::array exponents{-50, -40, -20, 0, 20, 40, 47, 53};
   std::array<int, exponents.size()> open{};
   properties::Random random(1);
@@ -39,9 +39,8 @@ TEST(EllipsesThatMeet, AreAnsweredQuicklyAtAnySpeed) {
     for (int i = 0; i < 500; ++i) {
       const Approach m = draw(random, exponents[k]);
       vesica::Impact<double> found;
-      const auto quick =
-          vesica::detail::cast::quick_hit<vesica::detail::cast::SplitProducts>(m.a, m.b, m.motion, found);
-      open[k] += quick == vesica::detail::cast::Quick::open;
+      const auto quick = vesica::detail::cast::fast_hit<vesica::detail::cast::SplitProducts>(m.a, m.b, m.motion, found);
+      open[k] += quick == vesica::detail::cast::EarlyOut::open;
     }
   }
   EXPECT_EQ(open, (std::array{0, 0, 0, 0, 0, 0, 0, 0}));

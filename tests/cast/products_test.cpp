@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The search for the first contact by fused products has the bits of that by splitting, and the quick one of a box
-/// with a round shape those of the general one, wherever they are used.
+/// The search for the first contact has the same bits by fused products and by splitting.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <cstring>
-#include <vesica/cast/quick_box_round_hit.hpp>
+#include <vesica/cast/first_contact.hpp>
 
 #include "cast/motions.hpp"
 #include "properties/generators.hpp"
@@ -38,25 +37,14 @@ bool same(const core::Meeting& x, const core::Meeting& y) {
          same(x.found.time, y.found.time) && same(x.of_a, y.of_a) && (!x.of_a.is_edge() || same(x.of_b, y.of_b));
 }
 
-bool equal(const core::Offset& x, const core::Offset& y) { return x.x == y.x && x.y == y.y; }  // a zero of any sign
-/// What the answer is made of, where the quick one tells the time.
-bool same_answer(const core::Scene& scene, const core::Meeting& quick, const core::Meeting& m, int& told) {
-  const core::Found &x = quick.found, &y = m.found;
-  const double t = core::time_from_bounds(scene, x.time), wanted = core::time_from_bounds(scene, y.time);
-  told += t > 0;
-  return same(x.normal.x, y.normal.x) && same(x.normal.y, y.normal.y) && (t < 0 || wanted < 0 || same(t, wanted)) &&
-         equal(quick.of_a.middle, m.of_a.middle) && equal(quick.of_a.half, m.of_a.half) &&
-         (!m.of_a.is_edge() || (equal(quick.of_b.middle, m.of_b.middle) && !quick.of_b.is_edge()));
-}
-
 struct Count {
-  int asked = 0, fused = 0, of_both = 0, quick = 0;
+  int asked = 0, fused = 0;
 
-  /// Of a line that certainly meets both shapes, as cast() asks.
+  /// A line that certainly meets both shapes, as cast() asks.
   void check(const Pair& p, const Motion& m) {
     const core::Body a = body_of(p.kind_a, p.a), b = body_of(p.kind_b, p.b);
     const core::Motion motion{m.vx, m.vy, m.end};
-    const auto [verdict, apart] = core::filter(core::sketch(a), core::sketch(b), motion);
+    const core::Verdict verdict = core::filter(core::sketch(a), core::sketch(b), motion).verdict;
     if (verdict != core::Verdict::reached && verdict != core::Verdict::late) return;
     core::Scene scene;
     core::set_scene(a, b, motion, scene);
@@ -66,15 +54,10 @@ struct Count {
     ++fused;
     ASSERT_TRUE(core::find_meeting<core::SplitProducts>(scene, by_splitting));
     EXPECT_TRUE(same(by_splitting, by_fusing)) << describe(p, m);
-    if (!apart || !core::is_box_and_round(scene)) return;
-    ++of_both;
-    core::Meeting found{};
-    if (!core::quick_meeting<core::FusedProducts>(scene, found)) return;
-    EXPECT_TRUE(same_answer(scene, found, by_splitting, quick)) << describe(p, m);
   }
 };
 
-TEST(Products, FusedOrSplitOrQuickHaveTheSameBits) {
+TEST(Products, FusedOrSplitHaveTheSameBits) {
   Count usual, all;
   for (const properties::Workload workload : properties::all_workloads) {
     for (int a = 0; a < properties::kinds; ++a) {
@@ -101,11 +84,7 @@ TEST(Products, FusedOrSplitOrQuickHaveTheSameBits) {
   EXPECT_GT(all.asked, 10000 * properties::repeat());
   EXPECT_GT(all.fused, all.asked / 4);
   EXPECT_GT(usual.fused, usual.asked * 2 / 3);  // of velocities that differ by more from places there are some 20%
-  EXPECT_GT(all.quick, all.of_both / 2);
-  EXPECT_GT(usual.quick, usual.of_both * 19 / 20);
   std::printf("%d searches, %d fused; of usual numbers %d of %d\n", all.asked, all.fused, usual.fused, usual.asked);
-  std::printf("of a box and a round shape %d, %d quick; of usual numbers %d of %d\n", all.of_both, all.quick,
-              usual.quick, usual.of_both);
 }
 
 }  // namespace

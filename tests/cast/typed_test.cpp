@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Casts of given kinds: the typed functions have the bits of that by kind; and the quick way of these kinds, by either
+/// Casts of given kinds: the typed functions have the bits of that by kind; and the early outs of these kinds, by either
 /// product, has those of the way for all kinds.
 #include <gtest/gtest.h>
 
@@ -95,29 +95,29 @@ TYPED_TEST(TypedCasts, RefuseWhatTheCastByKindRefuses) {
 }
 
 struct Tally {
-  int asked = 0, quick = 0, hits = 0, quick_hits = 0;
+  int asked = 0, quick = 0, hits = 0, fast_hits = 0;
 };
 
 template <class Products, class A, class B>
-void check_quick(const A& a, const B& b, const core::Motion& m, std::int32_t code, const vesica::Impact<double>& wanted,
+void check_early(const A& a, const B& b, const core::Motion& m, std::int32_t code, const vesica::Impact<double>& wanted,
                  Tally& tally) {
-  core::Quick quick = core::quick_filter(a, b, m);
+  core::EarlyOut quick = core::early_out(a, b, m);
   vesica::Impact<double> found{};
-  if (quick == core::Quick::hit) quick = core::quick_hit<Products>(a, b, m, found);
+  if (quick == core::EarlyOut::hit) quick = core::fast_hit<Products>(a, b, m, found);
   ++tally.asked;
   tally.hits += code == vesica::cast_hit;
-  if (quick == core::Quick::open) return;
+  if (quick == core::EarlyOut::open) return;
   ++tally.quick;
-  ASSERT_EQ(quick == core::Quick::hit ? vesica::cast_hit : vesica::cast_miss, code);
-  if (quick == core::Quick::missed) return;
-  ++tally.quick_hits;
+  ASSERT_EQ(quick == core::EarlyOut::hit ? vesica::cast_hit : vesica::cast_miss, code);
+  if (quick == core::EarlyOut::missed) return;
+  ++tally.fast_hits;
   ASSERT_EQ(std::memcmp(&found, &wanted, sizeof found), 0)
       << found.t << ' ' << found.x << ' ' << found.y << ' ' << found.nx << ' ' << found.ny << " / " << wanted.t << ' '
       << wanted.x << ' ' << wanted.y << ' ' << wanted.nx << ' ' << wanted.ny;
 }
 
 template <template <class> class A, template <class> class B>
-struct Quickly {
+struct Early {
   Tally fused, split;
 
   void ask(const Pair& p, const Motion& motion) {
@@ -130,8 +130,8 @@ struct Quickly {
     const std::int32_t code = core::cast_bodies(
         core::body(a), core::body(b), m, core::filter(core::sketch(a), core::sketch(b), m),
         [&] { return vesica::overlap_or_error(a, b); }, core::fused_meeting, wanted);
-    check_quick<core::FusedProducts>(a, b, m, code, wanted, fused);
-    check_quick<core::SplitProducts>(a, b, m, code, wanted, split);
+    check_early<core::FusedProducts>(a, b, m, code, wanted, fused);
+    check_early<core::SplitProducts>(a, b, m, code, wanted, split);
   }
 
   /// A component of the axis of a shape.
@@ -192,24 +192,24 @@ struct Quickly {
         if (testing::Test::HasFailure()) return;
       }
     }
-    // What is never quick tests nothing.
+    // A path that is never taken tests nothing.
     EXPECT_GT(fused.quick, fused.asked / 16);
-    EXPECT_GT(fused.quick_hits, fused.hits / 32);
+    EXPECT_GT(fused.fast_hits, fused.hits / 32);
     EXPECT_EQ(fused.quick, split.quick);
-    std::printf("%s at %s: %d asked, %d quickly; %d hits, %d quickly\n", vesica_kind_name(kind_b),
-                vesica_kind_name(kind_a), fused.asked, fused.quick, fused.hits, fused.quick_hits);
+    std::printf("%s at %s: %d asked, %d early; %d hits, %d early\n", vesica_kind_name(kind_b), vesica_kind_name(kind_a),
+                fused.asked, fused.quick, fused.hits, fused.fast_hits);
   }
 };
 
-TEST(QuickCasts, HaveTheBitsOfTheWayForAllKinds) {
+TEST(EarlyOuts, HaveTheBitsOfTheGeneralPath) {
   using namespace vesica;
-  Quickly<Segment, Point>().run();
-  Quickly<Circle, Point>().run();
-  Quickly<Aabb, Point>().run();
-  Quickly<Rect, Point>().run();
-  Quickly<Ellipse, Point>().run();
-  Quickly<Circle, Circle>().run();
-  Quickly<Ellipse, Ellipse>().run();
+  Early<Segment, Point>().run();
+  Early<Circle, Point>().run();
+  Early<Aabb, Point>().run();
+  Early<Rect, Point>().run();
+  Early<Ellipse, Point>().run();
+  Early<Circle, Circle>().run();
+  Early<Ellipse, Ellipse>().run();
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 ///
 /// so T(n) is a lower bound of t0, and t0 is the greatest of them.
 ///
-/// Proved: how far T(n) may be below t0, from numbers that are known at n. So a direction found in double tells t0 to
+/// Proved: how far T(n) may be below t0, from numbers that are known at n. So a direction found in double bounds t0 to
 /// twice the precision of double, wherever the search for it stopped. With n = -v + s perp(v) the slope of v.v T(n) in
 /// s is w - perp(v).x, x being the point of M farthest along n: how far beside x the line passes. It falls with s.
 ///
@@ -31,7 +31,7 @@ using Vector = arithmetic::Vector<double>;
 using arithmetic::FusedProducts;
 using arithmetic::SplitProducts;
 
-/// What products are made of: SplitProducts or FusedProducts.
+/// Factors of products: SplitProducts or FusedProducts.
 template <class Products>
 using TwofoldFactor = decltype(Products::factor(Twofold<double>{}));
 template <class Products>
@@ -57,8 +57,8 @@ struct Scene {
   double speed() const noexcept { return abs(vx) + abs(vy); }
 };
 
-/// Whether FusedProducts give the bits of SplitProducts: all numbers of the scene are 0 or in [2^-40, 2^40], lower
-/// parts 0 or above 2^-60.
+/// True if FusedProducts give the bits of SplitProducts: all numbers of the scene are 0 or in [2^-40, 2^40], lower parts
+/// 0 or above 2^-60.
 ///
 /// Proved: no product is above 0 and below 2^-960, so no error of a product underflows. s is a multiple of 2^-102
 /// (FusedProducts::holds()), so n = -v + s perp(v) is one of 2^-194. The longest products are squares of a size times
@@ -187,7 +187,7 @@ VESICA_INLINE MaskOf<V> is_zero(const Twofold<V>& x) noexcept {
   return both(x.high == V(0.0), x.low == V(0.0));
 }
 
-/// What one shape adds: its support function and perp(v).x. `edge` is the reach across v of an edge whose normal n is,
+/// The terms of one shape: its support function and perp(v).x. `edge` is the reach across v of an edge whose normal n is,
 /// x its middle, and `room` the least |u.n| of the edges beside its vertex, in units of the change of u.n with s.
 struct SideSupport {
   Twofold<double> h, beside;
@@ -212,7 +212,7 @@ DotAndCross dot_and_cross(const Vector& u, const VectorFactor<Products>& n) noex
   return {arithmetic::dot(f, n), arithmetic::cross(f, n)};
 }
 
-/// Of a box.
+/// The support function of a box.
 template <class Products>
 Twofold<double> height_of(const Side& s, const VectorFactor<Products>& n) noexcept {
   if (has_no_size(s)) return {0, 0};
@@ -267,7 +267,7 @@ SideSupport support_of(const Side& s, const VectorFactor<Products>& n, const Vec
 
 inline bool finite(double x) noexcept { return x - x == 0; }
 
-/// Whether n.v = 0 exactly: the products are exact, and one is the negative of the other. A twofold sum does not show
+/// True if n.v = 0 exactly: the products are exact, and one is the negative of the other. A twofold sum does not show
 /// it, as it may lose a rest below 2^-106 of its terms. False for an n with lower parts.
 template <class Products>
 bool is_across(const VectorFactor<Products>& n, const VectorFactor<Products>& v) noexcept {
@@ -304,7 +304,7 @@ VectorFactor<Products> factor_of_v(const Scene& scene) noexcept {
   return Products::factor(Vector{{scene.vx, 0}, {scene.vy, 0}});
 }
 
-/// t0 as n tells it. n: -v + s perp(v), or any multiple where it is the normal of an edge.
+/// The bounds of t0 from n. n: -v + s perp(v), or any multiple where it is the normal of an edge.
 template <class Products>
 TimeBounds time_bounds(const Scene& scene, const Vector& normal) noexcept {
   const auto n = Products::factor(normal), v = factor_of_v<Products>(scene);

@@ -59,7 +59,7 @@ inline Curve curve(const Scene& scene, const Side& e) noexcept {
   return {((b - a) * (b + a)) * (c * k) / al, al, area * area / al, sqrt(al)};
 }
 
-/// The normal turned against v. Double mostly knows whether it must be; nobody can foresee it, so there is no branch.
+/// The normal turned against v. Double usually decides whether to turn it; unpredictable, so no branch.
 template <class Products>
 Vector against(const Scene& scene, const Vector& n) noexcept {
   const double x = n.x.high * scene.vx, y = n.y.high * scene.vy;
@@ -151,7 +151,7 @@ VESICA_INLINE Tail<V> tail(const CurveOf<V>& e, V s) noexcept {
   return {foreseen(t > V(0.0), behind, before), h, e.al * (e.de / (h * h * h))};
 }
 
-/// Where the slopes of two curves have the sum w >= 0: each rest falls from twice its reach to 0, and both together are
+/// Finds the s at which the slopes of two curves have the sum w >= 0: each rest falls from twice its reach to 0, and both together are
 /// the gap. Newton's method on the power -1/2 of their sum, which is nearly straight where the line grazes; within a
 /// bracket, the places at which either alone has its share of w. Returns the number of steps; lanes take as many as the
 /// last of them, and those in which nothing is asked, `idle`, do not count.
@@ -203,9 +203,8 @@ double maximum_of_ellipses(const Scene& scene, int& steps) noexcept {
   return lane::flip_sign(maximum_of_two(a, b, gap, steps), w.high);
 }
 
-/// A direction and what it tells of t0; no direction where the products that were asked for do not suffice.
-/// `beside`, where there is one, is the normal of a face nearly along v, of whose time errors hide much: it is met
-/// instead where there is contact only after `until`.
+/// A direction and its bounds of t0; no direction if the products chosen do not suffice. `beside`, if not 0, is the
+/// normal of a face nearly along v, whose time is known poorly: that face is hit instead if contact comes after `until`.
 struct Found {
   Vector normal;
   TimeBounds time;
@@ -221,8 +220,8 @@ inline double difference(const Twofold<double>& a, const Twofold<double>& b) noe
   return (a.high - b.high) + (a.low - b.low);
 }
 
-/// Whether n is chosen rather than m, two normals with the same time: the one more opposed to v; of mirror images the
-/// one to the left of v; of parallel ones the longer. So exchanging the shapes changes nothing.
+/// True if n is chosen rather than m, two normals with the same time: the one more opposed to v; among mirror images the
+/// one to the left of v; among parallel ones the longer. So exchanging the shapes changes nothing.
 inline bool preferred(const Scene& scene, const Vector& n, const Vector& m) noexcept {
   const auto length = [](const Vector& x) { return x.x.high * x.x.high + x.y.high * x.y.high; };
   const double forward_n = dot_of(scene, n), forward_m = dot_of(scene, m);
@@ -363,10 +362,9 @@ Found polished(const Scene& scene, double s) noexcept {
   }
 }
 
-/// Of what was found at a vertex and of the faces' normals that which tells the latest time. Beside a face the vertex's
-/// normals may end nearer than numbers of s lie, and beyond them another vertex lies farthest. A vertex that tells no
-/// time is met where there is contact only after the faces' times. One of these is told: a face is at most 45 degrees
-/// from across v.
+/// The latest of the vertex and face-normal times. Beside a face the range of the vertex's normals may be narrower than
+/// the step of s, and beyond it another vertex lies farthest. If the vertex has no time, it is hit if contact comes after
+/// the faces' times. One face always has a time: a face is at most 45 degrees from across v.
 template <class Products>
 VESICA_COLD Found latest_beside_faces(const Scene& scene, const Side& box, const Found& at_vertex) noexcept {
   Found found = at_vertex;

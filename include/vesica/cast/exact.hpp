@@ -72,7 +72,7 @@ struct RoundReach {
   }
 };
 
-/// The reach H of M across v: that of the boxes, and of so many round shapes.
+/// The reach H of M across v, by boxes and round shapes.
 struct ExactReach {
   BoxReach box;
   RoundReach round[2];
@@ -276,8 +276,8 @@ class ExactPair {
   } asked_{-1, Contact::none};
 };
 
-/// Whether the line meets M after the start. If so: whether the witness comes after the end, whether the line only
-/// grazes M, and the side on which it passes (the sign of w).
+/// `meets`: the line meets M after the start. If so, `late`: the witness comes after the end; `grazes`: the line only
+/// grazes M; and the side on which it passes, the sign of w.
 struct LineMeeting {
   bool meets, late, grazes;
   int side;
@@ -314,7 +314,7 @@ VESICA_COLD inline std::int32_t exact_time(const ExactPair& pair, double estimat
   const bool is_estimate = estimate > 0 && estimate < largest;
   const double start = is_estimate ? arithmetic::at_rank<double>(arithmetic::rank(estimate) + 1) : 1;
   if (exact_time_from(pair, start, out) > 0) return 1;
-  // Where boxes have a normal nearly across v the estimate is poor, and may lead to positions of too many bits.
+  // If boxes have a normal nearly across v, the estimate is poor and may lead to positions of too many bits.
   if (is_estimate && pair.of_boxes() && exact_time_from(pair, 1, out) > 0) return 1;
   // The largest double may be the time of contact.
   out = largest;

@@ -74,8 +74,8 @@ VESICA_INLINE Along along(const Sketch& s, const Reach& r) noexcept {
   return {x, u * (10 * r.size * r.size + 16 * r.size * abs(x)) / r.h + 2 * u * abs(x)};
 }
 
-/// What the filter knows for certain. `reached` is contact within the time, `missed` none after the start, `passed`
-/// none but perhaps at the start; `late` contact, and a witness after the end.
+/// A certain result of the filter. `reached`: contact within the time; `missed`: no contact; `passed`: none except
+/// perhaps at the start; `late`: contact, and a witness after the end.
 enum class Verdict { undecided, missed, passed, reached, late };
 
 /// apart: certainly no contact at the start.
@@ -108,8 +108,7 @@ VESICA_INLINE Filtered filter(const Sketch& a, const Sketch& b, const Motion& v)
   const double forward = ra.forward + rb.forward, forward_error = d_error + h_error + 4 * u * forward;
   const bool has_end = v.end <= most_usable;
   const double vv = v.vx * v.vx + v.vy * v.vy, whole = has_end ? v.end * vv : 0;
-  // Beside the line; moving away; out of reach at the end. One of them, which cannot be foreseen, mostly holds of
-  // misses.
+  // Beside the line; moving away; out of reach at the end. Usually one holds for a miss; unpredictable, so no branch.
   const bool beside = gap > d_error + h_error, away = q - forward > forward_error;
   const bool short_of = -q - forward - whole > forward_error + 8 * u * whole;
   if (lane::either(lane::either(beside, away), lane::both(has_end, short_of))) return {Verdict::missed, true};

@@ -2,8 +2,8 @@
 /// The first contact of two shapes that are apart at the start: the greatest double with no contact before it, the
 /// point and the normal.
 ///
-/// Mostly there is no double between the bounds of bound.hpp; then the lower one is the time, rounded down. Otherwise,
-/// and for extreme magnitudes, doubles are tried: exact predicates tell whether there is contact before one of them.
+/// Usually there is no double between the bounds of bound.hpp; then the lower one is the time, rounded down. Otherwise,
+/// and for extreme magnitudes, it is found by bisection: exact predicates decide whether there is contact before a time.
 #pragma once
 
 #include <vesica/cast/direction.hpp>
@@ -13,7 +13,7 @@
 
 namespace vesica {
 
-/// What cast() writes; members as in the C struct.
+/// The result of cast(); members as in the C struct.
 template <class T>
 struct Impact {
   T t;       ///< the greatest number with no contact before it
@@ -21,7 +21,7 @@ struct Impact {
   T nx, ny;  ///< unit normal from the first shape to the second
 };
 
-/// What casting returns, where it is not an error.
+/// The return values of casts that are not errors.
 enum CastAnswer : std::int32_t {
   cast_miss = 0,
   cast_hit = 1,
@@ -50,7 +50,7 @@ inline double time_from_bounds(const Scene& scene, const TimeBounds& time) noexc
   return t.low < 0 ? arithmetic::at_rank<double>(arithmetic::rank(nearest) - 1) : nearest;
 }
 
-/// Where a line that grazes enters: the point of M farthest across v, of an edge along v the end that comes first.
+/// A line that grazes enters at the point of M farthest across v, or at the first end of an edge along v.
 inline Found grazing(const Scene& scene, int side) noexcept {
   using Products = SplitProducts;
   using arithmetic::factor;
@@ -71,7 +71,7 @@ inline Found grazing(const Scene& scene, int side) noexcept {
   return {side == 0 ? back : across, {{first, arithmetic::rounded(left) / vv}, 0, 0, 0, false}};
 }
 
-/// How the shapes meet first, and what of them lies farthest along the normal: of b where a meets by an edge.
+/// How the shapes meet first, and their parts farthest along the normal: b's only if a is hit on an edge.
 struct Meeting {
   Found found;
   Foremost of_a, of_b;
@@ -99,8 +99,13 @@ bool find_meeting(const Scene& scene, Meeting& out) noexcept {
   return true;
 }
 
-/// find_meeting by fused products, or null where the processor has none.
 using FindMeeting = bool (*)(const Scene&, Meeting&);
+/// find_meeting by fused products, or null where the processor has none.
+#if defined(VESICA_HAS_FUSED)
+inline constexpr FindMeeting fused_meeting = find_meeting<FusedProducts>;
+#else
+inline constexpr FindMeeting fused_meeting = nullptr;
+#endif
 
 /// `line`: the exact line test's result, if that was needed.
 inline void meet(const Scene& scene, const LineMeeting* line, FindMeeting fused, Meeting& m) noexcept {

@@ -18,8 +18,8 @@ struct Foremost {
   bool is_edge() const noexcept { return half.x != 0 || half.y != 0; }
 };
 
-/// At this angle to a face's normal and below, the times at which its ends are met are known only to what is 2^-54 of
-/// the scene along the face.
+/// At this angle to a face's normal and below, the times at which its ends are hit have errors that move the point by
+/// 2^-54 of the scene along the face.
 inline constexpr double beside_face = 0x1p-40;
 
 /// A normal seen from a box in double: u.n and u x n, and how great they are beside a face. Above that signs are known.

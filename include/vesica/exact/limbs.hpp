@@ -90,18 +90,6 @@ constexpr Limb add_multiple(Limb factor, const Limb* a, int n, Limb* out) noexce
   return carry;
 }
 
-/// out[0, n) -= factor * a; returns what is borrowed.
-constexpr Limb subtract_multiple(Limb factor, const Limb* a, int n, Limb* out) noexcept {
-  Limb borrow = 0;
-  for (const Limb* const end = a + n; a != end; ++a, ++out) {
-    const LimbPair product = multiply_add(factor, *a, borrow, 0);
-    const Limb before = *out;
-    *out = before - product.low;
-    borrow = product.high + (before < product.low ? 1 : 0);
-  }
-  return borrow;
-}
-
 /// out[0, n) = factor * a; returns what is carried out of it.
 constexpr Limb set_multiple(Limb factor, const Limb* a, int n, Limb* out) noexcept {
   Limb carry = 0;
@@ -225,48 +213,35 @@ constexpr void place_product(const Span& a, const Span& b, int low, int n, Limb*
   for (int i = end; i < n; ++i) out[i] = 0;
 }
 
-/// out += |a b| on the grid from low on; out has room for the carry.
-constexpr void add_product(const Span& a, const Span& b, int low, Limb* out) noexcept {
+/// out[0, n) += |a b| on the grid from low on. Returns true if the sum does not fit.
+constexpr bool add_product(const Span& a, const Span& b, int low, int n, Limb* out) noexcept {
   const Span &shorter = a.size <= b.size ? a : b, &longer = a.size <= b.size ? b : a;
+  const Limb* const end = out + n;
   Limb* row = out + (a.low + b.low - low);
+  bool overflows = false;
   for (int i = 0; i < shorter.size; ++i, ++row) {
     if (shorter.limb[i] == 0) continue;
     Limb carry = add_multiple(shorter.limb[i], longer.limb, longer.size, row);
-    for (Limb* above = row + longer.size; carry != 0; ++above) {
+    for (Limb* above = row + longer.size; carry != 0 && above != end; ++above) {
       *above += carry;
       carry = *above < carry ? 1 : 0;
     }
+    overflows = overflows || carry != 0;
   }
+  return overflows;
 }
 
-/// out[0, n) -= |a b| on the grid from low on. Returns true if the difference is negative: then it is off by 2^(64 n).
+/// out[0, n) = the difference of out and |a b|, on the grid from low on. Returns true if |a b| is the greater. With
+/// ~x = 2^(64 n) - 1 - x, ~out + |a b| overflows iff |a b| is the greater.
 constexpr bool subtract_product(const Span& a, const Span& b, int low, int n, Limb* out) noexcept {
-  const Span &shorter = a.size <= b.size ? a : b, &longer = a.size <= b.size ? b : a;
-  Limb* row = out + (a.low + b.low - low);
-  bool negative = false;
-  for (int i = 0; i < shorter.size; ++i, ++row) {
-    if (shorter.limb[i] == 0) continue;
-    Limb borrow = subtract_multiple(shorter.limb[i], longer.limb, longer.size, row);
-    for (Limb* above = row + longer.size; borrow != 0; ++above) {
-      if (above == out + n) {
-        negative = true;
-        break;
-      }
-      const Limb before = *above;
-      *above = before - borrow;
-      borrow = before < borrow ? 1 : 0;
-    }
+  for (int i = 0; i < n; ++i) out[i] = ~out[i];
+  if (!add_product(a, b, low, n, out)) {
+    for (int i = 0; i < n; ++i) out[i] = ~out[i];
+    return false;
   }
-  return negative;
-}
-
-/// out[0, n) = 2^(64 n) - out.
-constexpr void negate(int n, Limb* out) noexcept {
-  Limb carry = 1;
-  for (int i = 0; i < n; ++i) {
-    out[i] = ~out[i] + carry;
-    carry = carry != 0 && out[i] == 0 ? 1 : 0;
+  for (Limb* limb = out; ++*limb == 0; ++limb) {
   }
+  return true;
 }
 
 }  // namespace detail

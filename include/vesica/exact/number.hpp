@@ -196,9 +196,8 @@ constexpr Number<(A + B > C + D ? A + B : C + D)> sum_of_products(const Number<A
   assert(sum.size <= sum.capacity);
   place_product(x, y, sum.low, sum.size, sum.limb);
   if (sign == other) {
-    add_product(z, w, sum.low, sum.limb);
+    add_product(z, w, sum.low, sum.size, sum.limb);
   } else if (!first_alone && !second_alone && subtract_product(z, w, sum.low, sum.size, sum.limb)) {
-    negate(sum.size, sum.limb);
     sum.sign = -sum.sign;
   }
   sum.strip();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The contact of round shapes, after quick.hpp has decided that they meet. Points and normals are computed by the
+/// The contact of round shapes, after early_out.hpp has decided that they meet. Points and normals are computed by the
 /// operations of first_contact.hpp, in a scene that needs no scaling. The time is one step of Newton's method for
 /// f(t) = 0, f being convex along the ray, rounded down; for two ellipses it is T(n), as in bound.hpp.
 ///
@@ -7,28 +7,28 @@
 #pragma once
 
 #include <vesica/arithmetic/side_by_side.hpp>
-#include <vesica/cast/quick_numbers.hpp>
+#include <vesica/cast/fast_numbers.hpp>
 
 namespace vesica::detail::cast {
 
 /// A time, the bound of its error, and of a round shape how f grows there, in its frame: the contact's own normal.
-struct QuickTime {
+struct FastTime {
   Twofold<double> value;
   double error, gx, gy;
 };
 
 /// One step of Newton's method from `first`, for f = |(X, Y)|^2 - R^2 with (X, Y) moving by `way`. A step d leaves
 /// |way|^2 d^2 over the slope; f is off by f_error, and half its slope by slope_error.
-VESICA_INLINE QuickTime stepped(double first, const Vector& at, double f, const Offset& way, double f_error,
-                                double slope_error) noexcept {
+VESICA_INLINE FastTime stepped(double first, const Vector& at, double f, const Offset& way, double f_error,
+                               double slope_error) noexcept {
   const double x = arithmetic::rounded(at.x), y = arithmetic::rounded(at.y);
   const double over = -0.5 / (x * way.x + y * way.y), step = f * over, size = abs(step);
   const double left = 2 * ((way.x * way.x + way.y * way.y) * size + 2 * slope_error) * size;
   return {{first, step}, over * (f_error + left) + 0x1p-50 * size, x + step * way.x, y + step * way.y};
 }
 
-/// The first root of |P + t way|^2 = R^2 in double.
-VESICA_INLINE double rough_time(const Offset& p, const Offset& way, double r) noexcept {
+/// An estimate of the first root of |P + t way|^2 = R^2, in double.
+VESICA_INLINE double estimated_time(const Offset& p, const Offset& way, double r) noexcept {
   const double q = p.x * way.x + p.y * way.y, w = way.x * p.y - way.y * p.x, ww = way.x * way.x + way.y * way.y;
   return (-q - sqrt((r * r) * ww - w * w)) / ww;
 }
@@ -59,9 +59,9 @@ VESICA_INLINE OffsetOf<V> foremost_of(V a, V b, V p, V q) noexcept {
 
 /// |D + v t| = r. With the sum of lengths L = r + |D| + |v| t, X and Y are off by 2^-102 L.
 template <class Products>
-VESICA_INLINE QuickTime disc_time(const Vector& d, const Motion& v, const Twofold<double>& r) noexcept {
+VESICA_INLINE FastTime disc_time(const Vector& d, const Motion& v, const Twofold<double>& r) noexcept {
   const Offset way{v.vx, v.vy};
-  const double first = rough_time({d.x.high, d.y.high}, way, r.high);
+  const double first = estimated_time({d.x.high, d.y.high}, way, r.high);
   const auto t = Products::factor(first);
   const Vector at{d.x + Products::factor(v.vx) * t, d.y + Products::factor(v.vy) * t};
   const Twofold<double> f =
@@ -71,7 +71,7 @@ VESICA_INLINE QuickTime disc_time(const Vector& d, const Motion& v, const Twofol
 }
 
 /// Two discs.
-struct QuickDiscs {
+struct Discs {
   double a, b;
 
   bool is_usual() const noexcept { return lane::both(is_plain_size(a), is_plain_size(b)); }
@@ -81,7 +81,7 @@ struct QuickDiscs {
   template <class Products>
   struct Asked {
     double a, b;
-    QuickTime time;
+    FastTime time;
     Twofold<double> reach;
 
     double best(const Motion& v, double w, double gap) const noexcept {
@@ -100,7 +100,7 @@ struct QuickDiscs {
 
 /// An ellipse, which a point meets. A disc is one with the axis (1, 0).
 template <class V>
-struct QuickEllipse {
+struct FastEllipse {
   V ux, uy, a, b;
 
   VESICA_INLINE MaskOf<V> is_usual() const noexcept {
@@ -132,7 +132,7 @@ struct QuickEllipse {
 };
 
 /// True if the search for the best direction ends where it begins, at n. Then n is the normal that the general path
-/// finds, bit for bit, and the search can be left out. (gx, gy) is the contact's own normal m but for 2^-48 of itself,
+/// finds, bit for bit, and no search is needed. (gx, gy) is the contact's own normal m with a relative error of 2^-48,
 /// (p, q) is n in the same frame.
 ///
 /// Proved: a better direction than n would gain less than 2^-72 t, less than the 2^-70 t for which polished() takes
@@ -144,7 +144,7 @@ struct QuickEllipse {
 ///   - What support_of() may be off by counts less where lengths are below 2^16 of the shortest.
 ///
 /// Normals almost parallel to a coordinate axis are left open.
-VESICA_INLINE bool ends_at(const Vector& n, const Offset& in_frame, const QuickTime& time, double radius, double vv,
+VESICA_INLINE bool ends_at(const Vector& n, const Offset& in_frame, const FastTime& time, double radius, double vv,
                            double t) noexcept {
   const double x = abs(n.x.high), y = abs(n.y.high), longer = x + y, p = in_frame.x, q = in_frame.y;
   return abs(time.gx * q - time.gy * p) <= 0x1p-45 * ((abs(time.gx) + abs(time.gy)) * (abs(p) + abs(q))) &&
@@ -168,37 +168,37 @@ VESICA_INLINE Impact<double> round_impact(double t, double cx, double cy, const 
 
 /// The contact of the offset of centres d with the sum of round shapes; (cx, cy) is the first's centre.
 template <class Products, class Sum>
-VESICA_INLINE Quick round_hit(const Sum& sum, const Vector& d, const Motion& v, double cx, double cy,
-                              Impact<double>& out) noexcept {
-  if (!lane::both(is_plain(d, v), sum.is_usual())) return Quick::open;
+VESICA_INLINE EarlyOut round_hit(const Sum& sum, const Vector& d, const Motion& v, double cx, double cy,
+                                 Impact<double>& out) noexcept {
+  if (!lane::both(is_plain(d, v), sum.is_usual())) return EarlyOut::open;
   const auto asked = sum.template ask<Products>(d, v);
   double t;
-  const Quick quick = floor_of(asked.time.value, asked.time.error, v.end, t);
-  if (quick != Quick::hit) return quick;
+  const EarlyOut early = floor_of(asked.time.value, asked.time.error, v.end, t);
+  if (early != EarlyOut::hit) return early;
   const Twofold<double> w = arithmetic::renormalised(cross(plain_factor<Products>(v.vx, v.vy), Products::factor(d)));
   const double gap = gap_of(asked.reach, w);
   const Vector n = normal_of<Products>(asked.best(v, w.high, gap), velocity(v));
   const double vv = v.vx * v.vx + v.vy * v.vy, speed = abs(v.vx) + abs(v.vy);
   const double lengths = abs(d.x.high) + abs(d.y.high) + speed * t;
   const bool usual = lane::both(gap >= 0x1p-8 * asked.reach.high, lengths <= 0x1p16 * sum.shortest());
-  if (!lane::both(usual, ends_at(n, asked.in_frame(n), asked.time, sum.radius(), vv, t))) return Quick::open;
+  if (!lane::both(usual, ends_at(n, asked.in_frame(n), asked.time, sum.radius(), vv, t))) return EarlyOut::open;
   out = round_impact(t, cx, cy, asked.foremost(n), n);
-  return Quick::hit;
+  return EarlyOut::hit;
 }
 
-/// What a point and one round shape ask: the square of the reach across v, whose upper part is al, and w, both to twice
-/// the precision; `line`, which is al less the square of w in double, and the bound of its error; s and `area`, which
-/// is a b u.u v.v, of direction.hpp.
+/// The terms of a point and one round shape. `squared` is the square of the reach across v, and al its upper part; w is
+/// that of direction.hpp, both to twice the precision. `line` is al - w^2 in double, `line_error` bounds its error. s and
+/// `area`, a b u.u v.v, are those of direction.hpp.
 struct OneRound {
   Twofold<double> squared, w;
   double line, line_error, s, area;
 };
 
-/// The search of direction.hpp, which for one round shape is a formula, and the time at which the point arrives, from q
-/// = P.way, way.way and `scale`, by which half the slope of f there is more than the root of `line`: a rough one, half
-/// of one over that slope, and what that is off by of itself. All roots and quotients are taken side by side. Those of
-/// the search have the operands of reach_of(), gap_of() and maximum_of_one(), of which al, rounded, is the upper part
-/// of `squared`, so that the bits are theirs.
+/// The search of direction.hpp, which is a formula for one round shape, and an estimate of the time at which the point
+/// arrives, from q = P.way, way.way and `scale`, the ratio of half the slope of f there to the root of `line`. `first` is
+/// the estimate, `over` half of one over that slope, and `off` its relative error. All roots and quotients are taken
+/// side by side. Those of the search have the operands of reach_of(), gap_of() and maximum_of_one(), where al, rounded,
+/// is the upper part of `squared`: so they give the same bits.
 struct RoundSearch {
   double s, gap, reach, first, over, off;
 };
@@ -226,14 +226,13 @@ VESICA_INLINE RoundSearch search_of(const OneRound& e, double q, double ww, doub
           8 * e.line_error * (part * part)};
 }
 
-/// One step of Newton's method from `first`, for f = |P + t way|^2 - R^2, of which f_error bounds the error. `over` is
-/// off by what the search told; the slope at the root differs from that at `first` by way.way times the step. Each
-/// counts once for the slope, and the second half more for the bend of f, where steps are as short as those that
-/// floor_of() takes. Of a sum of squares that nearly is the square of R the upper parts cancel exactly; what they do
-/// not cancel is rounded to 2^-53 of f.
+/// One step of Newton's method from `first`, for f = |P + t way|^2 - R^2; f_error bounds the error of f. `over` has the
+/// relative error `off`; the slope at the root differs from the slope at `first` by way.way times the step. Each counts
+/// once for the slope, and the second half more for the bend of f, for steps as short as floor_of() takes. The sum of
+/// squares is nearly R^2, so the upper parts cancel exactly; the remainder is rounded to 2^-53 of f.
 template <class Products, class Way, class Radius>
-VESICA_INLINE QuickTime stepped_once(const Vector& p, const Way& wx, const Way& wy, const Radius& r, const Offset& way,
-                                     const RoundSearch& found, double ww, double f_error) noexcept {
+VESICA_INLINE FastTime stepped_once(const Vector& p, const Way& wx, const Way& wy, const Radius& r, const Offset& way,
+                                    const RoundSearch& found, double ww, double f_error) noexcept {
   const auto t = Products::factor(found.first);
   const Twofold<double> x = p.x + t * wx, y = p.y + t * wy;
   const Twofold<double> xx = square(Products::factor(x.high)), yy = square(Products::factor(y.high)), rr = square(r);
@@ -245,7 +244,7 @@ VESICA_INLINE QuickTime stepped_once(const Vector& p, const Way& wx, const Way& 
   return {{found.first, step}, error, x.high + step * way.x, y.high + step * way.y};
 }
 
-/// Where the round shape's outline is, (p, q) being n in its frame, and n itself made a unit.
+/// The point of the round shape's outline, (p, q) being n in its frame, and n as a unit vector.
 struct RoundPoint {
   Offset at;
   double nx, ny;
@@ -258,8 +257,8 @@ VESICA_INLINE RoundPoint round_point(double a, double b, const Offset& in_frame,
   return {{a * at.x, b * at.y}, unit.x, unit.y};
 }
 
-/// Whether the contact is told for certain.
-VESICA_INLINE bool is_certain(const RoundSearch& found, const Vector& n, const Offset& in_frame, const QuickTime& time,
+/// True if the contact is certain.
+VESICA_INLINE bool is_certain(const RoundSearch& found, const Vector& n, const Offset& in_frame, const FastTime& time,
                               const Vector& d, const Motion& v, double radius, double shortest, double t) noexcept {
   const double vv = v.vx * v.vx + v.vy * v.vy, speed = abs(v.vx) + abs(v.vy);
   const double lengths = abs(d.x.high) + abs(d.y.high) + speed * t;
@@ -267,11 +266,11 @@ VESICA_INLINE bool is_certain(const RoundSearch& found, const Vector& n, const O
 }
 
 template <class Products>
-VESICA_INLINE Quick quick_hit(const Circle<double>& a, const Point<double>& b, const Motion& v,
-                              Impact<double>& out) noexcept {
+VESICA_INLINE EarlyOut fast_hit(const Circle<double>& a, const Point<double>& b, const Motion& v,
+                                Impact<double>& out) noexcept {
   const Vector d = exact_offset(b.x, b.y, a.cx, a.cy);
   const double r = a.r;
-  if (!(is_plain(d, v) && is_plain_size(r))) return Quick::open;
+  if (!(is_plain(d, v) && is_plain_size(r))) return EarlyOut::open;
   const double dx = d.x.high, dy = d.y.high, vv = v.vx * v.vx + v.vy * v.vy, dd = dx * dx + dy * dy;
   const double cross_of_highs = v.vx * dy - v.vy * dx;
   const auto fr = Products::factor(r);
@@ -284,29 +283,29 @@ VESICA_INLINE Quick quick_hit(const Circle<double>& a, const Point<double>& b, c
                        r * r * vv};
   const RoundSearch found = search_of<Products>(asked, v.vx * dx + v.vy * dy, vv, 1);
   const double sizes = r + (abs(dx) + abs(dy)) + (abs(v.vx) + abs(v.vy)) * found.first;
-  const QuickTime time = stepped_once<Products>(d, fv.x, fv.y, fr, velocity(v), found, vv, 0x1p-98 * r * sizes);
+  const FastTime time = stepped_once<Products>(d, fv.x, fv.y, fr, velocity(v), found, vv, 0x1p-98 * r * sizes);
   double t;
-  const Quick quick = floor_of(time.value, time.error, v.end, t);
-  if (quick != Quick::hit) return quick;
+  const EarlyOut early = floor_of(time.value, time.error, v.end, t);
+  if (early != EarlyOut::hit) return early;
   const Vector n = normal_of<Products>(found.s, velocity(v));
   const Offset in_frame{n.x.high, n.y.high};
-  if (!is_certain(found, n, in_frame, time, d, v, r, r, t)) return Quick::open;
+  if (!is_certain(found, n, in_frame, time, d, v, r, r, t)) return EarlyOut::open;
   const RoundPoint point = round_point(r, r, in_frame, n);
   out = {t, (a.cx + point.at.x) + 0.0, (a.cy + point.at.y) + 0.0, point.nx + 0.0, point.ny + 0.0};
-  return Quick::hit;
+  return EarlyOut::hit;
 }
 template <class Products>
-VESICA_INLINE Quick quick_hit(const Circle<double>& a, const Circle<double>& b, const Motion& v,
-                              Impact<double>& out) noexcept {
-  return round_hit<Products>(QuickDiscs{a.r, b.r}, exact_offset(b.cx, b.cy, a.cx, a.cy), v, a.cx, a.cy, out);
+VESICA_INLINE EarlyOut fast_hit(const Circle<double>& a, const Circle<double>& b, const Motion& v,
+                                Impact<double>& out) noexcept {
+  return round_hit<Products>(Discs{a.r, b.r}, exact_offset(b.cx, b.cy, a.cx, a.cy), v, a.cx, a.cy, out);
 }
 /// |(b X, a Y)| = a b u.u with X = u.(D + v t), Y = u x (D + v t), which are off by 2^-100 of the sum of their terms.
 template <class Products>
-VESICA_INLINE Quick quick_hit(const Ellipse<double>& ellipse, const Point<double>& point, const Motion& v,
-                              Impact<double>& out) noexcept {
-  const QuickEllipse<double> e{ellipse.ux, ellipse.uy, ellipse.a, ellipse.b};
+VESICA_INLINE EarlyOut fast_hit(const Ellipse<double>& ellipse, const Point<double>& point, const Motion& v,
+                                Impact<double>& out) noexcept {
+  const FastEllipse<double> e{ellipse.ux, ellipse.uy, ellipse.a, ellipse.b};
   const Vector d = exact_offset(point.x, point.y, ellipse.cx, ellipse.cy);
-  if (!(is_plain(d, v) && e.is_usual())) return Quick::open;
+  if (!(is_plain(d, v) && e.is_usual())) return EarlyOut::open;
   const double a = e.a, b = e.b, dx = d.x.high, dy = d.y.high, vv = v.vx * v.vx + v.vy * v.vy;
   const auto fa = Products::factor(a), fb = Products::factor(b);
   const auto u = plain_factor<Products>(e.ux, e.uy), fv = plain_factor<Products>(v.vx, v.vy);
@@ -327,34 +326,34 @@ VESICA_INLINE Quick quick_hit(const Ellipse<double>& ellipse, const Point<double
   const double q = p.x.high * way.x.high + p.y.high * way.y.high;
   const RoundSearch found = search_of<Products>(asked, q, al, r.high);
   const double sizes = r.high + axis * distance + across * found.first;
-  QuickTime time = stepped_once<Products>(p, Products::factor(way.x), Products::factor(way.y), Products::factor(r),
-                                          {way.x.high, way.y.high}, found, al, 0x1p-96 * r.high * sizes);
+  FastTime time = stepped_once<Products>(p, Products::factor(way.x), Products::factor(way.y), Products::factor(r),
+                                         {way.x.high, way.y.high}, found, al, 0x1p-96 * r.high * sizes);
   time.gx *= b;
   time.gy *= a;
   double t;
-  const Quick quick = floor_of(time.value, time.error, v.end, t);
-  if (quick != Quick::hit) return quick;
+  const EarlyOut early = floor_of(time.value, time.error, v.end, t);
+  if (early != EarlyOut::hit) return early;
   const Vector n = normal_of<Products>(found.s, velocity(v));
   const auto along = Products::factor(n);
   const Offset in_frame{arithmetic::rounded(dot(u, along)), arithmetic::rounded(cross(u, along))};
-  if (!is_certain(found, n, in_frame, time, d, v, e.radius(), e.shortest(), t)) return Quick::open;
+  if (!is_certain(found, n, in_frame, time, d, v, e.radius(), e.shortest(), t)) return EarlyOut::open;
   const RoundPoint at = round_point(a, b, in_frame, n);
   const Offset from_centre = e.out_of_frame(at.at);
   out = {t, (ellipse.cx + from_centre.x) + 0.0, (ellipse.cy + from_centre.y) + 0.0, at.nx + 0.0, at.ny + 0.0};
-  return Quick::hit;
+  return EarlyOut::hit;
 }
 
-/// Of two ellipses there is no root to go to. T(n) at the n found is a lower bound of the time, and what the slope
-/// there, known to e in double, may still gain is as in bound.hpp.
+/// Two ellipses: no root is at hand. T(n) at the n found is a lower bound of the time. The gain that the slope there may
+/// still bring, known to e in double, is bounded as in bound.hpp.
 template <class V>
-struct QuickSupport {
+struct FastSupport {
   Twofold<V> h;
   V beside, bend, error, steepness;
   OffsetOf<V> in_frame;
 };
 template <class Products, class V>
-VESICA_INLINE QuickSupport<V> quick_support(const QuickEllipse<V>& e, const arithmetic::Vector<V>& n,
-                                            const OffsetOf<V>& v) noexcept {
+VESICA_INLINE FastSupport<V> fast_support(const FastEllipse<V>& e, const arithmetic::Vector<V>& n,
+                                          const OffsetOf<V>& v) noexcept {
   const auto u = plain_factor<Products>(e.ux, e.uy);
   const auto along = Products::factor(n);
   const Twofold<V> p = arithmetic::renormalised(dot(u, along)), q = arithmetic::renormalised(cross(u, along));
@@ -373,16 +372,16 @@ VESICA_INLINE QuickSupport<V> quick_support(const QuickEllipse<V>& e, const arit
 
 /// The floor of the time, where from the first's centre, and along which normal, of any length.
 template <class V>
-struct QuickMeeting {
+struct FastMeeting {
   Floor<V> floor;
   OffsetOf<V> at;
   arithmetic::Vector<V> normal;
 };
-/// idle: where nothing is asked. is_point: whether b is a point, whose numbers are 0.
+/// idle: lanes that are not used. is_point: b is a point, whose numbers are 0.
 template <class Products, class V>
-VESICA_INLINE QuickMeeting<V> ellipses_meeting(const QuickEllipse<V>& a, const QuickEllipse<V>& b,
-                                               const arithmetic::Vector<V>& d, const OffsetOf<V>& v, MaskOf<V> idle,
-                                               bool is_point) noexcept {
+VESICA_INLINE FastMeeting<V> ellipses_meeting(const FastEllipse<V>& a, const FastEllipse<V>& b,
+                                              const arithmetic::Vector<V>& d, const OffsetOf<V>& v, MaskOf<V> idle,
+                                              bool is_point) noexcept {
   const auto along = plain_factor<Products>(v.x, v.y);
   const auto to = Products::factor(d);
   const Twofold<V> w = arithmetic::renormalised(cross(along, to));
@@ -400,9 +399,9 @@ VESICA_INLINE QuickMeeting<V> ellipses_meeting(const QuickEllipse<V>& a, const Q
     best = flip_sign(best, w.high);
   }
   const arithmetic::Vector<V> n = normal_of<Products>(best, v);
-  const QuickSupport<V> sa = quick_support<Products>(a, n, v);
-  QuickSupport<V> sb{};
-  if (!is_point) sb = quick_support<Products>(b, n, v);
+  const FastSupport<V> sa = fast_support<Products>(a, n, v);
+  FastSupport<V> sb{};
+  if (!is_point) sb = fast_support<Products>(b, n, v);
   const auto nf = Products::factor(n);
   const Twofold<V> room = arithmetic::renormalised(dot(nf, to) - (sa.h + sb.h));
   const Twofold<V> approach = arithmetic::renormalised(-dot(nf, along));
@@ -422,16 +421,16 @@ VESICA_INLINE QuickMeeting<V> ellipses_meeting(const QuickEllipse<V>& a, const Q
 }
 
 template <class Products>
-VESICA_INLINE Quick quick_hit(const Ellipse<double>& first, const Ellipse<double>& second, const Motion& motion,
-                              Impact<double>& out) noexcept {
-  const QuickEllipse<double> a{first.ux, first.uy, first.a, first.b}, b{second.ux, second.uy, second.a, second.b};
+VESICA_INLINE EarlyOut fast_hit(const Ellipse<double>& first, const Ellipse<double>& second, const Motion& motion,
+                                Impact<double>& out) noexcept {
+  const FastEllipse<double> a{first.ux, first.uy, first.a, first.b}, b{second.ux, second.uy, second.a, second.b};
   const Vector d = exact_offset(second.cx, second.cy, first.cx, first.cy);
-  if (!lane::both(is_plain(d, motion), lane::both(a.is_usual(), b.is_usual()))) return Quick::open;
+  if (!lane::both(is_plain(d, motion), lane::both(a.is_usual(), b.is_usual()))) return EarlyOut::open;
   const auto [floor, at, n] = ellipses_meeting<Products>(a, b, d, velocity(motion), false, false);
-  if (!floor.certain || floor.t == motion.end) return Quick::open;
-  if (floor.t > motion.end) return Quick::missed;
+  if (!floor.certain || floor.t == motion.end) return EarlyOut::open;
+  if (floor.t > motion.end) return EarlyOut::missed;
   out = round_impact(floor.t, first.cx, first.cy, at, n);
-  return Quick::hit;
+  return EarlyOut::hit;
 }
 
 }  // namespace vesica::detail::cast

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Common to quick hits of round shapes and of boxes: numbers whose products are exact to all digits that
-/// count, and the floor of a time that is known to twice the precision.
+/// Shared by the fast hits of round shapes and of boxes: numbers whose products are exact to all digits that count, and
+/// the floor of a time that is known to twice the precision.
 #pragma once
 
-#include <vesica/cast/quick.hpp>
+#include <vesica/cast/early_out.hpp>
 
 namespace vesica::detail::cast {
 
@@ -19,8 +19,8 @@ struct Floor {
   V t;
   MaskOf<V> certain;
 };
-/// The double before x is x (1 - 2^-53), rounded: a product is off x by more than half the step below it, or, of a
-/// power of two, exact. Of scalars its bits are quicker.
+/// The double before x is x (1 - 2^-53), rounded: the product is off x by more than half the step below it, or exact if
+/// x is a power of two. For scalars integer arithmetic on the bits is faster.
 template <class V>
 VESICA_INLINE Floor<V> floor_of(const Twofold<V>& time, V error) noexcept {
   const Twofold<V> x = arithmetic::renormalised(time);
@@ -32,20 +32,20 @@ VESICA_INLINE Floor<V> floor_of(const Twofold<V>& time, V error) noexcept {
     return {select(x.low < V(0.0), x.high * V(1 - 0x1p-53), x.high), certain};
   }
 }
-/// Of a quotient of exact numbers, `first` being rounded, `rest` its remainder, and `over` the inverse of the divisor:
-/// what is left is off by less than 2^-50 of itself. It is exact where nothing remains; where it underflows to 0 it is
-/// not certain.
+/// The floor of a quotient of exact numbers: `first` is the rounded quotient, `rest` its remainder, `over` the inverse of
+/// the divisor. rest * over has a relative error below 2^-50. Without a remainder `first` is exact. If the product
+/// underflows to 0, the floor is not certain.
 VESICA_INLINE Floor<double> floor_of_quotient(double first, double rest, double over) noexcept {
   const double step = rest * over;
   const Floor<double> floor = floor_of(Twofold<double>{first, step}, 0x1p-49 * abs(step));
   return {rest == 0 ? first : floor.t, rest == 0 || floor.certain};
 }
-/// As floor_of() above, of a time that must come before the end.
-VESICA_INLINE Quick floor_of(const Twofold<double>& time, double error, double end, double& t) noexcept {
+/// floor_of() for a time that must come before the end.
+VESICA_INLINE EarlyOut floor_of(const Twofold<double>& time, double error, double end, double& t) noexcept {
   const auto [floor, certain] = floor_of(time, error);
-  if (!certain) return Quick::open;
+  if (!certain) return EarlyOut::open;
   t = floor;
-  return t < end ? Quick::hit : t > end ? Quick::missed : Quick::open;
+  return t < end ? EarlyOut::hit : t > end ? EarlyOut::missed : EarlyOut::open;
 }
 
 /// Offsets of centres, exact where they are stored.
@@ -64,14 +64,14 @@ VESICA_INLINE auto plain_factor(V x, V y) noexcept {
   return arithmetic::VectorFactor<decltype(Products::factor(x))>{Products::factor(x), Products::factor(y)};
 }
 
-/// All numbers of a pair that are multiplied are 0 or moderate, and a length is.
+/// True if all factors of a pair are 0 or moderate, and the distance is moderate.
 template <class V>
 VESICA_INLINE MaskOf<V> is_plain(const arithmetic::Vector<V>& d, const OffsetOf<V>& v) noexcept {
   const V distance = abs(d.x.high) + abs(d.y.high);
   return both(both(both(is_plain(d.x.high), is_plain(d.y.high)), both(is_plain(v.x), is_plain(v.y))),
               both(distance >= V(0x1p-40), distance <= V(0x1p40)));
 }
-/// The same of scalars, by four numbers that are foreseen to be plain. By bits, for 0 comes out as the greatest.
+/// The same for scalars, by bits: 0 becomes the greatest, and the least of four sizes decides.
 VESICA_INLINE bool is_plain(const Vector& d, const Motion& v) noexcept {
   const auto size = [](double x) { return (std::bit_cast<std::uint64_t>(x) << 1) - 1; };
   const auto lesser = [](std::uint64_t x, std::uint64_t y) { return x < y ? x : y; };

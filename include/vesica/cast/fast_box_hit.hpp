@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The contact of a ray with a box or a segment, after quick.hpp has decided that they meet. Points and normals are
+/// The contact of a ray with a box or a segment, after early_out.hpp has decided that they meet. Points and normals are
 /// computed by the operations of first_contact.hpp, in a scene that needs no scaling. The time is T(n) rounded down,
 /// n being the normal of the face that is hit.
 #pragma once
 
 #include <vesica/arithmetic/side_by_side.hpp>
-#include <vesica/cast/quick_numbers.hpp>
+#include <vesica/cast/fast_numbers.hpp>
 
 namespace vesica::detail::cast {
 
 /// The ray at a side: t becomes the time at which it is there, rounded down. `way` is exact, and so is its quotient's
 /// remainder, which is 0 where the time is a double.
-struct QuickSide {
+struct BoxSide {
   Twofold<double> way;
   double v, t, rest;
 };
-VESICA_INLINE QuickSide quick_side(double from, double low, double high, double v) noexcept {
+VESICA_INLINE BoxSide box_side(double from, double low, double high, double v) noexcept {
   // Along a side: between that and the one opposite all the time.
   if (v == 0) return {{-1, 0}, 1, 0, 0};
   return {nearest::exact_difference(lane::select(v > 0, low, high), from), v, 0, 0};
 }
 template <class Products>
-VESICA_INLINE void set_rest(QuickSide& side) noexcept {
+VESICA_INLINE void set_rest(BoxSide& side) noexcept {
   const Twofold<double> product = Products::factor(side.t) * Products::factor(side.v);
   side.rest = ((side.way.high - product.high) - product.low) + side.way.low;
 }
@@ -29,10 +29,10 @@ VESICA_INLINE void set_rest(QuickSide& side) noexcept {
 /// An AABB: the times of both sides are quotients of exact numbers, and the later one is the time of contact. The
 /// floor of the later is the later floor, so that nothing need be selected before.
 template <class Products>
-VESICA_INLINE Quick quick_hit(const Aabb<double>& a, const Point<double>& b, const Motion& v,
-                              Impact<double>& out) noexcept {
+VESICA_INLINE EarlyOut fast_hit(const Aabb<double>& a, const Point<double>& b, const Motion& v,
+                                Impact<double>& out) noexcept {
   using arithmetic::Two;
-  QuickSide x = quick_side(b.x, a.min_x, a.max_x, v.vx), y = quick_side(b.y, a.min_y, a.max_y, v.vy);
+  BoxSide x = box_side(b.x, a.min_x, a.max_x, v.vx), y = box_side(b.y, a.min_y, a.max_y, v.vy);
   const double width = a.max_x - a.min_x, height = a.max_y - a.min_y;
   const Two time = Two{x.way.high, y.way.high} / Two{x.v, y.v}, over = Two{1, 1} / Two{x.v, y.v};
   x.t = time.x;
@@ -41,15 +41,15 @@ VESICA_INLINE Quick quick_hit(const Aabb<double>& a, const Point<double>& b, con
   const Vector d = exact_offset(b, from);
   const double first = lane::max(x.t, y.t);
   const bool sure = first > 0x1p-40 && first <= 0x1p60 && abs(x.t - y.t) > 0x1p-48 * (abs(x.t) + abs(y.t));
-  if (!(sure && is_plain(d, v) && is_plain_size(width) && is_plain_size(height))) return Quick::open;
+  if (!(sure && is_plain(d, v) && is_plain_size(width) && is_plain_size(height))) return EarlyOut::open;
   set_rest<Products>(x);
   set_rest<Products>(y);
   const Floor<double> fx = floor_of_quotient(x.t, x.rest, over.x), fy = floor_of_quotient(y.t, y.rest, over.y);
   const double t = lane::max(fx.t, fy.t);
   const bool on_x = x.t > y.t;
-  if (!(on_x ? fx.certain : fy.certain)) return Quick::open;
-  if (t > v.end) return Quick::missed;
-  if (t == v.end && (on_x ? x.rest : y.rest) != 0) return Quick::open;
+  if (!(on_x ? fx.certain : fy.certain)) return EarlyOut::open;
+  if (t > v.end) return EarlyOut::missed;
+  if (t == v.end && (on_x ? x.rest : y.rest) != 0) return EarlyOut::open;
   const double half_x = width * 0.5, half_y = height * 0.5;
   // The place along the side that is hit.
   const double half = lane::select(on_x, half_y, half_x);
@@ -59,7 +59,7 @@ VESICA_INLINE Quick quick_hit(const Aabb<double>& a, const Point<double>& b, con
   out = {t, support_minimum::located_coordinate(from.x0, from.x1, lane::select(on_x, side_x, share) * half_x) + 0.0,
          support_minimum::located_coordinate(from.y0, from.y1, lane::select(on_x, share, side_y) * half_y) + 0.0,
          lane::select(on_x, side_x, 0.0), lane::select(on_x, 0.0, side_y)};
-  return Quick::hit;
+  return EarlyOut::hit;
 }
 
 /// As touching_point() has it, where a ray that is at an offset from the centre meets a face.
@@ -70,13 +70,13 @@ VESICA_INLINE Offset point_of_face(const Offset& middle, const Offset& half, con
   return {middle.x + at * half.x, middle.y + at * half.y};
 }
 
-/// Of a box about its centre with the axes u and perp(u): the ray enters both slabs, |x.n| <= h u.u, at times that
-/// double tells, but for 32u of the sum of terms over |n.v|, where n.v is known to be above its own rounding. The later
-/// is told in twofolds. A slab along the ray holds it all the time, as the filter has told. `rounded`: whether the axis
-/// is, so that it has lower parts.
+/// A box about its centre with the axes u and perp(u). The times at which the ray enters both slabs, |x.n| <= h u.u, are
+/// computed in double, with errors of 32u of the sum of terms over |n.v|, for n.v above its own rounding. The later time
+/// is computed again in twofolds. The filter has decided that a slab along the ray always holds it. `rounded`: the axis
+/// has lower parts.
 template <class Products, bool rounded>
-VESICA_INLINE Quick box_hit(const Vector& u, double hx, double hy, const form::Corners<double>& place, const Vector& d,
-                            const Motion& v, Impact<double>& out) noexcept {
+VESICA_INLINE EarlyOut box_hit(const Vector& u, double hx, double hy, const form::Corners<double>& place,
+                               const Vector& d, const Motion& v, Impact<double>& out) noexcept {
   using arithmetic::Two;
   const double ux = u.x.high, uy = u.y.high, uu = ux * ux + uy * uy, speed = abs(v.vx) + abs(v.vy);
   const double c = ux * v.vx + uy * v.vy, k = ux * v.vy - uy * v.vx;
@@ -96,7 +96,7 @@ VESICA_INLINE Quick box_hit(const Vector& u, double hx, double hy, const form::C
   const double half = lane::select(on_x, hy, hx), h = lane::select(on_x, hx, hy);
   const bool plain =
       is_plain(d, v) && is_plain_size(axis) && is_plain(ux) && is_plain(uy) && is_plain(h) && is_plain_size(half);
-  if (!(plain && crosses && abs(tx - ty) > 0x1p-48 * (x_error + y_error))) return Quick::open;
+  if (!(plain && crosses && abs(tx - ty) > 0x1p-48 * (x_error + y_error))) return EarlyOut::open;
   const double turn = lane::flip_sign(-1.0, lane::select(on_x, c, k));
   const auto across = [&](double along, double beside) { return turn * lane::select(on_x, along, beside); };
   const double nx = across(ux, -uy), ny = across(uy, ux);
@@ -116,24 +116,24 @@ VESICA_INLINE Quick box_hit(const Vector& u, double hx, double hy, const form::C
   const double step = arithmetic::rounded(rest) * time.y;
   const double off = 0x1p-96 * (size + axis * (speed * abs(time.x))) * time.y + 0x1p-100 * abs(time.x);
   double t;
-  const Quick quick = floor_of({time.x, step}, off, v.end, t);
-  if (quick != Quick::hit) return quick;
+  const EarlyOut early = floor_of({time.x, step}, off, v.end, t);
+  if (early != EarlyOut::hit) return early;
   const Offset at =
       point_of_face({h * nx, h * ny}, {half * -ny, half * nx}, {d.x.high + t * v.vx, d.y.high + t * v.vy});
   out = {t, support_minimum::located_coordinate(place.x0, place.x1, at.x) + 0.0,
          support_minimum::located_coordinate(place.y0, place.y1, at.y) + 0.0, unit.x + 0.0, unit.y + 0.0};
-  return Quick::hit;
+  return EarlyOut::hit;
 }
 
 template <class Products>
-VESICA_INLINE Quick quick_hit(const Rect<double>& a, const Point<double>& b, const Motion& v,
-                              Impact<double>& out) noexcept {
+VESICA_INLINE EarlyOut fast_hit(const Rect<double>& a, const Point<double>& b, const Motion& v,
+                                Impact<double>& out) noexcept {
   return box_hit<Products, false>(Vector{{a.ux, 0}, {a.uy, 0}}, a.hx, a.hy, form::corners(form::of(a).place),
                                   exact_offset(b.x, b.y, a.cx, a.cy), v, out);
 }
 template <class Products>
-VESICA_INLINE Quick quick_hit(const Segment<double>& a, const Point<double>& b, const Motion& v,
-                              Impact<double>& out) noexcept {
+VESICA_INLINE EarlyOut fast_hit(const Segment<double>& a, const Point<double>& b, const Motion& v,
+                                Impact<double>& out) noexcept {
   const form::Corners<double> place = form::corners(form::of(a).place);
   return box_hit<Products, true>(exact_offset(a.x1, a.y1, a.x0, a.y0), 0.5, 0, place, exact_offset(b, place), v, out);
 }
