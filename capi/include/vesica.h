@@ -47,7 +47,7 @@
  *  - Results are the same bits in every floating-point environment (any rounding mode, flush-to-zero,
  *    denormals-are-zero), and a call leaves the environment as it was. Calls may raise floating-point flags. Overlap of
  *    two shapes needs floating-point exceptions masked, as they are by default; other calls mask them themselves.
- *  - A call about two shapes uses at most 128 KiB of stack, one about arrays or an index at most 256 KiB.
+ *  - A call about two shapes uses at most 64 KiB of stack, one about arrays or an index at most 176 KiB.
  *  - A call about two shapes takes from a few ns to a few us (docs/benchmarks.md). Contact to the last digit takes
  *    longer. Magnitudes as far apart as 2^1000 and 2^-1000 may take up to 1 ms, and casts of them 5 ms.
  *

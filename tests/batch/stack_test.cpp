@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The header promises that calls about arrays or an index need at most 256 KiB of stack. Measured on a thread whose
-// stack was painted first, with numbers so far apart in magnitude that the exact stage is deepest.
+// vesica.h promises that calls about arrays or an index use at most 176 KiB of stack. Measured on a thread whose stack
+// was painted first, with numbers so far apart in magnitude that the exact stage is deepest.
 #include <gtest/gtest.h>
 #include <pthread.h>
 #include <vesica.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdio>
 #include <limits>
 #include <memory>
 #include <stdexcept>
@@ -21,7 +22,7 @@ namespace {
 using namespace batch_tests;
 using capi_tests::Face;
 
-constexpr std::size_t promised = 256 * 1024;
+constexpr std::size_t promised = 176 * 1024;
 constexpr std::size_t page = 4096;
 constexpr std::byte paint{0xA5};
 
@@ -71,21 +72,35 @@ void* call_all(void* argument) {
   Face<T>::overlap_matrix(&call.one, &call.b, call.out.data(), 0);
   const auto room = static_cast<std::int64_t>(call.indices.size());
   Face<T>::overlap_select(&call.one, &call.b, call.indices.data(), room);
-  void *const index = call.index.get(), *const scratch = call.scratch.get();
   auto some = call.b;
   some.count = 60;
+  T *const column = call.distances.data(), *const none = nullptr;
+  Face<T>::relation_many(&call.a, &call.b, call.out.data());
+  Face<T>::nearest_many(&call.a, &call.b, column, none, none, none, none);
+  Face<T>::nearest_matrix(&call.one, &call.b, column, 0);
+  Face<T>::boundary_distance_many(&call.a, &call.b, column, none, none, none, none);
+  Face<T>::signed_distance_many(&call.a, &call.b, column);
+  Face<T>::within_many(&call.a, &call.b, T(1), call.out.data());
+  Face<T>::depth_many(&call.a, &call.b, column, none, none);
+  Face<T>::area_many(&call.a, &call.b, column);
+  Face<T>::iou_matrix(&call.one, &call.b, column, 0);
+  const T velocity[] = {T(1), T(1)};
+  Face<T>::cast_many(&call.a, &call.b, velocity, velocity, 0, T(1), column, none, none, none, none);
+  typename Face<T>::Impact impact;
+  Face<T>::cast_first(&call.one, &some, T(1), T(1), T(1), &impact);
+  void *const index = call.index.get(), *const scratch = call.scratch.get();
   Face<T>::index_build(&some, 1, index, call.index.size, scratch, call.scratch.size);
   std::int64_t state[3][4] = {};
   Face<T>::index_select(index, &some, 1, &call.one, call.indices.data(), room, state[0]);
   Face<T>::index_nearest(index, &some, 1, &call.one, room, std::numeric_limits<T>::infinity(), call.indices.data(),
                          call.distances.data());
-  typename Face<T>::Impact impact;
   Face<T>::index_cast_first(index, &some, 1, &call.one, 1, 1, 1, &impact);
   Face<T>::join(VESICA_JOIN_OVERLAP, index, &some, 1, index, &some, 1, 0, 1, scratch, call.scratch.size,
                 call.indices.data(), call.others.data(), room, state[1]);
   Face<T>::join_within(index, &some, 1, index, &some, 1, 1, 0, 1, call.indices.data(), call.others.data(), room,
                        state[2]);
   std::int64_t kept;
+  std::fill(call.distances.begin(), call.distances.end(), T(1));
   Face<T>::nms(&some, call.distances.data(), T(0.5), scratch, call.scratch.size, call.indices.data(), &kept);
   return nullptr;
 }
@@ -113,7 +128,8 @@ void expect_kept(int kind_a, int kind_b) {
   const std::size_t used = stack_used(call_all<T>, &call);
   const std::size_t idle = stack_used([](void*) -> void* { return nullptr; }, nullptr);
   EXPECT_GT(used, idle);
-  EXPECT_LE(used - idle, promised) << properties::kind_name(kind_a) << ", " << properties::kind_name(kind_b);
+  EXPECT_LE(used - idle, promised) << used - idle << ' ' << properties::kind_name(kind_a) << ", "
+                                   << properties::kind_name(kind_b);
   deepest_yet = std::max(deepest_yet, used - idle);
 }
 
@@ -124,7 +140,7 @@ TEST(Stack, HoldsTheDeepestExactStage) {
       expect_kept<double>(a, b);
     }
   }
-  RecordProperty("deepest_bytes", static_cast<int>(deepest_yet));
+  std::printf("  at most %zu bytes\n", deepest_yet);
 }
 
 }  // namespace

@@ -20,7 +20,6 @@
 
 namespace vesica::detail::cast {
 
-using exact::Leading;
 using exact::Number;
 
 /// A shape in exact numbers; a round one has an area.
@@ -85,7 +84,6 @@ struct ExactReach {
       box.add(body.box, vx, vy);
     }
   }
-  bool is_long() const noexcept { return exact::is_long(round[0].squared) || exact::is_long(round[1].squared); }
 };
 
 /// Sign of |w| - H. Degree 3, 6 or 12.
@@ -101,23 +99,6 @@ VESICA_CALLED inline int line_gap(const ExactReach& reach, const Number<2>& w) n
   return exact::compare(exact::square(rest), a.squared);
 }
 
-/// Sign of a sqrt(x) + b sqrt(y), x, y > 0.
-template <int A, int B, int X>
-int sum_of_roots(const Number<A>& a, const Number<X>& x, const Number<B>& b, const Number<X>& y) noexcept {
-  if (a.sign * b.sign >= 0) return a.sign != 0 ? a.sign : b.sign;
-  return a.sign * exact::compare_squares_times(a, x, b, y);
-}
-
-/// The same from leading digits: 0 where these do not decide.
-template <int limbs>
-int sum_of_roots(const Leading<limbs>& a, const Leading<limbs>& x, const Leading<limbs>& b,
-                 const Leading<limbs>& y) noexcept {
-  if (!a.sign_is_certain() || !b.sign_is_certain()) return 0;
-  if (a.sign * b.sign >= 0) return a.sign != 0 ? a.sign : b.sign;
-  const auto difference = square(a) * x - square(b) * y;
-  return difference.sign_is_certain() ? a.sign * difference.sign : 0;
-}
-
 /// Sign of w X - q H. With q = D.v + e v.v it is the sign of t_w - e. Degree 6, 18 or 24.
 VESICA_CALLED inline int witness_sign(const ExactReach& reach, const Number<2>& w, const Number<3>& q) noexcept {
   using exact::cross;
@@ -127,13 +108,10 @@ VESICA_CALLED inline int witness_sign(const ExactReach& reach, const Number<2>& 
   if (reach.rounds == 1) {
     return exact::detail::sign_with_root(cross(w, q, a.squared, a.m), cross(w, q, box.h, box.along), a.squared);
   }
-  const auto of_rounds = [](const auto& x, const auto& y, const auto& m_a, const auto& squared_a, const auto& m_b,
-                            const auto& squared_b) {
-    return sum_of_roots(cross(x, y, squared_a, m_a), squared_b, cross(x, y, squared_b, m_b), squared_a);
-  };
-  using Few = Leading<exact::few_limbs>;
-  const int sign = reach.is_long() ? of_rounds(Few(w), Few(q), Few(a.m), Few(a.squared), Few(b.m), Few(b.squared)) : 0;
-  return sign != 0 ? sign : of_rounds(w, q, a.m, a.squared, b.m, b.squared);
+  // The sign of (w m_a - q h_a^2) h_b + (w m_b - q h_b^2) h_a.
+  const auto by_b = cross(w, q, a.squared, a.m), by_a = cross(w, q, b.squared, b.m);
+  if (by_b.sign * by_a.sign >= 0) return by_b.sign != 0 ? by_b.sign : by_a.sign;
+  return by_b.sign * exact::compare_squares_times(by_b, b.squared, by_a, a.squared);
 }
 
 /// The range of bits for which exact lengths have storage. Axes are lengths too. All lengths are multiplied by one

@@ -144,13 +144,6 @@ constexpr Leading<limbs> operator-(const Leading<limbs>& a, const Leading<limbs>
   return a + -b;
 }
 
-/// u x w
-template <int limbs>
-constexpr Leading<limbs> cross(const Leading<limbs>& ux, const Leading<limbs>& uy, const Leading<limbs>& wx,
-                               const Leading<limbs>& wy) noexcept {
-  return ux * wy - uy * wx;
-}
-
 /// For numbers with more limbs than this, few leading ones are tried first.
 inline constexpr int least_long = 16, few_limbs = 6;
 
