@@ -222,6 +222,34 @@ TEST(Number, ProductAgainstSquare) {
   EXPECT_GT(ties, 1500 * properties::repeat());
 }
 
+// Sums of two products share a buffer: products of any two lengths, one of them or both 0, nearly equal ones and squares.
+TEST(Number, SumsOfProducts) {
+  Random random(properties::seed());
+  int zeros = 0;
+  for (int i = 0; i < 1500 * properties::repeat(); ++i) {
+    const auto expect = [&](const auto& a, const auto& b, const auto& c, const auto& d) {
+      const mpq_class ab = a.truth * b.truth, cd = c.truth * d.truth;
+      expect_value(exact::detail::sum_of_products(a.number, b.number, 1, c.number, d.number), ab + cd);
+      expect_value(exact::detail::sum_of_products(a.number, b.number, -1, c.number, d.number), ab - cd);
+      EXPECT_EQ(compare_products(a.number, b.number, c.number, d.number), sgn(ab - cd))
+          << "seed " << properties::seed();
+      zeros += ab == cd;
+    };
+    const Known<2> a = any_known<2>(random), b = any_known<2>(random), c = any_known<2>(random);
+    const Known<4> wide = any_known<4>(random), ab{a.number * b.number, a.truth * b.truth};
+    expect(a, b, c, c);
+    expect(a, a, c, b);
+    expect(a, wide, b, wide);
+    expect(a, wide, c, any_known<1>(random));
+    expect(ab, c, a, Known<4>{b.number * c.number, b.truth * c.truth});
+    expect(close_to(ab, random), c, a, Known<4>{b.number * c.number, b.truth * c.truth});
+    expect(Known<2>{}, b, c, a);
+    expect(a, b, c, Known<2>{});
+    expect(a, Known<2>{}, Known<2>{}, c);
+  }
+  EXPECT_GT(zeros, 2000 * properties::repeat());
+}
+
 /// The widest lengths there are: a difference of the greatest and the least number, halved; every bit but two is set.
 Known<1> widest(int sign) {
   const Number<1> a = exact::half(DBL_MAX) + exact::half(DBL_MAX), b = exact::half(sign * 0x1p-1074);
