@@ -136,9 +136,17 @@ std::int32_t ask(std::int32_t kind_a, const void* a, std::int32_t kind_b, const 
   Out out;
   return answer(function(kind_a, a, kind_b, b, &out));
 }
+/// A pair without area has no ratio, which is an answer too.
 std::int32_t ratio(std::int32_t kind_a, const void* a, std::int32_t kind_b, const void* b) {
-  double out;
-  return answer(vesica_ratio_f64(VESICA_RATIO_OVER_SMALLER, kind_a, a, kind_b, b, &out));
+  std::int32_t worst = 0;
+  for (const std::int32_t ratio : {VESICA_RATIO_OVER_UNION, VESICA_RATIO_OVER_SMALLER, VESICA_RATIO_COMPLETE}) {
+    double out;
+    for (const std::int32_t code :
+         {vesica_ratio_f64(ratio, kind_a, a, kind_b, b, &out), vesica_iou_f64(kind_a, a, kind_b, b, &out)}) {
+      worst = std::min(worst, code == VESICA_E_ARGUMENT ? 0 : answer(code));
+    }
+  }
+  return worst;
 }
 /// A tiny distance, the distance as computed, and a last place beside that.
 std::int32_t within(std::int32_t kind_a, const void* a, std::int32_t kind_b, const void* b) {
@@ -159,9 +167,11 @@ std::int32_t crossings(std::int32_t kind_a, const void* a, std::int32_t kind_b, 
   std::int32_t shared;
   return answer(vesica_crossings_f64(kind_a, a, kind_b, b, out, 8, &shared));
 }
+/// Pairs with a rounded region have no vertices: VESICA_E_KIND is an answer too.
 std::int32_t intersection(std::int32_t kind_a, const void* a, std::int32_t kind_b, const void* b) {
   vesica_point_f64 out[8];
-  return answer(vesica_intersection_f64(kind_a, a, kind_b, b, out, 8));
+  const std::int64_t code = vesica_intersection_f64(kind_a, a, kind_b, b, out, 8);
+  return code == VESICA_E_KIND ? 0 : answer(code);
 }
 /// The calls about one shape.
 std::int32_t each_alone(std::int32_t kind_a, const void* a, std::int32_t kind_b, const void* b) {
@@ -211,7 +221,6 @@ std::size_t used_by(PaintedStack& stack, const Shapes& s) {
                                vesica_relation_f64,
                                vesica_contains_f64,
                                ask<vesica_area_f64, double>,
-                               ask<vesica_iou_f64, double>,
                                ask<vesica_nearest_f64, Points>,
                                ask<vesica_boundary_distance_f64, Points>,
                                ask<vesica_depth_f64, vesica_penetration_f64>,
@@ -237,7 +246,7 @@ TEST(Stack, AtMostAsPromised) {
   for (int a = VESICA_POINT; a <= VESICA_ELLIPSE; ++a) {
     for (int b = a; b <= VESICA_ELLIPSE; ++b) {
       std::size_t most = 0;
-      for (int i = 0; i < 40 * properties::repeat(); ++i) {
+      for (int i = 0; i < 20 * properties::repeat(); ++i) {
         most = std::max(most, used_by(stack, at_the_ends(a, b, random)));
       }
       if (a == VESICA_ELLIPSE) {
