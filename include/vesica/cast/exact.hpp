@@ -243,7 +243,7 @@ class ExactPair {
     return found == depth::Overlap::some_without_depth ? Contact::touch : Contact::inside;
   }
 
-  const Body &a_, &b_;
+  Body a_, b_;
   Motion motion_;
   Number<2> w_, q_, vv_;
   ExactReach reach_;
