@@ -222,7 +222,7 @@ TEST(Number, ProductAgainstSquare) {
   EXPECT_GT(ties, 1500 * properties::repeat());
 }
 
-// Sums of two products share a buffer: products of any two lengths, one of them or both 0, nearly equal ones and squares.
+// Sums of two products share a buffer: of any lengths, with one or both products 0, nearly equal ones, and squares.
 TEST(Number, SumsOfProducts) {
   Random random(properties::seed());
   int zeros = 0;
