@@ -179,6 +179,8 @@ TEST(KnownWithin, ExactStage) {
   EXPECT_TRUE(vesica::exact::within(box, across, reach(0x1p-1074)));
   EXPECT_TRUE(vesica::exact::within(box, across, reach(0)));
   EXPECT_FALSE(vesica::exact::within(box, above, reach(0)));
+  const auto beyond_corner = vesica::exact::form(vesica::Ellipse<double>{110, 20, 1, 0, 0.125, 10});
+  EXPECT_FALSE(vesica::exact::within(box, beyond_corner, reach(0)));
   EXPECT_FALSE(vesica::exact::within(box, above, reach(8)));
   EXPECT_TRUE(vesica::exact::within(box, above, reach(9)));
   EXPECT_TRUE(vesica::exact::within(box, above, reach(1e9)));
