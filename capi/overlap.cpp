@@ -20,9 +20,13 @@ template <class A, class B>
       static_cast<Pair>(vesica::answer_pair<vesica::queries::OverlapOfPair, A, B>), a, b, nullptr);
 }
 
-/// For pairs that the filter left undecided in the caller's environment.
+/// For pairs that the first filter left undecided in the caller's environment. Called last, so that the callers save no
+/// registers.
 template <class A, class B>
 [[gnu::noinline]] int32_t overlap_undecided(const void* a, const void* b) noexcept {
+  const int32_t answer =
+      vesica::detail::decide_by_second_filter(widen(*static_cast<const A*>(a)), widen(*static_cast<const B*>(b)));
+  if (answer >= 0) return answer;
   if (!vesica::capi::in_default_environment()) return overlap_elsewhere<A, B>(a, b);
   return vesica::detail::decide_undecided(*static_cast<const A*>(a), *static_cast<const B*>(b));
 }
@@ -34,7 +38,7 @@ int32_t overlap_of(const void* a, const void* b) noexcept {
   if (!vesica::capi::keeps_subnormals()) [[unlikely]]
     return overlap_elsewhere<A, B>(a, b);
   const int32_t answer =
-      vesica::detail::decide_by_filter(widen(*static_cast<const A*>(a)), widen(*static_cast<const B*>(b)));
+      vesica::detail::decide_by_first_filter(widen(*static_cast<const A*>(a)), widen(*static_cast<const B*>(b)));
   if (answer >= 0) [[likely]]
     return answer;
   return overlap_undecided<A, B>(a, b);

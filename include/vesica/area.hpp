@@ -192,7 +192,7 @@ namespace detail {
 template <class A, class B>
 std::int32_t shared_measure(const A& a, const B& b, detail::area::Measure& out) noexcept {
   if constexpr (detail::area::has_area<A> && detail::area::has_area<B>) {
-    if (detail::overlap::filter(a, b).disjoint) {
+    if (filter::Verdict<bool>(detail::overlap::filter(a, b)).disjoint) {
       out = {0, 0};
       return 0;
     }

@@ -100,7 +100,7 @@ VESICA_COLD bool one_place(const A& a, const B& b, double& x, double& y,
 
 /// Pairs that the filter leaves undecided need no exact answer here: if they are disjoint, no places will be found.
 template <class A, class B>
-auto overlap_filter(const A& a, const B& b) noexcept {
+filter::Verdict<bool> overlap_filter(const A& a, const B& b) noexcept {
   if constexpr (vesica::detail::in_order<A, B>) {
     return vesica::detail::overlap::filter(a, b);
   } else {

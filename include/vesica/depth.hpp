@@ -156,8 +156,7 @@ inline bool settled_depth(const Circle<double>& a, const Ellipse<double>& b, Pen
 /// Do shapes of kinds in order overlap? 1, 0, or a negative error if one is invalid.
 template <class A, class B>
 VESICA_INLINE std::int32_t overlap_in_order(const A& a, const B& b) noexcept {
-  const auto verdict = vesica::detail::overlap::filter(a, b);
-  const std::int32_t answer = 2 * std::int32_t{verdict.overlap} + std::int32_t{verdict.disjoint} - 1;
+  const std::int32_t answer = decide_by_filter(a, b);
   return answer >= 0 ? answer : undecided_overlap(a, b);
 }
 

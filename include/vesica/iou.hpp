@@ -21,7 +21,7 @@ inline double iou_of(const detail::area::Measure& shared, const detail::area::Me
 template <class A, class B>
 std::int32_t iou_of_pair(const A& a, const B& b, double& out) noexcept {
   if constexpr (detail::area::has_area<A> && detail::area::has_area<B>) {
-    if (detail::overlap::filter(a, b).disjoint) {
+    if (filter::Verdict<bool>(detail::overlap::filter(a, b)).disjoint) {
       if (detail::area::is_flat(a) && detail::area::is_flat(b)) return error_argument;
       out = 0;
       return 0;

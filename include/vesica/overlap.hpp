@@ -39,16 +39,47 @@ namespace vesica {
 
 namespace detail {
 
+namespace overlap {
+/// Some pairs have overloads of these, for two shapes.
+void first_filter() = delete;
+void second_filter() = delete;
+}  // namespace overlap
+
 /// 1, 0, or -1 for undecided. Computed by arithmetic, because a branch on the answer would be mispredicted.
 template <class Mask>
 VESICA_INLINE constexpr std::int32_t answer_of(const filter::Verdict<Mask>& verdict) noexcept {
   return 2 * static_cast<std::int32_t>(verdict.overlap) + static_cast<std::int32_t>(verdict.disjoint) - 1;
 }
 
+/// The branch is nearly always predicted.
+VESICA_INLINE constexpr std::int32_t answer_of(const filter::DecidedVerdict<bool>& verdict) noexcept {
+  return verdict.decided ? static_cast<std::int32_t>(verdict.overlap) : -1;
+}
+
 /// By the pair's filter, for kinds in order.
 template <class A, class B>
 VESICA_INLINE constexpr std::int32_t decide_by_filter(const A& a, const B& b) noexcept {
   return answer_of(detail::overlap::filter(a, b));
+}
+
+/// Pairs whose filter is two filters: a short one that decides most pairs, and a long one.
+template <class A, class B>
+concept HasTwoFilters = requires(const A& a, const B& b) {
+  detail::overlap::first_filter(a, b);
+};
+/// By the short filter; other pairs have one filter.
+template <class A, class B>
+VESICA_INLINE constexpr std::int32_t decide_by_first_filter(const A& a, const B& b) noexcept {
+  if constexpr (HasTwoFilters<A, B>) {
+    return answer_of(detail::overlap::first_filter(a, b));
+  } else {
+    return decide_by_filter(a, b);
+  }
+}
+template <class A, class B>
+VESICA_INLINE constexpr std::int32_t decide_by_second_filter(const A& a, const B& b) noexcept {
+  if constexpr (HasTwoFilters<A, B>) return answer_of(detail::overlap::second_filter(a, b));
+  return -1;
 }
 
 /// The third stage. Invalid shapes get their error here.

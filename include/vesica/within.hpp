@@ -188,7 +188,7 @@ std::int32_t within_or_error(const A<double>& a, const B<double>& b, double dist
     const auto second = within::swept(b);
     if (first.reach >= 0 && second.reach >= 0) {
       const double reach = (first.reach + second.reach) + distance;
-      const auto verdict = [&] {
+      const filter::Verdict<bool> verdict = [&] {
         if constexpr (within::is_point<decltype(second.core)> && !within::is_point<decltype(first.core)>) {
           return within::filter(second.core, first.core, reach);
         } else {

@@ -78,7 +78,7 @@ void attack(const MakeA& make_a) {
     const double by = std::ldexp(between(-1, 1), -static_cast<int>(between(5, 52)));
     at_ellipse ? place_at_edge_of_ellipse(a, b, at_apart, by) : place_at_edge(a, b, at_apart, by);
     if (check(a) != 0 || check(b) != 0) continue;
-    const auto verdict = detail::overlap::filter(a, b);
+    const filter::Verdict<bool> verdict = detail::overlap::filter(a, b);
     const bool truth = detail::overlap::exact(a, b);
     ASSERT_FALSE(verdict.overlap && !truth) << "pair " << i;
     ASSERT_FALSE(verdict.disjoint && truth) << "pair " << i;
@@ -104,7 +104,7 @@ void expect_undecided(A a, const Ellipse<double>& b) {
       const double good = fields[field];
       fields[field] = bad;
       if (check(a) != 0) {
-        const auto verdict = detail::overlap::filter(a, b);
+        const filter::Verdict<bool> verdict = detail::overlap::filter(a, b);
         EXPECT_FALSE(verdict.overlap || verdict.disjoint) << "field " << field << " is " << bad;
         EXPECT_EQ(overlap_or_error(a, b), error_shape);
       }
@@ -126,14 +126,14 @@ TEST(Circles, PassNoInvalidShape) {
 /// The squared axis loses its x by underflow, which the half length would make a reach of 2^-40.
 TEST(Circles, LeaveWhatUnderflowsTooMuch) {
   const Ellipse<double> flat{0, 0, 0x1p-540, 1, 0x1p500, 0x1p-48}, small{0, 0, 1, 0, 0x1p-48, 0x1p-48};
-  EXPECT_FALSE(detail::overlap::filter(flat, small).disjoint);
-  EXPECT_FALSE(detail::overlap::filter(small, flat).disjoint);
+  EXPECT_FALSE(filter::Verdict<bool>(detail::overlap::filter(flat, small)).disjoint);
+  EXPECT_FALSE(filter::Verdict<bool>(detail::overlap::filter(small, flat)).disjoint);
   EXPECT_EQ(overlap_or_error(flat, small), 1);
   for (int e = -1000; e <= 1000; e += 8) {
     const Ellipse<double> thin{0, 0, std::ldexp(1.0, e), 1, 0x1p300, 0x1p-48};
     const Circle<double> disc{0x1p-49, 0, 0x1p-48};
-    EXPECT_FALSE(detail::overlap::filter(thin, small).disjoint) << e;
-    EXPECT_FALSE(detail::overlap::filter(disc, thin).disjoint) << e;
+    EXPECT_FALSE(filter::Verdict<bool>(detail::overlap::filter(thin, small)).disjoint) << e;
+    EXPECT_FALSE(filter::Verdict<bool>(detail::overlap::filter(disc, thin)).disjoint) << e;
   }
 }
 

@@ -143,7 +143,7 @@ std::ostream& operator<<(std::ostream& out, const Left& l) {
   return out << l.guard_within << '}';
 }
 
-bool is_open(const auto& verdict) { return !verdict.overlap && !verdict.disjoint; }
+bool is_open(const filter::Verdict<bool>& verdict) { return !verdict.overlap && !verdict.disjoint; }
 bool is_open(const filter::CertainRelation<bool>& r) { return !r.disjoint && !r.cross && !r.inside && !r.contains; }
 
 bool is_undecided_by_integers(const auto& a, const auto& b) {

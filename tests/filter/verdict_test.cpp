@@ -73,7 +73,7 @@ struct Shapes {
 
   template <class Filter>
   static Said verdict(const Numbers<V>& n) {
-    const auto said = Filter::verdict(first(n), second(n));
+    const filter::Verdict<bool> said = Filter::verdict(first(n), second(n));
     return {said.overlap, said.disjoint};
   }
 

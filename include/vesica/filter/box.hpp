@@ -22,6 +22,15 @@ VESICA_INLINE constexpr Box<V> box(const Shape<V>& s) noexcept {
   return {number(f.ux), number(f.uy), number(f.hx), number(f.hy)};
 }
 
+#if VESICA_HAS_TWO_DOUBLES
+/// (u.d, u x d). For an AABB the compiler knows that uy is 0.
+VESICA_INLINE TwoDoubles turned(const Box<double>& box, TwoDoubles d) noexcept {
+  const TwoDoubles u(box.ux, box.uy), along = firsts(u, u) * d;
+  if (__builtin_constant_p(box.uy) && box.uy == 0) return along;
+  return along + flip_sign(seconds(u, u), TwoDoubles(0.0, -0.0)) * exchanged(d);
+}
+#endif
+
 using detail::form::Centre;
 using detail::form::Corners;
 
@@ -39,16 +48,26 @@ VESICA_INLINE constexpr Centre<V> offset(const Centre<V>& a, const Centre<V>& b)
   return {b.x - a.x, b.y - a.y};
 }
 template <class V>
-VESICA_INLINE constexpr Centre<V> offset(const Corners<V>& a, const Centre<V>& b) noexcept {
-  return {V(0.5f) * ((b.x - a.x0) + (b.x - a.x1)), V(0.5f) * ((b.y - a.y0) + (b.y - a.y1))};
-}
-template <class V>
-VESICA_INLINE constexpr Centre<V> offset(const Centre<V>& a, const Corners<V>& b) noexcept {
-  return {V(0.5f) * ((b.x0 - a.x) + (b.x1 - a.x)), V(0.5f) * ((b.y0 - a.y) + (b.y1 - a.y))};
+VESICA_INLINE constexpr V offset_of_ends(V a0, V a1, V b0, V b1) noexcept {
+  return V(0.5f) * ((b0 - a0) + (b1 - a1));
 }
 template <class V>
 VESICA_INLINE constexpr Centre<V> offset(const Corners<V>& a, const Corners<V>& b) noexcept {
-  return {V(0.5f) * ((b.x0 - a.x0) + (b.x1 - a.x1)), V(0.5f) * ((b.y0 - a.y0) + (b.y1 - a.y1))};
+  return {offset_of_ends<V>(a.x0, a.x1, b.x0, b.x1), offset_of_ends<V>(a.y0, a.y1, b.y0, b.y1)};
+}
+#if VESICA_HAS_TWO_DOUBLES
+VESICA_INLINE Centre<double> offset(const Corners<double>& a, const Corners<double>& b) noexcept {
+  const TwoDoubles d = offset_of_ends<TwoDoubles>({a.x0, a.y0}, {a.x1, a.y1}, {b.x0, b.y0}, {b.x1, b.y1});
+  return {d.first(), d.second()};
+}
+#endif
+template <class V>
+VESICA_INLINE constexpr Centre<V> offset(const Corners<V>& a, const Centre<V>& b) noexcept {
+  return offset(a, detail::form::corners(b));
+}
+template <class V>
+VESICA_INLINE constexpr Centre<V> offset(const Centre<V>& a, const Corners<V>& b) noexcept {
+  return offset(detail::form::corners(a), b);
 }
 
 }  // namespace vesica::filter

@@ -41,6 +41,23 @@ VESICA_INLINE constexpr Estimate<V> farthest_out(V p0, V p1, V h0, V h1, V e0, V
           roundoffs<V>(14) * ((p0 + p1) + ((h0 + e0) + (h1 + e1))) + underflow_allowance<V>()};
 }
 
+/// The separating axes along one box's own axes: squared length, gap, and how far the other box reaches out.
+template <class V>
+struct OwnAxes {
+  V uu;
+  Estimate<V> gap, out;
+};
+
+/// c, s: the magnitudes of the two axes' products. d: from one box's centre to the other's, either way.
+template <class V>
+VESICA_INLINE constexpr OwnAxes<V> own_axes(const Box<V>& own, const Box<V>& other, V c, V s,
+                                            const Centre<V>& d) noexcept {
+  const V uu = own.ux * own.ux + own.uy * own.uy;
+  const V p0 = abs(own.ux * d.x + own.uy * d.y), p1 = abs(own.ux * d.y - own.uy * d.x);
+  const V h0 = own.hx * uu, h1 = own.hy * uu, e0 = other.hx * c + other.hy * s, e1 = other.hx * s + other.hy * c;
+  return {uu, widest_gap(p0, p1, h0 + e0, h1 + e1), farthest_out(p0, p1, h0, h1, e0, e1)};
+}
+
 template <class V>
 struct BoxBox {
   Estimate<V> gap_a, gap_b;            // along the axes of a and of b
@@ -50,14 +67,9 @@ struct BoxBox {
 
 template <class V>
 VESICA_INLINE constexpr BoxBox<V> separating_axes(const Box<V>& a, const Box<V>& b, const Centre<V>& d) noexcept {
-  const V uu = a.ux * a.ux + a.uy * a.uy, ww = b.ux * b.ux + b.uy * b.uy;
   const V c = abs(a.ux * b.ux + a.uy * b.uy), s = abs(a.ux * b.uy - a.uy * b.ux);
-  const V p0 = abs(a.ux * d.x + a.uy * d.y), p1 = abs(a.ux * d.y - a.uy * d.x);
-  const V q0 = abs(b.ux * d.x + b.uy * d.y), q1 = abs(b.ux * d.y - b.uy * d.x);
-  const V h0 = a.hx * uu, h1 = a.hy * uu, e0 = b.hx * c + b.hy * s, e1 = b.hx * s + b.hy * c;
-  const V k0 = b.hx * ww, k1 = b.hy * ww, f0 = a.hx * c + a.hy * s, f1 = a.hx * s + a.hy * c;
-  return {widest_gap(p0, p1, h0 + e0, h1 + e1), widest_gap(q0, q1, k0 + f0, k1 + f1), uu, ww,
-          farthest_out(q0, q1, k0, k1, f0, f1), farthest_out(p0, p1, h0, h1, e0, e1)};
+  const OwnAxes<V> of_a = own_axes(a, b, c, s, d), of_b = own_axes(b, a, c, s, d);
+  return {of_a.gap, of_b.gap, of_a.uu, of_b.uu, of_b.out, of_a.out};
 }
 
 /// Where sums of products with opposite signs saturate in p0, those in p1 have like signs and are as great. So the
@@ -75,6 +87,20 @@ VESICA_INLINE constexpr auto box_box(const Box<V>& a, const Box<V>& b, const Cen
   return guarded(box_box_usable(axes, a, b), both(certainly_negative(axes.gap_a), certainly_negative(axes.gap_b)),
                  either(certainly_positive(axes.gap_a), certainly_positive(axes.gap_b)));
 }
+
+#if VESICA_HAS_TWO_DOUBLES
+/// The same for one pair, the axes of both boxes at once. A size that is -0 is left undecided.
+VESICA_INLINE auto box_box(const Box<double>& a, const Box<double>& b, const Centre<double>& d) noexcept {
+  using V = TwoDoubles;
+  const V axis_a(a.ux, a.uy), axis_b(b.ux, b.uy), half_a(a.hx, a.hy), half_b(b.hx, b.hy);
+  const Box<V> own{firsts(axis_a, axis_b), seconds(axis_a, axis_b), firsts(half_a, half_b), seconds(half_a, half_b)};
+  const Box<V> other{firsts(axis_b, axis_a), seconds(axis_b, axis_a), firsts(half_b, half_a), seconds(half_b, half_a)};
+  const V c = abs(own.ux * other.ux + own.uy * other.uy), s = abs(own.ux * other.uy - own.uy * other.ux);
+  const OwnAxes<V> axes = own_axes<V>(own, other, c, s, {V(d.x), V(d.y)});
+  const auto usable = both(box_axis_in_range(axes.uu), axes.gap.error <= greatest_error<V>());
+  return guarded(in_both_and_positive(usable, or_bits(half_a, half_b)), axes.gap);
+}
+#endif
 
 /// The gap tells whether the boxes cross or are disjoint; each box's own axes tell how far the other reaches out of it.
 template <class V>

@@ -77,6 +77,29 @@ VESICA_INLINE constexpr BoxEllipse<V> visible_edges(const Box<V>& box, const Ell
   return visible_edges(box_frame(box, ellipse, d), ellipse);
 }
 
+#if VESICA_HAS_TWO_DOUBLES
+/// The same for one pair, both segments at once.
+VESICA_INLINE BoxEllipse<double> visible_edges(const Box<double>& box, const Ellipse<double>& ellipse,
+                                               const Centre<double>& d) noexcept {
+  using V = TwoDoubles;
+  const V u(box.ux, box.uy), v(ellipse.ux, ellipse.uy), lengths(ellipse.a, ellipse.b);
+  const V k = turned(box, V(d.x, d.y)), cs = turned(box, v), ux = firsts(u, v), uy = seconds(u, v);
+  const V squares = ux * ux + uy * uy, e = V(box.hx, box.hy) * V(squares.first());
+  const V ac = firsts(lengths, lengths) * cs, bc = seconds(lengths, lengths) * cs, bs = exchanged(bc);
+  const V p = ac * ac + bs * bs, p01 = ac * exchanged(ac) - bc * bs;
+  const double root = (ellipse.a * ellipse.b) * (squares.first() * squares.second()), det = root * root;
+  const V along = abs(k), x = positive_part(along - e);
+  // Two reflections in place of p01's sign: a gap is the same for a segment and its mirror image.
+  const V m = positive_part(abs(p * exchanged(k) - p01 * flip_sign(x, k)) - p * exchanged(e));
+  const V misses = m * m - V(det) * (p - x * x), q_and_t = sums(p, along + e), gaps_and_x = sums(m, x);
+  const double q = q_and_t.first(), t = q_and_t.second(), gaps = gaps_and_x.first();
+  const double error_m = roundoffs<double>(34) * (q * t);
+  return {misses.first(), misses.second(),
+          error_m * ((gaps + gaps) + error_m) + roundoffs<double>(48) * (det * (q + gaps_and_x.second() * t)),
+          squares.first(), squares.second()};
+}
+#endif
+
 /// How far the ellipse reaches out of the box: its squared half extent along an axis of the box less the square of the
 /// room that the box leaves there, the greater of two. Where there is no room, it reaches out.
 ///
@@ -131,6 +154,17 @@ VESICA_INLINE constexpr auto box_ellipse_usable(const BoxEllipse<V>& edges, cons
   const auto sizes = both(at_least(guard_power<V, -10>(), ellipse.a, ellipse.b), at_least(V(0.0f), box.hx, box.hy));
   return both(both(axes, sizes), edges.error <= guard_power<V, 100>());
 }
+
+#if VESICA_HAS_TWO_DOUBLES
+VESICA_INLINE bool box_ellipse_usable(const BoxEllipse<double>& edges, const Box<double>& box,
+                                      const Ellipse<double>& ellipse) noexcept {
+  using V = TwoDoubles;
+  const V squares(edges.uu, edges.vv), shortest(guard_power<double, -10>());
+  const auto axes = in_range(squares, V(guard_power<double, -5>()), V(guard_power<double, 15>()));
+  const auto sizes = both(shortest <= V(ellipse.a, ellipse.b), V(0.0) <= V(box.hx, box.hy));
+  return both(in_both(both(axes, sizes)), edges.error <= guard_power<double, 100>());
+}
+#endif
 
 template <class V>
 VESICA_INLINE constexpr auto box_ellipse(const Box<V>& box, const Ellipse<V>& ellipse, const Centre<V>& d) noexcept {

@@ -55,11 +55,22 @@ VESICA_INLINE constexpr CertainFacts<Mask> certain_facts(const Verdict<Mask>& v,
   return {v.disjoint, v.overlap, inside, contains, neither, either(neither, contains), either(neither, inside)};
 }
 
+template <class Mask>
+VESICA_INLINE constexpr CertainFacts<Mask> certain_facts(const DecidedVerdict<Mask>& v, Mask nested, Mask neither,
+                                                         Mask first_greater) noexcept {
+  return certain_facts(Verdict<Mask>(v), nested, neither, first_greater);
+}
+
 /// The facts about a point, first, and a solid shape, which the point never contains.
 template <class Mask>
 VESICA_INLINE constexpr CertainFacts<Mask> of_point(const Verdict<Mask>& v) noexcept {
   const Mask never = both(v.overlap, v.disjoint), certain = either(v.overlap, v.disjoint);
   return {v.disjoint, v.overlap, v.overlap, never, v.disjoint, v.disjoint, certain};
+}
+
+template <class Mask>
+VESICA_INLINE constexpr CertainFacts<Mask> of_point(const DecidedVerdict<Mask>& v) noexcept {
+  return of_point(Verdict<Mask>(v));
 }
 
 /// The relations that are certain; none of them true means undecided.

@@ -18,6 +18,15 @@ VESICA_INLINE constexpr Verdict<Mask> compared(Mask valid, Mask overlap) noexcep
   return {both(valid, overlap), and_not(valid, overlap)};
 }
 
+#if VESICA_HAS_TWO_DOUBLES
+/// The same for the least and the greatest corner, both coordinates at once. `low` and `high` have all that must be
+/// finite.
+VESICA_INLINE TwoDoubles::Mask finite_and_ordered(TwoDoubles min, TwoDoubles max, TwoDoubles low,
+                                                  TwoDoubles high) noexcept {
+  return both(min <= max, (low - low) + (high - high) == TwoDoubles(0.0));
+}
+#endif
+
 template <class V>
 VESICA_INLINE constexpr V least(V a, V b, V c, V d) noexcept {
   return min(min(a, b), min(c, d));

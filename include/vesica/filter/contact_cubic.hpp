@@ -23,6 +23,21 @@ struct Pencil {
   V det1, mu, det2, turned;
 };
 
+/// The greater zero of l1 + 2 l2 x + 3 d2 x^2, by the form that adds like signs.
+template <class V>
+VESICA_INLINE constexpr V greater_zero(V l1, V l2, V d2, V root) noexcept {
+  const V zero(0.0f), three(3.0f);
+  const auto rising = l2 > zero;
+  return rough_quotient(select(rising, zero - l1, root - l2), select(rising, l2 + root, three * d2));
+}
+#if VESICA_HAS_TWO_DOUBLES
+VESICA_INLINE double greater_zero(double l1, double l2, double d2, double root) noexcept {
+  const TwoDoubles q =
+      select(TwoDoubles(0.0) < TwoDoubles(l2), TwoDoubles(-l1, l2 + root), TwoDoubles(root - l2, 3 * d2));
+  return rough_quotient(q.first(), q.second());
+}
+#endif
+
 /// p(t) at a t >= 0 that nearly minimises a lower estimate of p over x >= 0.
 ///
 /// Proved: if it is beyond 40u h, its sign answers, where h = d1 + total1 t + total2 t^2 + d2 t^3. Below -40u h the
@@ -39,12 +54,10 @@ struct Pencil {
 ///     for double's 2^-26. 39u h in all.
 template <class V>
 VESICA_INLINE constexpr Estimate<V> least_value(const ContactCubic<V>& p) noexcept {
-  const V zero(0.0f), three(3.0f), shift = roundoffs<V>(16);
+  const V three(3.0f), shift = roundoffs<V>(16);
   const V l1 = p.c1 - shift * p.total1, l2 = p.c2 - shift * p.total2;
   const V root = rough_sqrt(positive_part(l2 * l2 - three * (p.d2 * l1)));
-  const auto rising = l2 > zero;
-  const V t =
-      positive_part(rough_quotient(select(rising, zero - l1, root - l2), select(rising, l2 + root, three * p.d2)));
+  const V t = positive_part(greater_zero(l1, l2, p.d2, root));
   const V value = ((p.d2 * t + p.c2) * t + p.c1) * t + p.d1;
   const V magnitude = ((p.d2 * t + p.total2) * t + p.total1) * t + p.d1;
   // positive_part() may lose a NaN, but any NaN in it came from the totals, which are in the magnitude too.
@@ -106,6 +119,23 @@ VESICA_INLINE constexpr ContactCubic<V> contact_cubic(const Ellipse<V>& e, const
   return pencil(e, f, d, vv, ww).contact;
 }
 
+#if VESICA_HAS_TWO_DOUBLES
+/// The same for one pair: what belongs to each of the two ellipses at once.
+VESICA_INLINE ContactCubic<double> contact_cubic(const Ellipse<double>& e, const Ellipse<double>& f,
+                                                 const Centre<double>& d, double vv, double ww) noexcept {
+  using V = TwoDoubles;
+  const V ux(e.ux, f.ux), uy(e.uy, f.uy), a(e.a, f.a), b(e.b, f.b), uu(vv, ww), dx(d.x), dy(d.y);
+  const V c = ux * exchanged(ux) + uy * exchanged(uy), s = ux * exchanged(uy) - uy * exchanged(ux);
+  const V aa = a * a, bb = b * b, other_aa = exchanged(aa), other_bb = exchanged(bb), root = (a * b) * uu;
+  const V x0 = ux * dx + uy * dy, x1 = ux * dy - uy * dx, m0 = b * x0, m1 = a * x1, det = root * root;
+  const V mu = (c * c) * (aa * other_bb + bb * other_aa) + (s * s) * (aa * other_aa + bb * other_bb);
+  const V al = m0 * m0 + m1 * m1, squares = aa + bb, dd = V(roundoffs<double>(2)) * (dx * dx + dy * dy);
+  const V turned = (squares * exchanged(squares)) * (abs(c * s) + V(roundoffs<double>(1)) * (c * c + s * s));
+  const V coefficient = (det + mu) - al, total = ((det + mu) + al) + (squares * (abs(x0 * x1) + uu * dd) + turned);
+  return {det.first(), coefficient.first(), coefficient.second(), det.second(), total.first(), total.second()};
+}
+#endif
+
 /// Guard: half lengths and squared axes at least 2^-6 (double: 2^-48), so that d1 and d2 are at least 2^-36 (2^-288)
 /// and all that underflows is negligible beside them.
 template <class V>
@@ -130,18 +160,26 @@ VESICA_INLINE constexpr bool circles_apart(const Ellipse<double>& e, const Ellip
 ///   - As m <= xx and m <= yy, what has m errs by 10u (qx + qy) + 36u xx yy.
 ///   - Underflow: xx and yy are at least 2^-144, and where xx yy <= 2^640, squares of half lengths are at most 2^832.
 ///     What underflows loses less than 2^-242 of an entry.
-template <class V, class Mask>
-VESICA_INLINE constexpr DecidedVerdict<Mask> look_at_ellipses(const Ellipse<V>& e, const Ellipse<V>& f,
-                                                              const Centre<V>& d, V vv, V ww, Mask usable) noexcept {
-  const V a0 = e.a * e.a, a1 = e.b * e.b, b0 = f.a * f.a, b1 = f.b * f.b;
-  const V dxx = d.x * d.x, dyy = d.y * d.y, square = dxx + dyy;
-  const V exx = e.ux * e.ux, eyy = e.uy * e.uy, fxx = f.ux * f.ux, fyy = f.uy * f.uy;
-  const V xx = (a0 * exx + a1 * eyy) + (b0 * fxx + b1 * fyy), yy = (a0 * eyy + a1 * exx) + (b0 * fyy + b1 * fxx);
-  const V xy = (a0 - a1) * (e.ux * e.uy) + (b0 - b1) * (f.ux * f.uy);
-  const V qx = yy * dxx, qy = xx * dyy, squares = xx * yy, m = V(2.0f) * min(min(a0, a1) * vv, min(b0, b1) * ww);
-  return by_ellipses<V>((qx + qy) - V(2.0f) * (xy * (d.x * d.y)), squares - xy * xy, m * (((xx + yy) + m) - square),
-                        V(look_slack) * ((qx + qy) + squares), V(0x1p600), usable);
+#if VESICA_HAS_TWO_DOUBLES
+VESICA_INLINE DecidedVerdict<bool> look_at_ellipses(const Ellipse<double>& e, const Ellipse<double>& f,
+                                                    const Centre<double>& d) noexcept {
+  using V = TwoDoubles;
+  // Of both shapes.
+  const V axis_e(e.ux, e.uy), axis_f(f.ux, f.uy), ux = firsts(axis_e, axis_f), uy = seconds(axis_e, axis_f);
+  const V lengths_e(e.a, e.b), lengths_f(f.a, f.b), a = firsts(lengths_e, lengths_f), b = seconds(lengths_e, lengths_f);
+  const V aa = a * a, bb = b * b;
+  const V uxx = ux * ux, uyy = uy * uy, uu = uxx + uyy, least = min(aa, bb) * uu;
+  const double xy = sum((aa - bb) * (ux * uy)), m = 2 * min(least.first(), least.second());
+  // Along both coordinates.
+  const V xx_yy = sums(aa * uxx + bb * uyy, aa * uyy + bb * uxx), dd = V(d.x, d.y) * V(d.x, d.y);
+  const V q_square = sums(exchanged(xx_yy) * dd, dd);
+  const double q = q_square.first(), square = q_square.second(), squares = xx_yy.first() * xx_yy.second();
+  const V shortest(guard_power<double, -6>());
+  const bool usable = in_both(both(both(shortest <= a, shortest <= b), shortest <= uu));
+  return by_ellipses<double>(q - 2 * (xy * (d.x * d.y)), squares - xy * xy, m * ((sum(xx_yy) + m) - square),
+                             look_slack * (q + squares), 0x1p600, usable);
 }
+#endif
 
 template <class V>
 VESICA_COLD constexpr auto circles_within_meet(const Ellipse<V>& e, const Ellipse<V>& f) noexcept {
@@ -155,21 +193,27 @@ VESICA_COLD constexpr auto circles_within_meet(const Ellipse<V>& e, const Ellips
 template <class V>
 VESICA_INLINE constexpr auto ellipse_ellipse(const Ellipse<V>& e, const Ellipse<V>& f) noexcept {
   const V vv = e.ux * e.ux + e.uy * e.uy, ww = f.ux * f.ux + f.uy * f.uy;
-  const Centre<V> d = offset(place(e), place(f));
-  if constexpr (looks<V>) {
-    const auto usable = at_least(guard_power<V, -6>(), e.a, e.b, f.a, f.b, vv, ww);
-    const auto look = look_at_ellipses(e, f, d, vv, ww, usable);
-    if (look.decided) return Verdict<bool>{look.overlap, !look.overlap};
-  }
-  const ContactCubic<V> p = contact_cubic(e, f, d, vv, ww);
+  const ContactCubic<V> p = contact_cubic(e, f, offset(place(e), place(f)), vv, ww);
   const Estimate<V> least = least_value(p);
-  const auto usable = both(ellipse_ellipse_usable(p, e, f, vv, ww), least.error <= guard_power<V, 100>());
-  if constexpr (looks<V>) {
-    // One comparison: which of the two it is could not be predicted.
-    if (!both(usable, abs(least.value) > least.error)) return circles_within_meet(e, f);
-  }
-  return guarded(usable, certainly_positive(least), certainly_negative(least));
+  return guarded(both(ellipse_ellipse_usable(p, e, f, vv, ww), least.error <= guard_power<V, 100>()),
+                 certainly_positive(least), certainly_negative(least));
 }
+
+#if VESICA_HAS_TWO_DOUBLES
+/// By the cubic; what it leaves undecided, by circles.
+VESICA_INLINE DecidedVerdict<bool> by_cubic(const Ellipse<double>& e, const Ellipse<double>& f) noexcept {
+  using V = TwoDoubles;
+  const V ux(e.ux, f.ux), uy(e.uy, f.uy), uu = ux * ux + uy * uy, shortest(guard_power<double, -6>());
+  const auto sizes = both(both(shortest <= V(e.a, f.a), shortest <= V(e.b, f.b)), shortest <= uu);
+  const ContactCubic<double> p = contact_cubic(e, f, offset(place(e), place(f)), uu.first(), uu.second());
+  const Estimate<double> least = least_value(p);
+  const bool usable = both(in_both(sizes), both(totals_in_range(p), least.error <= guard_power<double, 100>()));
+  if (both(usable, abs(least.value) > least.error)) [[likely]]
+    return {least.value > 0, true};
+  const bool meet = circles_within_meet(e, f).overlap;
+  return {meet, meet};
+}
+#endif
 
 /// Circle and ellipse: the same cubic with x = t / r^2, times r^2, is monic:
 /// (r^2 + t)(P + t)(Q + t) - t (al + |D|^2 t), P = V a^2 and Q = V b^2 the squared half lengths. Of lower degree, so
@@ -193,10 +237,31 @@ VESICA_INLINE constexpr ContactCubic<V> contact_cubic(const Circle<V>& disc, con
   return pencil(disc, e, d, vv).contact;
 }
 
+#if VESICA_HAS_TWO_DOUBLES
+VESICA_INLINE ContactCubic<double> contact_cubic(const Circle<double>& disc, const Ellipse<double>& e,
+                                                 const Centre<double>& d, double vv) noexcept {
+  using V = TwoDoubles;
+  const V u(e.ux, e.uy), lengths(e.a, e.b), delta(d.x, d.y), squared = lengths * lengths, pq = squared * V(vv);
+  const V x = firsts(u, u) * delta + flip_sign(seconds(u, u), V(0.0, -0.0)) * exchanged(delta);
+  const V m = exchanged(lengths) * x, al_dd = sums(m * m, delta * delta), sum_lengths = sums(pq, squared);
+  const double rr = disc.r * disc.r, product = pq.first() * pq.second(), al = al_dd.first(), dd = al_dd.second();
+  const double c1 = product + rr * sum_lengths.first(), c2 = rr + sum_lengths.first();
+  const double across = abs(x.first() * x.second()) + roundoffs<double>(2) * (vv * dd);
+  return {rr * product, c1 - al, c2 - dd, 1, (c1 + al) + sum_lengths.second() * across, c2 + dd};
+}
+#endif
+
 VESICA_INLINE constexpr bool circles_apart(const Circle<double>& disc, const Ellipse<double>& e,
                                            const Centre<double>& d, double vv, bool usable) noexcept {
   const double about = disc.r * disc.r + max(e.a * e.a, e.b * e.b) * vv;
   return circles_apart(d.x * d.x + d.y * d.y, about, usable);
+}
+
+#if VESICA_HAS_TWO_DOUBLES
+/// The part of circle_ellipse()'s guard that needs no cubic.
+VESICA_INLINE bool disc_ellipse_sizes(const Circle<double>& disc, const Ellipse<double>& e, double vv) noexcept {
+  const TwoDoubles shortest(guard_power<double, -8>()), least(guard_power<double, -8>(), guard_power<double, -16>());
+  return in_both(both(shortest <= TwoDoubles(e.a, e.b), least <= TwoDoubles(disc.r, vv)));
 }
 
 /// by_ellipses() for a disc and an ellipse, along whose axes Q is diagonal: p and q.
@@ -205,16 +270,16 @@ VESICA_INLINE constexpr bool circles_apart(const Circle<double>& disc, const Ell
 /// |v| by 3u |v| |D|, so x0^2 q and x1^2 p by less than 10u (x0^2 + x1^2) (p + q). The rest is as for two ellipses.
 /// Underflow: p and q are at least 2^-128, and where V p q <= 2^340, at most 2^596. What underflows loses less than
 /// 2^-478, beside V p q >= 2^-384.
-template <class V, class Mask>
-VESICA_INLINE constexpr DecidedVerdict<Mask> look_at_ellipses(const Circle<V>& disc, const Ellipse<V>& e,
-                                                              const Centre<V>& d, V vv, Mask usable) noexcept {
-  const V aa = e.a * e.a, bb = e.b * e.b, rr = disc.r * disc.r;
-  const V x0 = e.ux * d.x + e.uy * d.y, x1 = e.ux * d.y - e.uy * d.x, xx = x0 * x0, yy = x1 * x1;
-  const V p = aa * vv + rr, q = bb * vv + rr, sum = p + q, m = V(2.0f) * min(rr, min(aa, bb) * vv);
-  const V square = xx + yy, det = vv * (p * q);
-  return by_ellipses<V>(xx * q + yy * p, det, m * (vv * (sum + m) - square), V(look_slack) * (square * sum + det),
-                        V(0x1p300), usable);
+VESICA_INLINE DecidedVerdict<bool> look_at_ellipses(const Circle<double>& disc, const Ellipse<double>& e,
+                                                    const Centre<double>& d) noexcept {
+  const double vv = e.ux * e.ux + e.uy * e.uy, aa = e.a * e.a, bb = e.b * e.b, rr = disc.r * disc.r;
+  const double x0 = e.ux * d.x + e.uy * d.y, x1 = e.ux * d.y - e.uy * d.x, xx = x0 * x0, yy = x1 * x1;
+  const double p = aa * vv + rr, q = bb * vv + rr, whole = p + q, m = 2 * min(rr, min(aa, bb) * vv);
+  const double square = xx + yy, det = vv * (p * q);
+  return by_ellipses<double>(xx * q + yy * p, det, m * (vv * (whole + m) - square), look_slack * (square * whole + det),
+                             0x1p300, disc_ellipse_sizes(disc, e, vv));
 }
+#endif
 
 template <class V>
 VESICA_COLD constexpr auto circles_within_meet(const Circle<V>& disc, const Ellipse<V>& e) noexcept {
@@ -230,18 +295,24 @@ VESICA_INLINE constexpr auto circle_ellipse(const Circle<V>& disc, const Ellipse
   const V vv = e.ux * e.ux + e.uy * e.uy;
   const V low = guard_power<V, -8>();
   const auto sizes = both(at_least(low, e.a, e.b, disc.r), vv >= guard_power<V, -16>());
-  const Centre<V> d = offset(place(disc), place(e));
-  if constexpr (looks<V>) {
-    const auto look = look_at_ellipses(disc, e, d, vv, sizes);
-    if (look.decided) return Verdict<bool>{look.overlap, !look.overlap};
-  }
-  const ContactCubic<V> p = contact_cubic(disc, e, d, vv);
+  const ContactCubic<V> p = contact_cubic(disc, e, offset(place(disc), place(e)), vv);
   const Estimate<V> least = least_value(p);
-  const auto usable = both(both(sizes, totals_in_range(p)), least.error <= guard_power<V, 100>());
-  if constexpr (looks<V>) {
-    if (!both(usable, abs(least.value) > least.error)) return circles_within_meet(disc, e);
-  }
-  return guarded(usable, certainly_positive(least), certainly_negative(least));
+  return guarded(both(both(sizes, totals_in_range(p)), least.error <= guard_power<V, 100>()), certainly_positive(least),
+                 certainly_negative(least));
 }
+
+#if VESICA_HAS_TWO_DOUBLES
+VESICA_INLINE DecidedVerdict<bool> by_cubic(const Circle<double>& disc, const Ellipse<double>& e) noexcept {
+  const double vv = e.ux * e.ux + e.uy * e.uy;
+  const ContactCubic<double> p = contact_cubic(disc, e, offset(place(disc), place(e)), vv);
+  const Estimate<double> least = least_value(p);
+  const bool usable =
+      both(disc_ellipse_sizes(disc, e, vv), both(totals_in_range(p), least.error <= guard_power<double, 100>()));
+  if (both(usable, abs(least.value) > least.error)) [[likely]]
+    return {least.value > 0, true};
+  const bool meet = circles_within_meet(disc, e).overlap;
+  return {meet, meet};
+}
+#endif
 
 }  // namespace vesica::filter

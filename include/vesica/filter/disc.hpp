@@ -61,6 +61,18 @@ VESICA_INLINE constexpr auto disc_aabb(const Circle<V>& disc, const Aabb<V>& box
   return guarded(both(at_least(V(0.0f), width, height, disc.r), is_finite(gap)), gap);
 }
 
+#if VESICA_HAS_TWO_DOUBLES
+/// The same for one pair, both coordinates at once.
+VESICA_INLINE auto disc_aabb(const Circle<double>& disc, const Aabb<double>& box) noexcept {
+  using V = TwoDoubles;
+  const V c(disc.cx, disc.cy), min(box.min_x, box.min_y), max(box.max_x, box.max_y), width = max - min;
+  const V out = positive_part(lane::max(min - c, c - max)), zero(0.0);
+  const auto finite = (width - width) + (c - c) == zero;
+  const Estimate<double> gap = beyond_reach<double>({out.first(), out.second()}, disc.r);
+  return guarded(both(in_both(both(finite, zero <= width)), both(disc.r >= 0, is_finite(gap))), gap);
+}
+#endif
+
 /// The farthest corner of an AABB, as the nearest point.
 template <class V>
 VESICA_INLINE constexpr Centre<V> farthest_offset(const Circle<V>& disc, const Aabb<V>& box) noexcept {

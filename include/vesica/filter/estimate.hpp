@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The parts of filters: a computed value with a bound on its error, and the answer that the bound allows.
 ///
-/// Every filter is a template over V: double for scalar calls, lanes of double or float for batches. In the comments
+/// Every filter is a template over V: lanes of double or float for batches, and double for scalar calls. Some have an
+/// overload for scalar calls, in TwoDoubles: the same formulas, so the same bounds. In the comments
 /// u is the greatest relative error of one operation, and errors are to first order in u; the constants in the code
 /// leave room for the rest, and tests/filter measures observed error over bound. Fused operations only drop roundings,
 /// so the bounds hold with and without them.
@@ -16,6 +17,7 @@
 /// unseen, so the guard of each filter looks at those. What is undecided goes to the exact stage, which first checks.
 #pragma once
 
+#include <vesica/filter/two_doubles.hpp>
 #include <vesica/scalar.hpp>
 #include <vesica/shapes.hpp>
 
@@ -52,6 +54,7 @@ template <class Mask>
 struct DecidedVerdict {
   Mask overlap;
   Mask decided;
+  constexpr operator Verdict<Mask>() const noexcept { return {both(decided, overlap), and_not(decided, overlap)}; }
 };
 
 /// No answer outside the guard.
@@ -65,6 +68,20 @@ template <class Mask, class V>
 VESICA_INLINE constexpr Verdict<Mask> guarded(Mask guard, const Estimate<V>& gap) noexcept {
   return guarded(guard, certainly_negative(gap), certainly_positive(gap));
 }
+
+/// For one pair, one condition to test instead of two.
+VESICA_INLINE constexpr DecidedVerdict<bool> guarded(bool guard, const Estimate<double>& gap) noexcept {
+  return {gap.value < 0, both(guard, abs(gap.value) > gap.error)};
+}
+
+#if VESICA_HAS_TWO_DOUBLES
+/// The same for the greater of two gaps. In every rounding mode a rounded sum has the right sign. No bound is attained,
+/// so a sum that is 0 may count as either sign.
+VESICA_INLINE DecidedVerdict<bool> guarded(bool guard, const Estimate<TwoDoubles>& gaps) noexcept {
+  const bool overlap = signs(gaps.value + gaps.error) == 3, touch = signs(gaps.value - gaps.error) == 3;
+  return {overlap, both(guard, overlap == touch)};
+}
+#endif
 
 /// The element type of V: double or float, or what lanes are made of.
 template <class V>
@@ -80,11 +97,19 @@ struct Element<float> {
   using Type = float;
 };
 
+/// Numbers of one pair of shapes, whose filter runs in its caller's rounding mode.
+template <class V>
+inline constexpr bool is_scalar = std::is_same_v<V, double>;
+#if VESICA_HAS_TWO_DOUBLES
+template <>
+inline constexpr bool is_scalar<lane::TwoDoubles> = true;
+#endif
+
 /// n u.
 template <class V>
 VESICA_INLINE constexpr V roundoffs(int n) noexcept {
   using T = typename Element<V>::Type;
-  constexpr int in_any_mode = std::is_same_v<V, double> ? 2 : 1;
+  constexpr int in_any_mode = is_scalar<V> ? 2 : 1;
   return V(static_cast<T>(in_any_mode * n) * ScalarTraits<T>::roundoff);
 }
 

@@ -15,6 +15,15 @@ VESICA_INLINE constexpr auto filter(const Aabb<V>& a, const Aabb<V>& b) noexcept
   return filter::compared(both(filter::valid_aabb(a), filter::valid_aabb(b)), both(in_x, in_y));
 }
 
-constexpr bool exact(const Aabb<double>& a, const Aabb<double>& b) noexcept { return filter(a, b).overlap; }
+#if VESICA_HAS_TWO_DOUBLES
+VESICA_INLINE auto filter(const Aabb<double>& a, const Aabb<double>& b) noexcept {
+  const TwoDoubles min_a(a.min_x, a.min_y), max_a(a.max_x, a.max_y), min_b(b.min_x, b.min_y), max_b(b.max_x, b.max_y);
+  const auto valid =
+      both(min_a <= max_a, filter::finite_and_ordered(min_b, max_b, min(min_a, min_b), max(max_a, max_b)));
+  return filter::DecidedVerdict<bool>{in_both(both(min_a <= max_b, min_b <= max_a)), in_both(valid)};
+}
+#endif
+
+constexpr bool exact(const Aabb<double>& a, const Aabb<double>& b) noexcept { return filter<double>(a, b).overlap; }
 
 }  // namespace vesica::detail::overlap

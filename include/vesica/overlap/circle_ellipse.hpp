@@ -12,6 +12,21 @@ VESICA_INLINE constexpr auto filter(const Circle<V>& circle, const Ellipse<V>& e
   return filter::circle_ellipse(circle, ellipse);
 }
 
+#if VESICA_HAS_TWO_DOUBLES
+/// Two filters: the first decides most pairs.
+VESICA_INLINE auto first_filter(const Circle<double>& circle, const Ellipse<double>& ellipse) noexcept {
+  return filter::look_at_ellipses(circle, ellipse, filter::offset(filter::place(circle), filter::place(ellipse)));
+}
+VESICA_INLINE auto second_filter(const Circle<double>& circle, const Ellipse<double>& ellipse) noexcept {
+  return filter::by_cubic(circle, ellipse);
+}
+VESICA_INLINE filter::DecidedVerdict<bool> filter(const Circle<double>& circle,
+                                                  const Ellipse<double>& ellipse) noexcept {
+  const auto look = first_filter(circle, ellipse);
+  return look.decided ? look : second_filter(circle, ellipse);
+}
+#endif
+
 constexpr bool exact(const Circle<double>& circle, const Ellipse<double>& ellipse) noexcept {
   return exact::overlap(exact::form(circle), exact::form(ellipse));
 }

@@ -12,6 +12,20 @@ VESICA_INLINE constexpr auto filter(const Ellipse<V>& a, const Ellipse<V>& b) no
   return filter::ellipse_ellipse(a, b);
 }
 
+#if VESICA_HAS_TWO_DOUBLES
+/// Two filters: the first decides most pairs.
+VESICA_INLINE auto first_filter(const Ellipse<double>& a, const Ellipse<double>& b) noexcept {
+  return filter::look_at_ellipses(a, b, filter::offset(filter::place(a), filter::place(b)));
+}
+VESICA_INLINE auto second_filter(const Ellipse<double>& a, const Ellipse<double>& b) noexcept {
+  return filter::by_cubic(a, b);
+}
+VESICA_INLINE filter::DecidedVerdict<bool> filter(const Ellipse<double>& a, const Ellipse<double>& b) noexcept {
+  const auto look = first_filter(a, b);
+  return look.decided ? look : second_filter(a, b);
+}
+#endif
+
 constexpr bool exact(const Ellipse<double>& a, const Ellipse<double>& b) noexcept {
   return exact::overlap(exact::form(a), exact::form(b));
 }

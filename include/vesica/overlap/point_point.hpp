@@ -13,6 +13,13 @@ VESICA_INLINE constexpr auto filter(const Point<V>& a, const Point<V>& b) noexce
   return filter::compared(filter::all_finite(a.x, a.y, b.x, b.y), both(a.x == b.x, a.y == b.y));
 }
 
-constexpr bool exact(const Point<double>& a, const Point<double>& b) noexcept { return filter(a, b).overlap; }
+#if VESICA_HAS_TWO_DOUBLES
+VESICA_INLINE auto filter(const Point<double>& a, const Point<double>& b) noexcept {
+  const TwoDoubles p(a.x, a.y), q(b.x, b.y);
+  return filter::DecidedVerdict<bool>{in_both(p == q), in_both((p - p) + (q - q) == TwoDoubles(0.0))};
+}
+#endif
+
+constexpr bool exact(const Point<double>& a, const Point<double>& b) noexcept { return filter<double>(a, b).overlap; }
 
 }  // namespace vesica::detail::overlap
