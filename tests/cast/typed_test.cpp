@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Casts of given kinds: the typed functions have the bits of that by kind; and the early outs of these kinds, by either
+/// Casts of given kinds: the typed functions have the bits of that by kind; and the early outs of these kinds, by
+/// either
 /// product, has those of the way for all kinds.
 #include <gtest/gtest.h>
 

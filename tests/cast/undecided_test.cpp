@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How many casts the filter, the early outs and the fast hits leave open. One that leaves more is still right, only slower: a bound
+// How many casts the filter, the early outs and the fast hits leave open. One that leaves more is still right, only
+// slower: a bound
 // too wide, or a guard too narrow, shows here and in no answer. One that leaves fewer has a bound narrower than its
 // proof, or a better proof, which is a reason to write other numbers here. The motions are the same everywhere, and
 // nothing is fused.
