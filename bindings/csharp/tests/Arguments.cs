@@ -496,6 +496,12 @@ internal static unsafe class Arguments
             return All[draw.Next(All.Length)];
         }
 
+        /// <summary>Capsules and rounded rectangles come seldom: many questions are not for them.</summary>
+        private Kind SomeKind()
+        {
+            return (Kind)draw.Next(draw.Next(4) == 0 ? 8 : 6);
+        }
+
         private Turn Turn()
         {
             return new Turn(draw.Next(9) - 4, draw.Next(5) - 2, Special());
@@ -515,7 +521,7 @@ internal static unsafe class Arguments
 
         internal void Call(int question)
         {
-            Kind kindA = (Kind)draw.Next(8), kindB = (Kind)draw.Next(8);
+            Kind kindA = SomeKind(), kindB = SomeKind();
             double[] first = Some(kindA), second = Some(kindB);
             if (question < 15) OfArrays(question, kindA, kindB, first, second);
             else OfTwo(question, Single(kindA, first), Single(kindB, second));
