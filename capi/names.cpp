@@ -24,7 +24,7 @@ const char* vesica_strerror(int32_t code) {
     case VESICA_E_SHAPE:
       return "a shape is invalid (NaN, infinity, negative size, zero axis, or min above max)";
     case VESICA_E_KIND:
-      return "unknown kind of shape";
+      return "a kind is unknown, or the function does not take it";
     case VESICA_E_ARGUMENT:
       return "an argument is out of range";
     case VESICA_E_NOT_FINITE:
