@@ -32,8 +32,8 @@ std::int32_t cast_rest(const Body& a, const Body& b, const Motion& motion, const
 /// numbers.
 std::int32_t meets(const Body& a, const Body& b, const Motion& motion) noexcept;
 
-/// detail::cast::fast_hit with the faster products. Not inlined beside the early out: its registers would double the time
-/// of a miss.
+/// detail::cast::fast_hit with the faster products. Not inlined beside the early out: its registers would double the
+/// time of a miss.
 template <class A, class B>
 detail::cast::EarlyOut fast_hit(const A& a, const B& b, double vx, double vy, double end, Impact<double>& out) noexcept;
 

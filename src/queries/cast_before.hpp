@@ -9,7 +9,8 @@
 namespace vesica::queries {
 
 /// ask(end) for an end at the limit. The place then may have more digits than exact numbers hold, where at a rounder
-/// time it does not: so if that is out of range, later ends are asked, up to the end of the whole motion. Contact may then
+/// time it does not: so if that is out of range, later ends are asked, up to the end of the whole motion. Contact may
+/// then
 /// be found that is later than the limit.
 template <class Ask>
 std::int32_t cast_before(double limit, double whole, const Ask& ask) noexcept {
