@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// First contacts of a box with a circle or an ellipse; one of them moves. The filter has decided that they meet. The vertex or face of the box and the normal are found by the operations of direction.hpp: so their bits are
-// those of single casts. The time is T(n) of bound.hpp, whose bounds are computed in double.
+// First contacts of a box with a circle or an ellipse; one of them moves. The filter has decided that they meet. The
+// vertex or face of the box and the normal are found by the operations of direction.hpp: so their bits are those of
+// single casts. The time is T(n) of bound.hpp, whose bounds are computed in double.
 #pragma once
 
 #include "kernels/cast_boxes.hpp"

@@ -57,8 +57,8 @@ struct Scene {
   double speed() const noexcept { return abs(vx) + abs(vy); }
 };
 
-/// True if FusedProducts give the bits of SplitProducts: all numbers of the scene are 0 or in [2^-40, 2^40], lower parts
-/// 0 or above 2^-60.
+/// True if FusedProducts give the bits of SplitProducts: all numbers of the scene are 0 or in [2^-40, 2^40], lower
+/// parts 0 or above 2^-60.
 ///
 /// Proved: no product is above 0 and below 2^-960, so no error of a product underflows. s is a multiple of 2^-102
 /// (FusedProducts::holds()), so n = -v + s perp(v) is one of 2^-194. The longest products are squares of a size times
@@ -187,8 +187,8 @@ VESICA_INLINE MaskOf<V> is_zero(const Twofold<V>& x) noexcept {
   return both(x.high == V(0.0), x.low == V(0.0));
 }
 
-/// The terms of one shape: its support function and perp(v).x. `edge` is the reach across v of an edge whose normal n is,
-/// x its middle, and `room` the least |u.n| of the edges beside its vertex, in units of the change of u.n with s.
+/// The terms of one shape: its support function and perp(v).x. `edge` is the reach across v of an edge whose normal n
+/// is, x its middle, and `room` the least |u.n| of the edges beside its vertex, in units of the change of u.n with s.
 struct SideSupport {
   Twofold<double> h, beside;
   double edge, bend, steepness, error, room;

@@ -151,10 +151,10 @@ VESICA_INLINE Tail<V> tail(const CurveOf<V>& e, V s) noexcept {
   return {foreseen(t > V(0.0), behind, before), h, e.al * (e.de / (h * h * h))};
 }
 
-/// Finds the s at which the slopes of two curves have the sum w >= 0: each rest falls from twice its reach to 0, and both together are
-/// the gap. Newton's method on the power -1/2 of their sum, which is nearly straight where the line grazes; within a
-/// bracket, the places at which either alone has its share of w. Returns the number of steps; lanes take as many as the
-/// last of them, and those in which nothing is asked, `idle`, do not count.
+/// Finds the s at which the slopes of two curves have the sum w >= 0: each rest falls from twice its reach to 0, and
+/// both together are the gap. Newton's method on the power -1/2 of their sum, which is nearly straight where the line
+/// grazes; within a bracket, the places at which either alone has its share of w. Returns the number of steps; lanes
+/// take as many as the last of them, and those in which nothing is asked, `idle`, do not count.
 template <class V>
 VESICA_INLINE int maximum_of_two(const CurveOf<V>& a, const CurveOf<V>& b, V gap, MaskOf<V> idle, V& s) noexcept {
   const V sum = a.reach + b.reach, share = V(1.0) - gap / sum, widths = share / sqrt((gap / sum) * (V(1.0) + share));
@@ -204,7 +204,8 @@ double maximum_of_ellipses(const Scene& scene, int& steps) noexcept {
 }
 
 /// A direction and its bounds of t0; no direction if the products chosen do not suffice. `beside`, if not 0, is the
-/// normal of a face nearly along v, whose time is known poorly: that face is hit instead if contact comes after `until`.
+/// normal of a face nearly along v, whose time is known poorly: that face is hit instead if contact comes after
+/// `until`.
 struct Found {
   Vector normal;
   TimeBounds time;
@@ -220,8 +221,8 @@ inline double difference(const Twofold<double>& a, const Twofold<double>& b) noe
   return (a.high - b.high) + (a.low - b.low);
 }
 
-/// True if n is chosen rather than m, two normals with the same time: the one more opposed to v; among mirror images the
-/// one to the left of v; among parallel ones the longer. So exchanging the shapes changes nothing.
+/// True if n is chosen rather than m, two normals with the same time: the one more opposed to v; among mirror images
+/// the one to the left of v; among parallel ones the longer. So exchanging the shapes changes nothing.
 inline bool preferred(const Scene& scene, const Vector& n, const Vector& m) noexcept {
   const auto length = [](const Vector& x) { return x.x.high * x.x.high + x.y.high * x.y.high; };
   const double forward_n = dot_of(scene, n), forward_m = dot_of(scene, m);
@@ -363,8 +364,8 @@ Found polished(const Scene& scene, double s) noexcept {
 }
 
 /// The latest of the vertex and face-normal times. Beside a face the range of the vertex's normals may be narrower than
-/// the step of s, and beyond it another vertex lies farthest. If the vertex has no time, it is hit if contact comes after
-/// the faces' times. One face always has a time: a face is at most 45 degrees from across v.
+/// the step of s, and beyond it another vertex lies farthest. If the vertex has no time, it is hit if contact comes
+/// after the faces' times. One face always has a time: a face is at most 45 degrees from across v.
 template <class Products>
 VESICA_COLD Found latest_beside_faces(const Scene& scene, const Side& box, const Found& at_vertex) noexcept {
   Found found = at_vertex;

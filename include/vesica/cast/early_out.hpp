@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Early outs for rays, two discs and two ellipses: filters of these kinds that prove a miss or a hit. If anything stays
-/// uncertain, the general path answers. Measured on random shapes of sizes about 1: a miss takes 9 to 19 ns, and 48 by
-/// the filter for all kinds. A hit (fast_*_hit.hpp) takes 0.2 to 0.5 of the general path's time, two ellipses 0.73. Both
-/// paths give the same bits: the decision and the time are certain, and points and normals are computed by the same
-/// operations.
+/// Early outs for rays, two discs and two ellipses: filters of these kinds that prove a miss or a hit. If anything
+/// stays uncertain, the general path answers. Measured on random shapes of sizes about 1: a miss takes 9 to 19 ns, and
+/// 48 by the filter for all kinds. A hit (fast_*_hit.hpp) takes 0.2 to 0.5 of the general path's time, two ellipses
+/// 0.73. Both paths give the same bits: the decision and the time are certain, and points and normals are computed by
+/// the same operations.
 ///
 /// Bounds below have u = 2^-53. Differences of coordinates are off by u of themselves. Underflow adds less than 2^-400:
 /// velocities are between 2^-40 and 2^40 or so, lengths below 2^200 as in filter.hpp.

@@ -70,10 +70,10 @@ VESICA_INLINE Offset point_of_face(const Offset& middle, const Offset& half, con
   return {middle.x + at * half.x, middle.y + at * half.y};
 }
 
-/// A box about its centre with the axes u and perp(u). The times at which the ray enters both slabs, |x.n| <= h u.u, are
-/// computed in double, with errors of 32u of the sum of terms over |n.v|, for n.v above its own rounding. The later time
-/// is computed again in twofolds. The filter has decided that a slab along the ray always holds it. `rounded`: the axis
-/// has lower parts.
+/// A box about its centre with the axes u and perp(u). The times at which the ray enters both slabs, |x.n| <= h u.u,
+/// are computed in double, with errors of 32u of the sum of terms over |n.v|, for n.v above its own rounding. The later
+/// time is computed again in twofolds. The filter has decided that a slab along the ray always holds it. `rounded`: the
+/// axis has lower parts.
 template <class Products, bool rounded>
 VESICA_INLINE EarlyOut box_hit(const Vector& u, double hx, double hy, const form::Corners<double>& place,
                                const Vector& d, const Motion& v, Impact<double>& out) noexcept {

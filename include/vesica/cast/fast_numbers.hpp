@@ -32,8 +32,8 @@ VESICA_INLINE Floor<V> floor_of(const Twofold<V>& time, V error) noexcept {
     return {select(x.low < V(0.0), x.high * V(1 - 0x1p-53), x.high), certain};
   }
 }
-/// The floor of a quotient of exact numbers: `first` is the rounded quotient, `rest` its remainder, `over` the inverse of
-/// the divisor. rest * over has a relative error below 2^-50. Without a remainder `first` is exact. If the product
+/// The floor of a quotient of exact numbers: `first` is the rounded quotient, `rest` its remainder, `over` the inverse
+/// of the divisor. rest * over has a relative error below 2^-50. Without a remainder `first` is exact. If the product
 /// underflows to 0, the floor is not certain.
 VESICA_INLINE Floor<double> floor_of_quotient(double first, double rest, double over) noexcept {
   const double step = rest * over;

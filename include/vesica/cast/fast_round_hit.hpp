@@ -187,16 +187,16 @@ VESICA_INLINE EarlyOut round_hit(const Sum& sum, const Vector& d, const Motion& 
 }
 
 /// The terms of a point and one round shape. `squared` is the square of the reach across v, and al its upper part; w is
-/// that of direction.hpp, both to twice the precision. `line` is al - w^2 in double, `line_error` bounds its error. s and
-/// `area`, a b u.u v.v, are those of direction.hpp.
+/// that of direction.hpp, both to twice the precision. `line` is al - w^2 in double, `line_error` bounds its error. s
+/// and `area`, a b u.u v.v, are those of direction.hpp.
 struct OneRound {
   Twofold<double> squared, w;
   double line, line_error, s, area;
 };
 
 /// The search of direction.hpp, which is a formula for one round shape, and an estimate of the time at which the point
-/// arrives, from q = P.way, way.way and `scale`, the ratio of half the slope of f there to the root of `line`. `first` is
-/// the estimate, `over` half of one over that slope, and `off` its relative error. All roots and quotients are taken
+/// arrives, from q = P.way, way.way and `scale`, the ratio of half the slope of f there to the root of `line`. `first`
+/// is the estimate, `over` half of one over that slope, and `off` its relative error. All roots and quotients are taken
 /// side by side. Those of the search have the operands of reach_of(), gap_of() and maximum_of_one(), where al, rounded,
 /// is the upper part of `squared`: so they give the same bits.
 struct RoundSearch {
@@ -343,8 +343,8 @@ VESICA_INLINE EarlyOut fast_hit(const Ellipse<double>& ellipse, const Point<doub
   return EarlyOut::hit;
 }
 
-/// Two ellipses: no root is at hand. T(n) at the n found is a lower bound of the time. The gain that the slope there may
-/// still bring, known to e in double, is bounded as in bound.hpp.
+/// Two ellipses: no root is at hand. T(n) at the n found is a lower bound of the time. The gain that the slope there
+/// may still bring, known to e in double, is bounded as in bound.hpp.
 template <class V>
 struct FastSupport {
   Twofold<V> h;

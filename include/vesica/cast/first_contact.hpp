@@ -3,7 +3,8 @@
 /// point and the normal.
 ///
 /// Usually there is no double between the bounds of bound.hpp; then the lower one is the time, rounded down. Otherwise,
-/// and for extreme magnitudes, it is found by bisection: exact predicates decide whether there is contact before a time.
+/// and for extreme magnitudes, it is found by bisection: exact predicates decide whether there is contact before a
+/// time.
 #pragma once
 
 #include <vesica/cast/direction.hpp>
