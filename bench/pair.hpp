@@ -112,7 +112,7 @@ bool add_rows(std::initializer_list<WorkloadAndTarget> workloads) {
   return true;
 }
 
-/// The rows of a pair of which certain shares overlap.
+/// The rows of a pair of kinds, with the stated shares of overlapping pairs.
 template <auto library_f64, auto yardstick_f64, auto library_f32, auto yardstick_f32>
 bool add_rates(Target target) {
   bool added = true;

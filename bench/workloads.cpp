@@ -123,7 +123,7 @@ Pool overlapping_by(Kinds kinds, double wanted_hit_rate, std::uint64_t seed) {
   return matched(pool_size, [&] { return lattice_pair(random, kinds.b, wanted_hit_rate); });
 }
 
-/// Among 5,000 of these shapes each overlaps about five others.
+/// Among 5,000 such shapes each overlaps about five others.
 Pool clusters(Kinds kinds, std::uint64_t seed) {
   constexpr std::size_t count = 30;
   constexpr double width = 400, radius = 6;

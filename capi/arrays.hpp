@@ -28,7 +28,7 @@ void widen(int32_t kind, const void* shape, double (&out)[max_fields]) noexcept 
   for (int k = 0; k < field_count(kind); ++k) out[k] = static_cast<double>(numbers[k]);
 }
 
-/// Of two errors, each of these or 0 for none, the one that is checked first: NULL, index, kind, argument.
+/// The one of two errors (0: none) that is checked first: NULL, index, kind, argument.
 inline int32_t first_error(int32_t a, int32_t b) noexcept {
   for (const int32_t error : {VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT}) {
     if (a == error || b == error) return error;
@@ -45,10 +45,10 @@ inline bool addressable(int64_t count, ptrdiff_t stride) noexcept {
 /// One of the kinds, and of those that queries other than overlap answer.
 inline bool have_form(int32_t kind_a, int32_t kind_b) noexcept { return has_form(kind_a) && has_form(kind_b); }
 
-/// Whether a function takes a kind, which need not be one.
+/// True if a function takes a kind; the number may be no kind at all.
 using Suits = bool (*)(int32_t kind) noexcept;
 
-/// What is wrong with an array, but for its pointers: 0, VESICA_E_KIND or VESICA_E_ARGUMENT.
+/// An array's error except for its pointers: 0, VESICA_E_KIND or VESICA_E_ARGUMENT.
 template <class Array>
 int32_t check_array(const Array& shapes, Suits suits = is_kind) noexcept {
   if (!suits(shapes.kind)) return VESICA_E_KIND;
@@ -66,7 +66,7 @@ bool has_null(const Array& shapes) noexcept {
 }
 
 /// Checks both arrays and the output of a call with something to answer. The order of errors is NULL, kind, argument,
-/// except that fields are looked at only once the kind tells how many there are.
+/// except that fields are checked after the kind, which says how many there are.
 template <class Array>
 int32_t check_call(const Array* a, const Array* b, const void* out, bool anything, Suits suits = is_kind) noexcept {
   if (a == nullptr || b == nullptr || (anything && out == nullptr)) return VESICA_E_NULL;
@@ -88,7 +88,7 @@ batch::Shapes<T> view(const CShapesOf<T>& shapes) noexcept {
 
 inline int64_t result(const batch::Tally& tally) noexcept { return tally.invalid ? VESICA_E_SHAPE : tally.overlaps; }
 
-/// Whether there are pairs. If not, fields may be NULL, so nothing may be read.
+/// True if there are pairs. If not, fields may be NULL, so nothing may be read.
 template <class Array>
 bool anything(const Array* a, const Array* b) noexcept {
   return a != nullptr && b != nullptr && a->count != 0 && b->count != 0;
@@ -101,7 +101,7 @@ int64_t pairs_in_step(const Array& a, const Array& b) noexcept {
   return a.count == 1 ? b.count : a.count;
 }
 
-/// Whether rows of `width` elements, row_stride elements apart, neither overlap nor leave the address space.
+/// True if rows of `width` elements, row_stride elements apart, neither overlap nor leave the address space.
 inline bool rows_apart(int64_t rows, int64_t width, ptrdiff_t row_stride, ptrdiff_t element) noexcept {
   ptrdiff_t bytes;
   if (rows <= 1) return true;

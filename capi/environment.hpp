@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The floating-point environment a call is made in. A host may have set flush-to-zero, denormals-are-zero, a directed
-// rounding or trapping exceptions for its whole process; each of these would change answers. So every function reads
+// rounding or trapping exceptions for its whole process; each of them would change answers. So every function reads
 // the control register, and if it is not the default, sets the default for its own duration. Overlap of two shapes runs
 // its filter first, whose bounds hold in any rounding mode: to read the register takes 5 ns on Zen 5, and a point and a
 // rectangle 4 ns.
@@ -74,8 +74,8 @@ inline constexpr FloatControl default_control = FE_TONEAREST, control_settings =
 
 #endif
 
-/// Whether subnormal operands and results are what they are, found out by an operation: where they are flushed the sum
-/// is 0. A sum, since products of subnormals are slow on some processors.
+/// True if subnormal operands and results are kept, as a sum shows: if they are flushed, it
+/// is 0. Products of subnormals are slow on some processors.
 inline bool keeps_subnormals() noexcept {
 #if defined(__SSE2__) || defined(__aarch64__) || defined(__arm__)
   double least = 0x1p-1074;

@@ -9,7 +9,7 @@ namespace {
 using namespace vesica::capi;
 namespace index = vesica::index;
 
-/// What a build is given, checked; the sets' view.
+/// The arguments of a build, checked; the sets' view.
 template <class T>
 int32_t check_build(const CShapesOf<T>* sets, int32_t set_count, const void* to, int64_t size, const void* scratch,
                     int64_t scratch_size, index::Sets& view) noexcept {

@@ -36,7 +36,7 @@ int32_t ratio_of(int32_t ratio, int32_t kind_a, const void* a, int32_t kind_b, c
   return error;
 }
 
-/// What is returned for arrays if the ratio is none.
+/// The result for arrays if the ratio is none.
 template <class Shapes>
 int64_t not_a_ratio(const Shapes* a, const Shapes* b, const void* out) noexcept {
   return first_error(check_call(a, b, out, anything(a, b), vesica::has_form), VESICA_E_ARGUMENT);

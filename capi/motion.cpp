@@ -134,7 +134,7 @@ VESICA_INLINE int32_t cast_typed(const void* a, const void* b, T vx, T vy, T end
   if (a == nullptr || b == nullptr || out == nullptr) return VESICA_E_NULL;
   constexpr int kind_a = static_cast<int>(vesica::ShapeTraits<A>::kind);
   constexpr int kind_b = static_cast<int>(vesica::ShapeTraits<B>::kind);
-  // Those that CallTable has casts of.
+  // The pairs of kinds that CallTable has casts of.
   if constexpr ((kind_a != VESICA_POINT && kind_b == VESICA_POINT) ||
                 (kind_a == VESICA_CIRCLE && kind_b == VESICA_CIRCLE)) {
     const vesica::CallTable* const calls = vesica::chosen_calls();
@@ -256,7 +256,7 @@ struct Moving {
   }
 };
 
-/// What both functions of an index are given, checked; is_sound() tells of the other arguments, once there is an index,
+/// The arguments of both functions of an index, checked; is_sound() checks the other arguments, once there is an index,
 /// and action(cast, moving) answers.
 template <class T, class IsSound, class Action>
 int64_t through_index(const void* from, const CShapesOf<T>* sets, int32_t set_count, const CShapesOf<T>* one,

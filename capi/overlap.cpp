@@ -31,7 +31,7 @@ template <class A, class B>
   return vesica::detail::decide_undecided(*static_cast<const A*>(a), *static_cast<const B*>(b));
 }
 
-/// What the filter decides is right in any rounding mode, so no control register is read before it has failed. The C
+/// The filter's decisions are right in any rounding mode, so no control register is read before it has failed. The C
 /// structs are the core's shapes byte for byte, and are read in place.
 template <class A, class B>
 int32_t overlap_of(const void* a, const void* b) noexcept {

@@ -16,7 +16,7 @@ int32_t answer(const Query& query, int32_t kind_a, const void* a, int32_t kind_b
   return out == nullptr ? VESICA_E_NULL : vesica::ask<T>(query, kind_a, a, kind_b, b, out);
 }
 
-/// Checks a call about two shapes whose result has any length, of which the first `capacity` items are written.
+/// Checks a call about two shapes whose result has any length; the first `capacity` items are written.
 inline int32_t check_room(const Query& query, int32_t kind_a, const void* a, int32_t kind_b, const void* b,
                           const void* out, int64_t capacity) noexcept {
   if (a == nullptr || b == nullptr || (capacity > 0 && out == nullptr)) return VESICA_E_NULL;

@@ -97,7 +97,7 @@ class RestOfBlock {
     }
   }
 
-  /// 0 < n < 16 numbers: two moves of one size, of which the second may overlap the first, instead of a loop.
+  /// 0 < n < 16 numbers: two moves of one size, the second of which may overlap the first, instead of a loop.
   static void copy_few(Unaligned<T> from, std::int32_t n, T* to) noexcept {
     const auto move = [&]<std::int32_t size>(std::integral_constant<std::int32_t, size>) {
       std::memcpy(to, from.bytes(), size * sizeof(T));

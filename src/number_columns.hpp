@@ -173,7 +173,7 @@ class NumberColumns {
     for (std::int32_t i = 0; i < end_; ++i) {
       const double ux = number_[2][i], uy = number_[3][i], hx = number_[4][i], hy = number_[5][i];
       radius_[i] = bounding_radius(number_[0][i], number_[1][i], ux, uy, hx, hy);
-      // Where areas are compared, one of 0 is an error for some pairs, and one of odd magnitude needs the scalar care.
+      // If areas are compared, one of 0 is an error for some pairs, and one of odd magnitude needs the scalar care.
       const double area = hx * hy * (ux * ux + uy * uy);
       const bool usual = (area >= 0x1p-700) & (area <= 0x1p700);
       if (by_area && !usual) radius_[i] = std::numeric_limits<double>::quiet_NaN();

@@ -149,7 +149,7 @@ class Engine {
     return out.operand();
   }
 
-  /// Whether the pairs overlap. Errors are found again by the scalar function.
+  /// Decides overlap of the pairs. The scalar function finds errors again.
   void tell(const Query& query, Pairs& pairs, const QueryColumns& asked, double (&known)[query_block]) noexcept {
     if (query.known == Known::overlap) {
       std::uint8_t bytes[query_block];

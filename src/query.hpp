@@ -8,7 +8,7 @@
 
 namespace vesica {
 
-/// What the kernels of a query must know of each pair.
+/// Properties of each pair that the kernels of a query need.
 enum class Known {
   nothing,
   overlap,  // whether the shapes overlap, as 1 or 0

@@ -223,7 +223,7 @@ TYPED_TEST(RandomBounds, SmallestOnEveryWorkload) {
   EXPECT_GT(this->met_.boxes, 10000 * repeat());
 }
 
-// Every number with an exponent of its own; half of these boxes are out of range.
+// Every number with an exponent of its own; half of the boxes are out of range.
 TYPED_TEST(RandomBounds, SmallestAtMixedExponents) {
   using Limits = std::numeric_limits<typename TypeParam::Scalar>;
   Random random(seed() + 1);

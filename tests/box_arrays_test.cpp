@@ -183,7 +183,7 @@ void check_all_lengths() {
       for (const Layout layout : {Layout::columns, Layout::packed, Layout::padded, Layout::backward}) {
         for (const Edge edge : {Edge::before, Edge::after}) {
           auto shapes = drawn<T>(n, 5, draw);
-          // A circle's radius is its third number; half of these would be invalid.
+          // A circle's radius is its third number, which would be invalid in half of the cases.
           if (kind == VESICA_CIRCLE) {
             for (auto& s : shapes) s[2] = std::fabs(s[2]);
           }

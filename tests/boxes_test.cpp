@@ -73,7 +73,7 @@ TEST(Boxes, AxesAreAccurate) {
     const double degrees = random.chance(0.2) ? std::nextafter(turn, 1e9) : turn;
     const auto r = rect({0, 0, 1, 1, degrees}, VESICA_ANGLE_DEGREES);
     const Real angle = Real(degrees) * pi() / Real(180);
-    // At a whole number of quarter turns one of them is 0, of which there is no last place.
+    // At a whole number of quarter turns one of them is 0, which has no last place.
     if (std::fmod(degrees, 90) != 0) {
       EXPECT_LE(error_in_ulps(r.ux, cos(angle)), 1.1) << degrees;
       EXPECT_LE(error_in_ulps(r.uy, sin(angle)), 1.1) << degrees;

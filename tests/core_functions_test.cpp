@@ -21,7 +21,7 @@ namespace {
 
 using namespace vesica::detail;
 
-/// What the compiler evaluates has the same bits when the program runs.
+/// Compile time and run time give the same bits.
 TEST(CoreFunctions, SquareRoot) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   properties::Random random(properties::seed());
@@ -108,7 +108,7 @@ TEST(CoreFunctions, UpperHalf) {
   }
 }
 
-/// Places at which an ellipse just reaches beyond the disc are told in few steps, however thin and near to each other.
+/// Places at which an ellipse just reaches beyond the disc are found in few steps, however thin and near to each other.
 TEST(CoreFunctions, CrossingsThatNearlyCoincide) {
   for (const double q : {0x1p-3, 0x1p-20, 0x1p-56, 0x1p-400}) {
     for (const double y : {0x1p-40, 0.5, 1 - 0x1p-30, 1 - 0x1p-53}) {
@@ -213,7 +213,7 @@ TEST(CoreFunctions, ClosestPointsOfOneCurve) {
   }
 }
 
-/// At half a quantum the even one of two subnormal numbers, unless what is left tells.
+/// At half a quantum the even one of two subnormal numbers, unless the low part decides.
 TEST(CoreFunctions, SubnormalTies) {
   constexpr double quantum = 0x1p-1074;
   for (int k = 0; k < 8; ++k) {

@@ -27,7 +27,7 @@ class NativePairs {
  public:
   virtual ~NativePairs() = default;
   virtual void add(const Outline& a, const Outline& b) = 0;
-  /// How many of the pairs of these indices overlap.
+  /// How many pairs with the given indices overlap.
   virtual std::int64_t hits(std::span<const std::size_t> indices) = 0;
 };
 

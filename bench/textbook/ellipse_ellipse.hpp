@@ -6,7 +6,7 @@ namespace vesica::textbook {
 /// The discriminant test: the cubic d1 + c1 x + c2 x^2 + d2 x^3 stays >= 0 for x > 0 exactly when the ellipses overlap
 /// (from the contact function of Perram and Wertheim, 1985, by Descartes' rule and the discriminant). No error bound,
 /// no validity check. Written as one would; with & and | for && and || it has no branch to mispredict and takes half
-/// the time on pairs of which half overlap.
+/// the time if half of the pairs overlap.
 template <class Ellipse>
 inline bool ellipse_ellipse(const Ellipse& p, const Ellipse& q) {
   const auto dx = q.cx - p.cx, dy = q.cy - p.cy;

@@ -7,7 +7,7 @@ namespace vesica::textbook {
 
 /// Separating axes with early exits, for axes taken to be of unit length (Gottschalk, Lin and Manocha, "OBBTree",
 /// 1996, in two dimensions). No error bound, no validity check.
-/// On pairs of which half overlap most of its time goes to mispredicted exits: four tests without an exit take a third.
+/// If half of the pairs overlap, most of its time goes to mispredicted exits: four tests without an exit take a third.
 template <class Rect>
 inline bool rect_rect(const Rect& a, const Rect& b) {
   const auto dx = b.cx - a.cx;

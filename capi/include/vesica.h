@@ -177,7 +177,7 @@ typedef struct {
  * Do two shapes share a point? Touching counts.
  * Returns: 1 if they do, 0 if not.
  * Accuracy: exact.
- * Cost: that of the function named after the two kinds, and a dispatch.
+ * Cost: as the function named after the two kinds, and a dispatch.
  */
 VESICA_API int32_t vesica_overlap_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b);
 
@@ -185,7 +185,7 @@ VESICA_API int32_t vesica_overlap_f64(int32_t kind_a, const void *a, int32_t kin
  * Does a contain all of b? A shape contains itself, and whatever touches its outline from inside.
  * Returns: 1 if vesica_relation_f64 is VESICA_CONTAINS, VESICA_CONTAINS_TOUCH or VESICA_EQUAL, else 0.
  * Accuracy: exact.
- * Cost: that of vesica_relation_f64.
+ * Cost: as vesica_relation_f64.
  */
 VESICA_API int32_t vesica_contains_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b);
 
@@ -199,7 +199,7 @@ VESICA_API int32_t vesica_contains_f64(int32_t kind_a, const void *a, int32_t ki
  * on the rim of a disc is VESICA_INSIDE_TOUCH. Exchanging the shapes always gives the converse relation.
  * Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe them.
  * Accuracy: exact.
- * Cost: up to twice that of vesica_overlap_f64; more if shapes touch or are equal.
+ * Cost: up to twice vesica_overlap_f64; more if shapes touch or are equal.
  */
 VESICA_API int32_t vesica_relation_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b);
 
@@ -215,7 +215,7 @@ VESICA_API int32_t vesica_relation_f64(int32_t kind_a, const void *a, int32_t ki
  * beside the ends of the thinnest ellipses. Its relative error is at most 2 u above 1e-10 scale (aspect ratios up to
  * 1e6) or 1e-14 scale (up to 1000). Closest points are right to 4 u scale, and a common point to 8 u scale, before they
  * are rounded.
- * Cost: ten to thirty times that of vesica_overlap_f64; more for shapes that cross and near-ties.
+ * Cost: ten to thirty times vesica_overlap_f64; more for shapes that cross and near-ties.
  */
 VESICA_API int32_t vesica_nearest_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b,
                                       vesica_closest_points_f64 *out);
@@ -234,7 +234,7 @@ VESICA_API int32_t vesica_nearest_f64(int32_t kind_a, const void *a, int32_t kin
  * Accuracy: at aspect ratios up to 1e6 the depth is right to 4 u scale; for circles and points, to its last place. The
  * length of (x, y) is 1 to 3 u. After the move at most 8 u scale of overlap is left. Whether the depth is 0 is exact at
  * any ratio; beyond 1e6 no bound on its error is stated.
- * Cost: about that of vesica_nearest_f64; three times that with an ellipse.
+ * Cost: about as vesica_nearest_f64; three times as much with an ellipse.
  */
 VESICA_API int32_t vesica_depth_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b,
                                     vesica_penetration_f64 *out);
@@ -251,7 +251,7 @@ VESICA_API int32_t vesica_depth_f64(int32_t kind_a, const void *a, int32_t kind_
  * Accuracy: right to 64 u times the smaller shape's area times the larger aspect ratio, at aspect ratios up to 10^4,
  * even if the outlines nearly touch or coincide and whatever the sizes are. Beyond 10^4 no bound is stated; what is
  * said above holds at any ratio.
- * Cost: six times that of vesica_overlap_f64 for boxes, fifty times for two ellipses; more if outlines nearly touch or
+ * Cost: six times vesica_overlap_f64 for boxes, fifty times for two ellipses; more if outlines nearly touch or
  * coincide, or if one shape is far larger.
  */
 VESICA_API int32_t vesica_area_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b, double *out);
@@ -264,7 +264,7 @@ VESICA_API int32_t vesica_area_f64(int32_t kind_a, const void *a, int32_t kind_b
  * Returns: 0.
  * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (neither shape has an area).
  * Accuracy: the bound of vesica_area_f64, divided by the area of the union.
- * Cost: that of vesica_area_f64 and of vesica_shape_area_f64 twice.
+ * Cost: vesica_area_f64 and twice vesica_shape_area_f64.
  */
 VESICA_API int32_t vesica_iou_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b, double *out);
 
@@ -273,7 +273,7 @@ VESICA_API int32_t vesica_iou_f64(int32_t kind_a, const void *a, int32_t kind_b,
  * Returns: 0.
  * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
  * Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is exact.
- * Cost: up to ten times that of vesica_overlap_f64; more for magnitudes above 2^400 or below 2^-400.
+ * Cost: up to ten times vesica_overlap_f64; more for magnitudes above 2^400 or below 2^-400.
  */
 VESICA_API int32_t vesica_bounds_f64(int32_t kind, const void *shape, vesica_aabb_f64 *out);
 
@@ -286,7 +286,7 @@ VESICA_API int32_t vesica_bounds_f64(int32_t kind, const void *shape, vesica_aab
 VESICA_API int32_t vesica_check_f64(int32_t kind, const void *shape);
 
 /**
- * What an error code means, as one English phrase without a full stop.
+ * The meaning of an error code, as one English phrase without a full stop.
  * Returns: static text, never NULL: "success" for answers (>= 0), "unknown error" for unknown codes.
  * Errors: none.
  */
@@ -313,7 +313,7 @@ VESICA_API const char *vesica_strerror(int32_t code);
  * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a negative capacity), VESICA_E_SHAPE, VESICA_E_RANGE.
  * Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape, even
  * where the outlines nearly coincide. Places closer to one another than that may come in either order or be equal.
- * Cost: several times that of vesica_nearest_f64.
+ * Cost: several times vesica_nearest_f64.
  */
 VESICA_API int64_t vesica_crossings_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b,
                                         vesica_point_f64 *out, int64_t capacity, int32_t *shared);
@@ -323,13 +323,13 @@ VESICA_API int64_t vesica_crossings_f64(int32_t kind_a, const void *a, int32_t k
  *
  * The outline of a shape with area is the curve around it. A point, a segment and a shape with a zero size are their
  * own outlines. If outlines meet, the distance is 0 and (ax, ay) = (bx, by) is a point of both. If shapes are disjoint,
- * the result is that of vesica_nearest_f64. If one is strictly inside the other, the distance is the least over the
+ * the result is as of vesica_nearest_f64. If one is strictly inside the other, the distance is the least over the
  * whole outline, never a local minimum. Which case holds is decided exactly. Exchanging the shapes exchanges the points
  * and changes no bit. Moving both shapes alike changes no bit of the distance if no coordinate is rounded.
  * Returns: 0.
  * Accuracy: at aspect ratios up to 1e6 the distance is right to 4 u scale, and the points are that far apart to 16 u
  * scale. At any ratio it is above 0 unless outlines meet, and points are on them to 12 u scale before they are rounded.
- * Cost: that of vesica_nearest_f64 for disjoint shapes; up to three times that if outlines meet or are nested.
+ * Cost: as vesica_nearest_f64 for disjoint shapes; up to three times as much if outlines meet or are nested.
  */
 VESICA_API int32_t vesica_boundary_distance_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b,
                                                 vesica_closest_points_f64 *out);
@@ -435,7 +435,7 @@ VESICA_API int32_t vesica_rect_from_corners_f64(const double corners[8], vesica_
  * Ellipse from centre, angle and half lengths: a along the angle, b across it.
  * Requires: the angle in radians, counter-clockwise from +x if y points up; a, b >= 0.
  * Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.
- * Accuracy: the axis is that of vesica_rect_from_angle_f64; half lengths are exact.
+ * Accuracy: the axis as vesica_rect_from_angle_f64; half lengths are exact.
  */
 VESICA_API int32_t vesica_ellipse_from_angle_f64(double cx, double cy, double angle, double a, double b,
                                                  vesica_ellipse_f64 *out);
@@ -460,7 +460,7 @@ VESICA_API int32_t vesica_ellipse_from_radius_vector_f64(double cx, double cy, d
  * Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE (k < 0), VESICA_E_ARGUMENT (not a covariance),
  * VESICA_E_RANGE (a half length overflows).
  * Accuracy: half lengths and both components of the axis are right to 8 units in their own last place, even if the
- * matrix is nearly singular or nearly a circle's. Exchanging cxx and cyy exchanges the components, but for their signs.
+ * matrix is nearly singular or nearly a circle's. Exchanging cxx and cyy exchanges the components, up to signs.
  */
 VESICA_API int32_t vesica_ellipse_from_covariance_f64(double mean_x, double mean_y, double cxx, double cxy, double cyy,
                                                       double k, vesica_ellipse_f64 *out);
@@ -468,10 +468,10 @@ VESICA_API int32_t vesica_ellipse_from_covariance_f64(double mean_x, double mean
 /**
  * Ellipse of the points X with (X - C) . M (X - C) <= 1, where M is symmetric with entries mxx, mxy, myy.
  *
- * The result is that of vesica_ellipse_from_covariance_f64 for the inverse of M and k = 1.
+ * The result is as of vesica_ellipse_from_covariance_f64 for the inverse of M and k = 1.
  * Requires: M positive definite as stored.
  * Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_ARGUMENT (not positive definite).
- * Accuracy: that of vesica_ellipse_from_covariance_f64. No half length overflows.
+ * Accuracy: as vesica_ellipse_from_covariance_f64. No half length overflows.
  */
 VESICA_API int32_t vesica_ellipse_from_matrix_f64(double cx, double cy, double mxx, double mxy, double myy,
                                                   vesica_ellipse_f64 *out);
@@ -497,7 +497,7 @@ typedef struct {
 } vesica_shapes_f64;
 
 /**
- * Describes an array of `count` records, each of which starts with a shape's struct.
+ * Describes an array of `count` records. Each starts with a shape's struct.
  * Requires: base, the first record's shape, which may be NULL if count is 0; stride, the bytes from one record to the
  * next; count >= 0.
  * Returns: 0.
@@ -560,7 +560,7 @@ VESICA_API int64_t vesica_depth_many_f64(const vesica_shapes_f64 *a, const vesic
                                          double *x, double *y);
 
 /**
- * What area do a[i] and b[i] share? out[i] is the result of vesica_area_f64.
+ * The area that a[i] and b[i] share: out[i] is the result of vesica_area_f64.
  * Returns: how many areas are > 0.
  */
 VESICA_API int64_t vesica_area_many_f64(const vesica_shapes_f64 *a, const vesica_shapes_f64 *b, double *out);
@@ -609,7 +609,7 @@ VESICA_API int64_t vesica_contains_matrix_f64(const vesica_shapes_f64 *a, const 
                                               ptrdiff_t row_stride);
 
 /**
- * What area do a[i] and b[j] share? The elements of out are results of vesica_area_f64.
+ * The area that a[i] and b[j] share. The elements of out are results of vesica_area_f64.
  * Returns: how many are > 0.
  */
 VESICA_API int64_t vesica_area_matrix_f64(const vesica_shapes_f64 *a, const vesica_shapes_f64 *b, double *out,
@@ -636,8 +636,8 @@ VESICA_API int64_t vesica_iou_matrix_f64(const vesica_shapes_f64 *a, const vesic
  * Errors: VESICA_E_SHAPE if a shape is invalid: it is not selected, and the others are written as usual, up to the -1
  * or the capacity. Before anything is written: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (one's count is not 1, a
  * negative capacity, and as vesica_overlap_many_f64).
- * Accuracy: every answer is that of vesica_overlap_f64.
- * Cost: that of vesica_overlap_many_f64.
+ * Accuracy: every answer is as of vesica_overlap_f64.
+ * Cost: as vesica_overlap_many_f64.
  */
 VESICA_API int64_t vesica_overlap_select_f64(const vesica_shapes_f64 *one, const vesica_shapes_f64 *many, int64_t *out,
                                              int64_t capacity);
@@ -653,7 +653,7 @@ VESICA_API int64_t vesica_nms_scratch(int64_t count);
  * Greedy non-maximum suppression: takes shapes in the order of their scores, highest first, and keeps each one whose
  * vesica_iou_f64 with every shape kept before is at most the threshold.
  *
- * Of equal scores the lower index comes first. Infinite scores are legal. At threshold 1 all shapes are kept.
+ * The lower index of equal scores comes first. Infinite scores are legal. At threshold 1 all shapes are kept.
  * Shapes without an area suppress none and are not suppressed.
  * Requires: shapes, of a kind from VESICA_CIRCLE to VESICA_ELLIPSE; scores, one for each; threshold from 0 to
  * 1; scratch, of vesica_nms_scratch bytes or more, with any alignment and content; keep, with room for all indices.
@@ -662,8 +662,8 @@ VESICA_API int64_t vesica_nms_scratch(int64_t count);
  * Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN: it is left out, and the result of the others is
  * written. Before anything is written: VESICA_E_NULL (with count 0 all but shapes and kept may be NULL), VESICA_E_KIND
  * (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f64, threshold, too little scratch).
- * Accuracy: the ratio that is compared is that of vesica_iou_f64; in float, the ratio rounded to float.
- * Cost: that of vesica_iou_many_f64 for each pair of a shape and one that is kept near it.
+ * Accuracy: the ratio that is compared is as of vesica_iou_f64; in float, the ratio rounded to float.
+ * Cost: as vesica_iou_many_f64 for each pair of a shape and one that is kept near it.
  */
 VESICA_API int32_t vesica_nms_f64(const vesica_shapes_f64 *shapes, const double *scores, double threshold,
                                   void *scratch, int64_t scratch_size, int64_t *keep, int64_t *kept);

@@ -77,8 +77,8 @@ VESICA_API int64_t vesica_corners_of_shapes_f64(const vesica_shapes_f64 *shapes,
 /**
  * Bounding boxes of an array of any kind: out[i] is the result of vesica_bounds_f64.
  * Requires: out, room for `count`.
- * Accuracy: that of vesica_bounds_f64.
- * Cost: that of vesica_bounds_f64; up to eight times less with AVX2 or AVX-512.
+ * Accuracy: as vesica_bounds_f64.
+ * Cost: as vesica_bounds_f64; up to eight times less with AVX2 or AVX-512.
  */
 VESICA_API int64_t vesica_bounds_many_f64(const vesica_shapes_f64 *shapes, vesica_aabb_f64 *out);
 

@@ -125,7 +125,7 @@ VESICA_API int64_t vesica_index_order(const void *index, int64_t *out, int64_t c
  * Requires: index_size >= vesica_index_size(items) and scratch_size >= vesica_index_scratch(items). The scratch may be
  * reused after the call.
  * Returns: how many bytes of the index are used.
- * Cost: a few times that of vesica_bounds_many_f64.
+ * Cost: a few times vesica_bounds_many_f64.
  */
 VESICA_API int64_t vesica_index_build_f64(const vesica_shapes_f64 *sets, int32_t set_count, void *index,
                                           int64_t index_size, void *scratch, int64_t scratch_size);
@@ -138,10 +138,10 @@ VESICA_API int64_t vesica_index_build_f64(const vesica_shapes_f64 *sets, int32_t
  * Requires: 0 <= step <= 4 and 0 <= part < parts; parts is 1 in steps 0 and 4. The rest is as for the build.
  * Returns: 0; at step 4 what vesica_index_build_f64 returns.
  * Errors: those of vesica_index_build_f64. VESICA_E_ARGUMENT also, with nothing done, if step, part or parts is out of
- * range, if the scratch is not that of step 0 of a build that has not ended, if a part of the step before is missing,
+ * range, if the scratch is not from step 0 of a build that has not ended, if a part of the step before is missing,
  * or if some of this part was done before. A part without shapes (there may be more parts than shapes) has nothing to
  * do: a missing or repeated one is not noticed.
- * Cost: in all that of the build: three fifths in step 1; a tenth in step 0, which cannot be divided.
+ * Cost: in all as the build: three fifths in step 1; a tenth in step 0, which cannot be divided.
  */
 VESICA_API int64_t vesica_index_step_f64(int32_t step, int64_t part, int64_t parts, const vesica_shapes_f64 *sets,
                                          int32_t set_count, void *index, int64_t index_size, void *scratch,
@@ -164,7 +164,7 @@ VESICA_API int64_t vesica_index_step_f64(int32_t step, int64_t part, int64_t par
  * one, an array of count 1. out has room for `capacity` items. With capacity 0, out and state may be NULL.
  * Returns: the number of items written; with capacity 0, how many there are.
  * Accuracy: exact, if there are sets.
- * Cost: that of a search, and that of vesica_overlap_f64 for each item whose bounds meet those of the shape.
+ * Cost: a search, and vesica_overlap_f64 for each item whose bounds meet those of the shape.
  */
 VESICA_API int64_t vesica_index_select_f64(const void *index, const vesica_shapes_f64 *sets, int32_t set_count,
                                            const vesica_shapes_f64 *one, int64_t *out, int64_t capacity,
@@ -173,8 +173,8 @@ VESICA_API int64_t vesica_index_select_f64(const void *index, const vesica_shape
 /**
  * Join: all pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
  *
- * If both indexes are the same pointer, pairs are those of two different items a < b: VESICA_JOIN_CONTAINS then finds
- * those of which the lower item contains the higher one, _INSIDE the others. Pair i is out_a[i] and out_b[i].
+ * If both indexes are the same pointer, pairs are two different items a < b: VESICA_JOIN_CONTAINS then finds
+ * pairs whose lower item contains the higher one, _INSIDE the others. Pair i is out_a[i] and out_b[i].
  * The order of pairs depends on the bytes of the indexes and the query alone.
  * The work may be divided into `parts` of about equal work, which may run at the same time, each with its own scratch.
  * The pairs of all parts, one part after the other, are those of a call with part 0 and parts 1.
@@ -185,7 +185,7 @@ VESICA_API int64_t vesica_index_select_f64(const void *index, const vesica_shape
  * Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT (an unknown query, a number or a size out of
  * range, a pointer that is not aligned, sets of another number of items, a state from another function).
  * Accuracy: exact for all queries but VESICA_JOIN_BOUNDS.
- * Cost: about twice that of vesica_overlap_f64 for each shape, and the same for each pair whose bounds meet.
+ * Cost: about twice vesica_overlap_f64 for each shape, and the same for each pair whose bounds meet.
  */
 VESICA_API int64_t vesica_join_f64(int32_t query, const void *index_a, const vesica_shapes_f64 *sets_a,
                                    int32_t set_count_a, const void *index_b, const vesica_shapes_f64 *sets_b,
@@ -203,8 +203,8 @@ VESICA_API int64_t vesica_join_f64(int32_t query, const void *index_a, const ves
  * vesica_join_f64.
  * Returns: the number of pairs written; with capacity 0, how many the whole part has.
  * Errors: those of vesica_join_f64; VESICA_E_ARGUMENT also for a distance that is negative or NaN.
- * Accuracy: that of vesica_within_f64; pairs that are VESICA_WITHIN_NEARLY are included.
- * Cost: seven times that of vesica_join_f64.
+ * Accuracy: as vesica_within_f64; pairs that are VESICA_WITHIN_NEARLY are included.
+ * Cost: seven times vesica_join_f64.
  */
 VESICA_API int64_t vesica_join_within_f64(const void *index_a, const vesica_shapes_f64 *sets_a, int32_t set_count_a,
                                           const void *index_b, const vesica_shapes_f64 *sets_b, int32_t set_count_b,
@@ -219,7 +219,7 @@ VESICA_API int64_t vesica_join_within_f64(const void *index_a, const vesica_shap
  * With k = 0 they may be NULL. within, the largest distance to look for, >= 0 or infinity.
  * Returns: how many items were found and written; with k = 0, how many there are within the distance.
  * Accuracy: distances are those of vesica_nearest_f64, bit for bit.
- * Cost: that of a search, and that of vesica_nearest_f64 for some 10 items more than k, and for all items that overlap
+ * Cost: a search, and vesica_nearest_f64 for some 10 items more than k, and for all items that overlap
  * the shape, as the lowest come first.
  */
 VESICA_API int64_t vesica_index_nearest_f64(const void *index, const vesica_shapes_f64 *sets, int32_t set_count,
@@ -237,7 +237,7 @@ VESICA_API int64_t vesica_index_nearest_f64(const void *index, const vesica_shap
  * items, they may be NULL. 0 <= part < parts. within, the largest distance to look for, >= 0 or infinity.
  * Returns: how many items were found in all rows of the part.
  * Accuracy: distances are those of vesica_nearest_f64, bit for bit.
- * Cost: that of vesica_index_nearest_f64 for each item.
+ * Cost: vesica_index_nearest_f64 for each item.
  */
 VESICA_API int64_t vesica_join_nearest_f64(const vesica_shapes_f64 *sets_a, int32_t set_count_a, const void *index_b,
                                            const vesica_shapes_f64 *sets_b, int32_t set_count_b, int64_t k,

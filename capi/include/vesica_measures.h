@@ -18,7 +18,7 @@ extern "C" {
 
 /* ---- Constants ---- */
 
-/* What a shared area is compared with. The hull of two shapes is the smallest box along the axes about both. */
+/* Measures to compare a shared area with. The hull of two shapes is the smallest box along the axes about both. */
 #define VESICA_RATIO_OVER_UNION 0   /**< shared area / area of the union of a and b (IoU) */
 #define VESICA_RATIO_OVER_FIRST 1   /**< shared area / area of a (IoF) */
 #define VESICA_RATIO_OVER_SECOND 2  /**< shared area / area of b (IoA) */
@@ -46,7 +46,7 @@ extern "C" {
  *
  * The first four ratios are from 0 to 1. Shared area over one shape's is 0 if no area is shared, and 1 if the other
  * shape contains it. The last three are at most the IoU, and at least -1 (CIoU: -2). The angle of a shape in CIoU is
- * that of the vector (half length across its axis, half length along it); v is 0 if a shape has no size. Exchanging the
+ * the vector's (half length across its axis, half length along it); v is 0 if a shape has no size. Exchanging the
  * shapes exchanges OVER_FIRST and OVER_SECOND, and changes no bit of the others.
  * Requires: ratio, one of VESICA_RATIO_OVER_UNION to VESICA_RATIO_COMPLETE.
  * Returns: 0.
@@ -54,7 +54,7 @@ extern "C" {
  * divide by is 0; or, for GIoU, DIoU and CIoU, neither shape has an area).
  * Accuracy: computed from the result of vesica_area_f64 or vesica_iou_f64 with at most 8 u of further error, for half
  * lengths from 2^-200 to 2^200.
- * Cost: up to four times that of vesica_area_f64 or vesica_iou_f64 for boxes; little more than that for ellipses.
+ * Cost: up to four times vesica_area_f64 or vesica_iou_f64 for boxes; little more than these for ellipses.
  */
 VESICA_API int32_t vesica_ratio_f64(int32_t ratio, int32_t kind_a, const void *a, int32_t kind_b, const void *b,
                                     double *out);
@@ -121,7 +121,7 @@ VESICA_API int64_t vesica_depth_matrix_f64(const vesica_shapes_f64 *a, const ves
  * It is the distance of vesica_nearest_f64 if they are disjoint, else minus the depth of vesica_depth_f64: 0 if they
  * only touch. Exchanging the shapes changes no bit.
  * Returns: 0.
- * Cost: that of vesica_nearest_f64 or vesica_depth_f64.
+ * Cost: as vesica_nearest_f64 or vesica_depth_f64.
  */
 VESICA_API int32_t vesica_signed_distance_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b,
                                               double *out);
@@ -151,11 +151,11 @@ VESICA_API int64_t vesica_signed_distance_matrix_f64(const vesica_shapes_f64 *a,
 /**
  * Are two shapes at most `distance` apart? A distance of exactly that counts, as touching does.
  *
- * With distance 0 the answer is that of vesica_overlap_f64, exact for all kinds. If both shapes may be ellipses, test
+ * With distance 0 the answer is as of vesica_overlap_f64, exact for all kinds. If both shapes may be ellipses, test
  * for > 0 to miss no pair, and for VESICA_WITHIN_YES to accept only what is certain. Exchanging the shapes changes
  * nothing.
  * Returns: VESICA_WITHIN_NO, VESICA_WITHIN_YES or VESICA_WITHIN_NEARLY.
- * Cost: one to six times that of vesica_overlap_f64; that of vesica_nearest_f64 for ellipses.
+ * Cost: one to six times vesica_overlap_f64; as vesica_nearest_f64 for ellipses.
  */
 VESICA_API int32_t vesica_within_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b, double distance);
 
@@ -191,8 +191,8 @@ VESICA_API int64_t vesica_within_matrix_f64(const vesica_shapes_f64 *a, const ve
  * number to keep; keep, with room for that number or for all shapes, whichever is less.
  * Returns: 0, and keep and *kept as vesica_nms_f64.
  * Errors: as vesica_nms_f64; VESICA_E_ARGUMENT also for ratio, a least_score that is NaN, and a negative most.
- * Accuracy: the ratio that is compared is that of vesica_ratio_f64; in float, the ratio rounded to float.
- * Cost: that of vesica_nms_f64; ratios other than IoU take longer for each comparison.
+ * Accuracy: the ratio that is compared is as of vesica_ratio_f64; in float, the ratio rounded to float.
+ * Cost: as vesica_nms_f64; ratios other than IoU take longer for each comparison.
  */
 VESICA_API int32_t vesica_suppress_f64(const vesica_shapes_f64 *shapes, const double *scores, const int32_t *labels,
                                        int32_t ratio, double threshold, double least_score, int64_t most,
@@ -222,7 +222,7 @@ VESICA_API int64_t vesica_suppress_soft_scratch(int64_t count);
  * Accuracy: in every step a score is multiplied once, in double, by 1 - r, rounded once, or by the exponential, right
  * to 1 unit in the last place; times 0 an infinite score is 0. So the same shapes are kept, with the same bits, on
  * every machine. The float function computes in double and rounds only the final scores.
- * Cost: for each kept shape, that of vesica_ratio_matrix_f64 with the shapes of its label that are left.
+ * Cost: for each kept shape, as vesica_ratio_matrix_f64 with the shapes of its label that are left.
  */
 VESICA_API int32_t vesica_suppress_soft_f64(const vesica_shapes_f64 *shapes, const double *scores,
                                             const int32_t *labels, int32_t ratio, int32_t decay, double parameter,

@@ -82,7 +82,7 @@ typedef struct {
  * The error of a step is the larger component of that gradient. Descent stops when it is below the tolerance. With the
  * literal schedule it is the gradient of the squared distance, in squared units of length. With the scale-aware
  * schedule it is half of that, each component divided by R (R + R' + d), in radians: R is the larger half length of its
- * ellipse, R' that of the other one, and d the distance.
+ * ellipse, R' the other's, and d the distance.
  * Valid if all are finite, tolerance > 0, rate > 0 (scale-aware: < 2 too), decay >= 0, iterations from 1 to
  * VESICA_MOST_DESCENT_ITERATIONS, and schedule is one of VESICA_SCHEDULE_...
  */
@@ -92,9 +92,9 @@ typedef struct {
 } vesica_descent_settings_f64;
 
 /**
- * Where a descent ended: two points of outlines, as angles t in [-pi, pi] of C + a cos(t) u + b sin(t) perp(u).
+ * The end of a descent: two points of outlines, as angles t in [-pi, pi] of C + a cos(t) u + b sin(t) perp(u).
  *
- * distance is that of the points, error the last step's. iterations counts the gradients evaluated. success is 1 if the
+ * distance is the points' distance, error the last step's. iterations counts gradients. success is 1 if the
  * error came below the tolerance, else 0.
  */
 typedef struct {
@@ -276,7 +276,7 @@ VESICA_API int32_t vesica_method_circle_ellipse_circle_approximation_f64(const v
  * have, the answer is exact.
  * Errors: VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_ARGUMENT (n, or axes that as stored are neither parallel nor at right
  * angles).
- * Accuracy: out->outline_error is that of a. Let e be it over b's shorter half axis, and rounding. Uncertain means that
+ * Accuracy: out->outline_error is a's. Let e be it over b's shorter half axis, and rounding. Uncertain means that
  * b with half lengths times 1 + e overlaps a, and that b with half lengths times 1 - e, if that is > 0, does not. Here
  * a and b are the ellipses after the change of places, if there was one.
  */
@@ -289,7 +289,7 @@ VESICA_API int32_t vesica_method_ellipse_ellipse_parallel_axes_f64(const vesica_
  *
  * It starts from the images of a's radius vectors. If b has a half length of at most about 2^-176 (float: 2^-22) of the
  * largest length, a and b change places. If both have, the answer is exact.
- * Accuracy: that of vesica_method_ellipse_ellipse_parallel_axes_f64, and the rounding of the images: if both are thin,
+ * Accuracy: as vesica_method_ellipse_ellipse_parallel_axes_f64, and the rounding of the images: if both are thin,
  * up to as many roundoffs of the product of the longer half axes over b's shorter one.
  */
 VESICA_API int32_t vesica_method_ellipse_ellipse_any_axes_f64(const vesica_ellipse_f64 *a,
@@ -299,7 +299,7 @@ VESICA_API int32_t vesica_method_ellipse_ellipse_any_axes_f64(const vesica_ellip
 /**
  * Two ellipses with any axes, from centre, radius vector and ratio, as vesica_ellipse_from_radius_vector_f64 takes
  * them.
- * Accuracy: that of vesica_method_ellipse_ellipse_any_axes_f64.
+ * Accuracy: as vesica_method_ellipse_ellipse_any_axes_f64.
  */
 VESICA_API int32_t vesica_method_radius_vector_ellipses_any_axes_f64(const vesica_radius_vector_ellipse_f64 *a,
                                                                      const vesica_radius_vector_ellipse_f64 *b,

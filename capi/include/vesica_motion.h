@@ -9,7 +9,7 @@
  * point that moves. Velocity and t_end are taken as exactly the numbers given, and their product is not rounded. If you
  * move b by time and velocity in floating point, the place may differ by a rounding.
  *
- * Whether there is contact is exact for all valid shapes; touching counts. The time is that of first contact, rounded
+ * Contact is decided exactly for all valid shapes; touching counts. The time is the time of first contact, rounded
  * down: the greatest number of its type with no contact before it.
  *
  * The rules of vesica.h hold. Comments have the same parts: Requires, Returns, Errors, Accuracy, Cost, Since.
@@ -25,7 +25,7 @@ extern "C" {
 
 /* ---- Constants ---- */
 
-/* What a cast returns. */
+/* Results of a cast. */
 #define VESICA_CAST_MISS 0  /**< no contact from 0 to t_end */
 #define VESICA_CAST_HIT 1   /**< contact, the first after t = 0 */
 #define VESICA_CAST_START 2 /**< the shapes overlap at t = 0, as vesica_overlap_f64 says */
@@ -51,9 +51,9 @@ typedef struct {
 /**
  * Does b touch a while it moves, when first, and where?
  *
- * The normal is that of the face or the round outline that is hit. If a corner hits a corner, it is that of an edge
+ * The normal belongs to the face or the round outline that is hit. If a corner hits a corner, it belongs to an edge
  * there. If b only slides along a, it is perpendicular to the velocity. At an angle below 2^-80 to a face, the normal
- * may be that of the face beside it, and the point their corner. If two faces meet, the point is the middle of what
+ * may belong to the face beside it, and the point their corner. If two faces meet, the point is the middle of what
  * they share.
  * Shapes that overlap at the start have t = 0, the direction of vesica_depth_f64 and the point of vesica_nearest_f64.
  * Shapes that only touch at the start move apart or slide if (nx, ny).(vx, vy) >= 0. Otherwise they approach, but where
@@ -84,7 +84,7 @@ VESICA_API int32_t vesica_cast_f64(int32_t kind_a, const void *a, int32_t kind_b
  * range gets NaN for all its numbers, and all others are written as usual. The call then returns VESICA_E_SHAPE if a
  * shape is invalid, else the error of the last such element.
  * Accuracy: every result has the same bits as vesica_cast_f64.
- * Cost: that of vesica_cast_f64 for each pair; with AVX2 or AVX-512 a half to an eighth of it, except for pairs that
+ * Cost: as vesica_cast_f64 for each pair; with AVX2 or AVX-512 a half to an eighth of it, except for pairs that
  * overlap at the start.
  */
 VESICA_API int64_t vesica_cast_many_f64(const vesica_shapes_f64 *a, const vesica_shapes_f64 *b, const double *vx,
@@ -98,7 +98,7 @@ VESICA_API int64_t vesica_cast_many_f64(const vesica_shapes_f64 *a, const vesica
  * Returns: its index, or the count of `many` if none is touched. *out is its contact, the normal pointing to `one`.
  * Errors: those of vesica_cast_f64. VESICA_E_SHAPE if any shape is invalid. VESICA_E_RANGE only if vesica_cast_f64
  * returns it for a shape that might be touched first.
- * Cost: less than that of vesica_cast_f64 for each shape that is missed.
+ * Cost: less than vesica_cast_f64 for each shape that is missed.
  */
 VESICA_API int64_t vesica_cast_first_f64(const vesica_shapes_f64 *one, const vesica_shapes_f64 *many, double vx,
                                          double vy, double t_end, vesica_impact_f64 *out);
@@ -107,7 +107,7 @@ VESICA_API int64_t vesica_cast_first_f64(const vesica_shapes_f64 *one, const ves
  * A box that holds a shape throughout its motion, t from 0 to t_end. The shape touches nothing outside it.
  * Returns: 0.
  * Errors: those of vesica_cast_f64; VESICA_E_RANGE if a side would overflow.
- * Accuracy: a side that does not move is that of vesica_bounds_f64. One that moves is too far out by less than 5.5
+ * Accuracy: a side that does not move is as of vesica_bounds_f64. One that moves is too far out by less than 5.5
  * units in the last place of the largest of three numbers: the side at rest, the way it moves, and where it ends.
  */
 VESICA_API int32_t vesica_sweep_bounds_f64(int32_t kind, const void *shape, double vx, double vy, double t_end,
@@ -125,7 +125,7 @@ VESICA_API int32_t vesica_sweep_bounds_f64(int32_t kind, const void *shape, doub
  * the state is behind that item, and the same call continues; with capacity 0 there is no count.
  * Invalid items are never touched.
  * Accuracy: exact.
- * Cost: that of a search, and that of vesica_cast_f64 for each item whose box the swept box meets.
+ * Cost: a search, and vesica_cast_f64 for each item whose box the swept box meets.
  */
 VESICA_API int64_t vesica_index_cast_f64(const void *index, const vesica_shapes_f64 *sets, int32_t set_count,
                                          const vesica_shapes_f64 *one, double vx, double vy, double t_end, int64_t *out,
@@ -136,7 +136,7 @@ VESICA_API int64_t vesica_index_cast_f64(const void *index, const vesica_shapes_
  * Requires: sets are those of the index. one, an array of count 1; vx, vy and t_end as vesica_cast_f64.
  * Returns: the item, or the index's count if none is touched. *out is its contact, the normal pointing to `one`.
  * Errors: those of vesica_index_cast_f64; VESICA_E_RANGE only as for vesica_cast_first_f64.
- * Cost: that of a search, and that of vesica_cast_f64 for the few items near the ray.
+ * Cost: a search, and vesica_cast_f64 for the few items near the ray.
  */
 VESICA_API int64_t vesica_index_cast_first_f64(const void *index, const vesica_shapes_f64 *sets, int32_t set_count,
                                                const vesica_shapes_f64 *one, double vx, double vy, double t_end,
@@ -162,7 +162,7 @@ typedef struct {
  * Returns: VESICA_CAST_MISS: it is proved that there is no contact from 0 to 1; t is infinity, and all other numbers
  * and the gap are NaN. VESICA_CAST_HIT: it is proved that there is contact after t. VESICA_CAST_NEAR: there may be
  * contact after t; contact of a point with a segment or a point, where there is no depth, is never proved.
- * VESICA_CAST_START: the shapes overlap at t = 0, which is exact; *out is that of vesica_cast_f64, and the gap is 0.
+ * VESICA_CAST_START: the shapes overlap at t = 0, which is exact; *out is as of vesica_cast_f64, and the gap is 0.
  * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE (a coordinate of the point,
  * or the gap, would overflow).
  * Accuracy: what is said to be proved is certain. The gap is at most the tolerance, except in two cases: the tolerance
@@ -180,8 +180,8 @@ VESICA_API int32_t vesica_impact_time_f64(int32_t kind_a, const void *a, const v
  * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
  * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
  * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
- * Accuracy: that of vesica_cast_f64.
- * Cost: that of vesica_overlap_f64 for a miss, ten times that for a hit; for two rectangles that of vesica_cast_f64.
+ * Accuracy: as vesica_cast_f64.
+ * Cost: as vesica_overlap_f64 for a miss, ten times as much for a hit; for two rectangles as vesica_cast_f64.
  * Since: 0.1.
  */
 

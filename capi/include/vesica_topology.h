@@ -28,14 +28,14 @@ extern "C" {
  *
  * Every shape has an inside, an outline and an outside. The first three characters say what a's inside shares with b's
  * inside, outline and outside; the next three say it of a's outline, the last three of a's outside. F means nothing, 0
- * single points, 1 lines, 2 an area. The outline of a shape with area is the curve around it, that of a segment its two
+ * single points, 1 lines, 2 an area. The outline of a shape with area is the curve around it, a segment's its two
  * end points; a point has none. A segment without length is a point; a shape with one size 0 is a segment, with both 0
  * a point. Two boxes side by side that share a side give "FF2F11212". Exchanging the shapes exchanges rows and columns.
  * Requires: matrix with room for VESICA_DE9IM_SIZE characters.
  * Returns: 0, and nine characters and a final NUL in matrix.
  * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
  * Accuracy: exact.
- * Cost: that of vesica_relation_f64; more for a segment, and for rectangles whose sides are parallel.
+ * Cost: as vesica_relation_f64; more for a segment, and for rectangles whose sides are parallel.
  */
 VESICA_API int32_t vesica_de9im_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b, char *matrix);
 
@@ -62,10 +62,10 @@ VESICA_API int32_t vesica_de9im_match(const char *matrix, const char *pattern);
  * shapes share nothing. The first `capacity` are written.
  * Errors: VESICA_E_NULL, VESICA_E_KIND (also for other pairs of kinds than these), VESICA_E_ARGUMENT (a negative
  * capacity), VESICA_E_SHAPE, VESICA_E_RANGE (a vertex, or the length of a side that makes one, overflows).
- * Accuracy: the number of vertices is exact: it is that of the true region. A corner of a shape that lies in the other
- * keeps the stored numbers, or those of vesica_corners_of_shapes_f64 for a rectangle. Other vertices are right to 4 u
+ * Accuracy: the number of vertices is exact: it is the true region's. A corner of a shape that lies in the other
+ * keeps the stored numbers, or the numbers of vesica_corners_of_shapes_f64 for a rectangle. Others are right to 4 u
  * times the largest coordinate or size of either shape.
- * Cost: that of vesica_overlap_f64 for disjoint shapes, else about that of vesica_crossings_f64.
+ * Cost: as vesica_overlap_f64 for disjoint shapes, else about as vesica_crossings_f64.
  */
 VESICA_API int64_t vesica_intersection_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b,
                                            vesica_point_f64 *out, int64_t capacity);

@@ -109,8 +109,8 @@ inline bool settled_outlines(const Circle<double>& a, const Ellipse<double>& b, 
   return settled_outlines(as_ellipse(a), b, relation, out);
 }
 
-/// The least number of places at which outlines meet, by the relation; at a touch where curves are equal, of which
-/// any point will do.
+/// The least number of places at which outlines meet, by the relation; at a touch where curves are equal;
+/// then any point will do.
 inline crossings::Census places_told_by(Relation relation) noexcept {
   return relation == Relation::cross ? crossings::Census{2, 0, false} : crossings::Census{0, 1, false};
 }

@@ -114,7 +114,7 @@ struct Matrix {
   __device__ Index column(Index k) const noexcept { return k % columns; }
 };
 
-/// Where answers go: a byte a pair, or added up for each column.
+/// The output of answers: a byte a pair, or added up for each column.
 struct Bytes {
   std::uint8_t* out;
   std::int64_t row_size;  // 0: in step

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// de9im(a, b): the nine-intersection matrix of two shapes (DE-9IM). Exact for every valid input.
 ///
-/// Inside and outline are those of relation.hpp: the outline of a segment is its two ends, that of an area the curve
+/// Inside and outline are as in relation.hpp: the outline of a segment is its two ends, an area's is the curve
 /// around it; a point has none. The outside is the rest of the plane. Most of the matrix follows from the relation,
 /// which is exact. The rest follows from exact signs: where the ends of a segment are, and whether straight outlines
 /// share a stretch.

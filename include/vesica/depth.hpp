@@ -243,7 +243,7 @@ std::int32_t depth_or_error(const A<float>& a, const B<float>& b, Penetration<fl
   return detail::depth::rounded_to(wide, out) ? 0 : error_range;
 }
 
-/// The depth of two shapes of any kinds, in either order. For valid shapes: it is that of disjoint shapes where
+/// The depth of two shapes of any kinds, in either order. For valid shapes: it is as of disjoint shapes if
 /// depth_or_error(), the checked form, returns an error.
 template <template <class> class A, template <class> class B, class T>
 Penetration<T> depth(const A<T>& a, const B<T>& b) noexcept {

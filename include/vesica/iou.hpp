@@ -2,7 +2,7 @@
 /// iou(a, b): intersection over union, the shared area over the area of the union.
 ///
 /// Laws, each tested, without a tolerance: iou(a, b) == iou(b, a); 0 for shapes that share no area; 1 for equal shapes;
-/// 0 <= iou <= 1; unchanged when both shapes are scaled by 2^k without leaving the format. Accuracy: that of area(),
+/// 0 <= iou <= 1; unchanged when both shapes are scaled by 2^k without leaving the format. Accuracy: area()'s,
 /// over the area of the union.
 #pragma once
 

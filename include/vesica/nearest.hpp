@@ -7,7 +7,7 @@
 /// pairs of points are equally close, the answer is one of them.
 ///
 /// Accuracy, u = 2^-53, scale the largest coordinate of the offset of centres or half length: the distance is within 4u
-/// scale at any aspect ratio (in tests always within 2u, beyond aspect 1e15 too); within 2u of itself where it is above
+/// scale at any aspect ratio (in tests always within 2u, beyond aspect 1e15 too); within a relative 2u if it is above
 /// 1e-10 scale at aspects up to 1e6, above 1e-14 scale at aspects up to 1000; and never rounded to 0 where shapes are
 /// disjoint. Each closest point is within 4u scale of its shape's outline, a common point within 8u scale of both
 /// shapes, before the rounding of its coordinates.
@@ -61,7 +61,7 @@ VESICA_COLD ClosestPoints<double> common_points(const A& a, const B& b) noexcept
     common = in_a ? middle_b : middle_a;
   } else {
     // Neither shape contains the other then, so outlines meet; except for ellipses so thin that they are taken for
-    // segments, one of which may hold the other beside that segment.
+    // segments: then one may hold the other beside that segment.
     Common c = common_point(p);
     bool crossed = false;
     if (!is_certain(c, p)) {

@@ -7,7 +7,7 @@
 /// -1 for the first two, and -2 for the third. Two equal shapes have 1; generalized is less by the share of their box
 /// that they leave empty. Scaling both shapes by 2^k changes nothing, unless digits are lost to subnormal numbers.
 ///
-/// Accuracy: that of area() and iou(), and 8u more (u = 2^-53), where lengths, and areas, are from 2^-400 to 2^400.
+/// Accuracy: as area() and iou(), and 8u more (u = 2^-53), where lengths, and areas, are from 2^-400 to 2^400.
 /// An area beyond is a little less accurate; none overflows.
 ///
 /// H. Rezatofighi et al., "Generalized Intersection over Union", CVPR 2019. Z. Zheng et al., "Distance-IoU Loss", AAAI

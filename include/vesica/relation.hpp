@@ -4,8 +4,8 @@
 ///
 /// Definition, for closed convex sets. The outline of a shape is its relative boundary: for a shape with area the curve
 /// around it, for a segment (or a shape with one zero size) its two end points; a point (or a shape without any size)
-/// has none. The inside is the rest of the shape: of a segment all but its ends, of a point the point itself. The
-/// relation is the first of these that holds:
+/// has none. The inside is the rest of the shape: all but the ends of a segment; a point itself. The
+/// relation is the first one that holds:
 ///   equal            each contains the other: the same set of points, whatever kinds and numbers describe it;
 ///   inside           b contains a, and a has no point of b's outline;
 ///   inside_touch     b contains a, and a has points of b's outline;

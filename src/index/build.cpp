@@ -191,12 +191,12 @@ class Builder {
     return n;
   }
 
-  /// Whether a cell is to be planned on its own: not where that would hardly make it smaller.
+  /// True if a cell is to be planned on its own: not if that would hardly make it smaller.
   bool is_crowded(std::int64_t in_cell, std::int64_t items) const noexcept {
     return state().whole == 0 && in_cell > crowded_cell && in_cell * 2 < items;
   }
 
-  /// Where the shapes of some slices go, cell by cell: bytes of the index, or for those without a place in it -1 minus
+  /// The destination of the shapes of some slices, cell by cell: index bytes, or for those without a place -1 minus
   /// a place in the list.
   void set_positions(std::int64_t first, std::int64_t last, std::int64_t slices, std::int64_t items,
                      std::int64_t offset, std::int64_t list) noexcept {

@@ -17,7 +17,7 @@ std::int64_t scratch_bound(std::int64_t items) noexcept;
 
 /// One step of a build, `part` of `parts`: 0 and 4 by one caller, 1 to 3 by any number; each step waits for the one
 /// before. index and scratch are aligned to 64 and as large as the bounds. Returns false, having done nothing, where
-/// the scratch is not that of a build whose next step this is, or where some of the part was done before.
+/// the scratch does not belong to a build whose next step this is, or where some of the part was done before.
 bool build_step(const Kernels& kernels, const Sets& sets, int step, std::int64_t part, std::int64_t parts, void* index,
                 void* scratch) noexcept;
 

@@ -17,7 +17,7 @@ struct WrittenBlocks {
 /// Completes an index whose blocks are written.
 void write_directory(void* index, const WrittenBlocks& written) noexcept;
 
-/// Of header, blocks' fields, places and tree, with 0 for the checksum itself.
+/// The checksum of header, blocks' fields, places and tree, with 0 for the checksum itself.
 std::uint64_t checksum(const View& view) noexcept;
 
 }  // namespace vesica::index

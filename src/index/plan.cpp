@@ -65,7 +65,7 @@ Frame frame_about(const double (&centre)[2], const double (&width)[2]) noexcept 
     // 2^16 columns are at least twice the width, and |k| is at most 2^49 and a little.
     const double w = width[a] * (1 + 0x1p-8);
     const int by_width = exponent_above(w) - 15, by_place = exponent_above(most(__builtin_fabs(centre[a]), w)) - 49;
-    // Of an infinite number the exponent is 1025: no p is above greatest_p.
+    // The exponent of an infinite number is 1025: no p is above greatest_p.
     int p = by_width > by_place ? by_width : by_place;
     p = p < least_p ? least_p : p;
     frame.p[a] = p;

@@ -14,7 +14,7 @@ struct Sample {
   double centre[2], extent[2];
 };
 
-/// Where a plan is written: room for cells() - 1 nodes and cells() cells and frames.
+/// The output of a plan: room for cells() - 1 nodes and cells() cells and frames.
 struct PlanRoom {
   int levels;
   double* node;

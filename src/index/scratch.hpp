@@ -47,7 +47,7 @@ struct State {
 };
 inline constexpr char state_magic[8] = {'V', 'E', 'S', 'B', 'U', 'I', 'L', 'D'};
 
-/// Where things lie in the scratch.
+/// The layout of the scratch.
 struct Layout {
   std::int64_t cells, samples, state, done, node, cell, frame, counts, positions, runs, record, item_cell, list, bytes;
 

@@ -45,8 +45,8 @@ class SweptBox {
  private:
   static constexpr double slack = 0x1p-50;
 
-  /// The side of the moving box that meets others first, and that which leaves them last. Without a velocity the
-  /// inverse is infinite: then boxes are met always or never, and a product that is NaN says nothing. Nor does that
+  /// The side of the moving box that meets others first, and the side that leaves them last. Without a velocity the
+  /// inverse is infinite: then boxes are hit always or never, and a product that is NaN says nothing. Nor does that
   /// with an inverse that is not usable.
   struct Axis {
     bool forward;

@@ -93,7 +93,7 @@ class FromColumns {
   T number_[2][max_fields];
 };
 
-/// Either of these, through the cache of recent records (recent.hpp).
+/// Either one, through the cache of recent records (recent.hpp).
 template <class From>
 struct FromRecent {
   From& set;
@@ -190,7 +190,7 @@ void gather_columns(const Sets& sets, std::int32_t kind, const std::uint32_t* it
 }
 
 /// Not inlined: where few are gathered, compilers warn of the prefetches, which do not happen there. Where `recent`
-/// is given it has begun, and `mark` tells the sets apart that use it.
+/// is given it has begun, and `mark` distinguishes the sets that use it.
 [[gnu::noinline]] inline void gather_columns(const Sets& sets, std::int32_t kind, const std::uint32_t* item, int n,
                                              int behind, Columns& out, Recent* recent = nullptr,
                                              std::uint32_t mark = 0) noexcept {

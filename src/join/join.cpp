@@ -35,7 +35,7 @@ struct Scratch {
   std::int64_t weight[weighed];
 };
 
-/// What a state belongs to, so that another join's is refused: 15 bits of a mix.
+/// The join that a state belongs to, so that another join's is refused: 15 bits of a mix.
 std::int64_t mark_of(const Join& join) noexcept {
   std::uint64_t h = join.query + 1;
   const std::int64_t of[] = {join.part, join.parts, View(join.a.index).blocks(), View(join.b.index).blocks()};
@@ -175,7 +175,7 @@ class Runner {
     return true;
   }
 
-  /// Of one set, the lower item first.
+  /// Pairs of one set have the lower item first.
   void put_in_order(std::int32_t begin, std::int32_t n) noexcept {
     std::uint32_t *a = scratch_.a + begin, *b = scratch_.b + begin;
     for (std::int32_t i = 0; i < n; ++i) {
@@ -320,7 +320,7 @@ std::int64_t write_pairs(const Join& join, std::int64_t* out_a, std::int64_t* ou
   runner.begin_at(runner.first(), state[3] == 0 ? 0 : state[1], static_cast<std::int32_t>(state[2] >> entry_bit));
   std::int64_t written = 0;
   while (runner.first() < runner.last()) {
-    // Where little room is left, few candidates: the next call finds those again that had no room.
+    // Few candidates if little room is left: the next call finds those again that had no room.
     const std::int64_t room = capacity - written;
     const std::int64_t wanted = room < wanted_at_most ? 2 * room + skip + 32 : wanted_at_most;
     const std::int32_t n = runner.gather(wanted < wanted_at_most ? static_cast<std::int32_t>(wanted) : wanted_at_most);

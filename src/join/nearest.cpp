@@ -185,7 +185,7 @@ class Search {
     }
   }
 
-  /// Whether an item could be among the results: not if k are found that are as near as its bound and have lower
+  /// True if an item could be among the results: not if k are found that are as near as its bound and have lower
   /// numbers. So of many shapes that overlap the one asked about, few are measured.
   bool may_be_taken(Entry e) const noexcept {
     if (query_.k == 0 || found_ < query_.k) return true;

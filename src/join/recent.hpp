@@ -37,7 +37,7 @@ class Recent {
     }
   }
 
-  /// Where a record is that was fetched.
+  /// The place of a record that was fetched.
   template <class From>
   const unsigned char* at(From& from, std::uint32_t item, std::uint32_t mark) const noexcept {
     const std::uint32_t place = place_of(item | mark);

@@ -7,7 +7,7 @@ namespace vesica::index {
 
 namespace {
 
-/// What is left of a score, by the ratio with a better shape. A ratio that is NaN lowers nothing.
+/// The lowered score, by the ratio with a better shape. A ratio that is NaN lowers nothing.
 double factor(const SoftSuppression& s, double ratio) noexcept {
   namespace arithmetic = detail::arithmetic;
   if (!s.gaussian) return ratio > s.parameter ? 1 - ratio : 1;

@@ -11,7 +11,7 @@ namespace vesica::index {
 /// Ratios of one shape with n others, all in columns of doubles and of one kind; NaN where there is none.
 using Ratios = void (*)(std::int32_t ratio, std::int32_t kind, const double* const* one, const double* const* others,
                         std::int64_t n, double* out);
-/// Whether a shape is valid.
+/// True if a shape is valid.
 using Valid = bool (*)(std::int32_t kind, const double* numbers);
 
 struct SoftSuppression {

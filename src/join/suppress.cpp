@@ -100,7 +100,7 @@ double area_of(std::int32_t kind, const Fields& f, int i) noexcept {
 }
 
 /// Leaves out most pairs whose ratio is far below a threshold t. With areas A and B the IoU of a shared area S exceeds
-/// t only where S (1 + t) > t (A + B), and S is at most that of the bounds. The ratio errs by at most 2^-37 at aspects
+/// t only if S (1 + t) > t (A + B), and S is at most the bounds' shared area. The ratio errs by up to 2^-37 at aspects
 /// up to 2^10; from t = 2^-10 on that is less than the 2^-20 taken off here. Ratios below the IoU exceed t no more
 /// often. Over the smaller area the least that is asked of S is t min(A, B).
 class RatioBound {
@@ -269,7 +269,7 @@ class Suppressor {
   void each_block_near(const View& view, std::uint32_t at, const Visit& visit) const noexcept {
     const Extent& extent = extent_[at];
     std::uint32_t place[block_items + 64];
-    // Of this block's shapes; if the list is full, there may be more.
+    // Shapes of this block; if the list is full, there may be more.
     if (at >= first_of_block_ && at < end_of_block_ && neighbours_ < block_list) {
       for (std::int32_t i = 0; i < neighbours_; ++i) {
         if (!meets(neighbour_box_[i], extent.box)) continue;

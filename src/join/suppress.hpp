@@ -2,7 +2,7 @@
 // Greedy non-maximum suppression: shapes in the order of their scores, each kept unless its ratio of areas with one
 // kept before, of its own label, exceeds a threshold.
 //
-// Shapes that a kept shape suppresses are marked at once, so that of many equal shapes only the first is ever compared.
+// Shapes that a kept shape suppresses are marked at once, so that only the first of many equal shapes is ever compared.
 // A window query of the index finds them. Shapes are processed block by block of the index, not by score: a shape waits
 // for better shapes that may suppress it, which are near it. So memory is read nearly in order. The result is the same,
 // since whether a shape is kept depends on better ones alone.
@@ -14,7 +14,7 @@
 
 namespace vesica::index {
 
-/// What shares of area are compared by. The caller's ratio depends on no order of two shapes, and exceeds a threshold
+/// The ratio that compares shared areas. The caller's ratio depends on no order of two shapes, and exceeds a threshold
 /// >= 0 only where the shared area over the union does, or over the smaller shape.
 struct Measured {
   std::int32_t ratio;  // the caller's own
@@ -22,7 +22,7 @@ struct Measured {
   double threshold;
 };
 
-/// Whether one shape's ratio with each of n others, all in columns and of one kind, exceeds the threshold: out[i] = 1
+/// Compares one shape's ratio with each of n others, all in columns and of one kind, to the threshold: out[i] = 1
 /// or 0.
 using Exceeds = void (*)(std::int32_t kind, const void* const* one, const void* const* others, std::int64_t n,
                          const Measured& measured, std::uint8_t* out);

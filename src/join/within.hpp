@@ -9,7 +9,7 @@
 
 namespace vesica::index {
 
-/// Whether two valid shapes are within a distance: above 0 where they are, or may be. Numbers are doubles.
+/// Decides if two valid shapes are within a distance: above 0 if they are, or may be. Numbers are doubles.
 using Near = std::int32_t (*)(const double* a, const double* b, double distance);
 
 struct JoinWithin {

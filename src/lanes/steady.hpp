@@ -15,7 +15,7 @@ namespace {  // a type of its own in each object: no instantiation may be shared
 
 inline constexpr int to_nearest = _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC;
 
-/// What a comparison yields: a register of one bit, which is cheaper to combine than a processor's flags.
+/// The result of a comparison: a register of one bit, which is cheaper to combine than a processor's flags.
 struct Bit {
   __mmask8 k;
   Bit() = default;

@@ -7,7 +7,7 @@
 
 namespace vesica::queries {
 
-/// The answer for two shapes of these kinds, or error_shape.
+/// The answer for two shapes of the given kinds, or error_shape.
 using WithinOfPair = std::int32_t (*)(const double* a, const double* b, double distance) noexcept;
 WithinOfPair within(std::int32_t kind_a, std::int32_t kind_b) noexcept;
 

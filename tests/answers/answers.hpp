@@ -27,7 +27,7 @@ std::vector<Case> read_cases(const std::string& path, int kind_a, int kind_b);
 /// Takes what one function answers to one case or to one array. Named as its row of the table: "nearest f64".
 using Take = std::function<void(const std::string& name, const Bytes& answer)>;
 
-/// Those that ask the C library for a sine, a cosine or the like are apart, and so are the named methods: its last
+/// Functions that ask the C library for a sine, a cosine or the like are apart, and so are the named methods: its last
 /// places differ from one to another.
 enum class Functions { own, by_the_c_library };
 

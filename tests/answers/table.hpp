@@ -11,7 +11,7 @@
 
 namespace answers {
 
-/// FNV-1a of 64 bits, of which a table holds 32.
+/// FNV-1a of 64 bits; a table holds 32 of them.
 class Hash {
  public:
   void add(const std::vector<unsigned char>& bytes) { add_values(bytes.data(), bytes.size()); }

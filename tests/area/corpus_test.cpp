@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rows of the regression corpus that ask for an area or for intersection over union. corpus/README.md tells how the
+// The rows of the regression corpus that ask for an area or for intersection over union. corpus/README.md says how the
 // expected values were made.
 #include "corpus/corpus.hpp"
 

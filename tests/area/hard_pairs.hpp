@@ -22,7 +22,7 @@ inline constexpr std::array all_cases{Case::anywhere,   Case::nearly_tangent,   
                                       Case::osculating, Case::nearly_identical, Case::sharing_axes};
 const char* name(Case c);
 
-/// Two valid shapes with area of these kinds, circle to ellipse, which may or may not cross; sizes differ by up to
+/// Two valid shapes with area, of the kinds given, circle to ellipse, which may or may not cross; sizes differ by up to
 /// 10^most_ratio. A kind that cannot have an aspect or a turned axis has none.
 properties::Pair draw(Case c, int kind_a, int kind_b, double most_ratio, properties::Random& random);
 

@@ -55,7 +55,7 @@ TEST(KnownAreas, OfOneShape) {
   EXPECT_EQ(shape_area({VESICA_ELLIPSE, {0, 0, 0, -2, 0.5, 0.5}}), pi);
 }
 
-// Where a round shape is 2^54 times as large as a box, its outline is a straight line through the box.
+// The outline of a round shape 2^54 times as large as a box is a straight line through the box.
 TEST(KnownAreas, OfABoxCutByAFarLargerOutline) {
   for (const double r : {0x1p58, 0x1p60, 0x1p600}) {
     const Kinded circle{VESICA_CIRCLE, {-5 * r, 0, 5 * r}}, oval{VESICA_ELLIPSE, {-5 * r, 0, 1, 0, 5 * r, 4 * r}};
@@ -72,7 +72,7 @@ TEST(KnownAreas, OfABoxCutByAFarLargerOutline) {
   }
 }
 
-// Of an ellipse a half, and what lies beyond half its longer radius, whose share of the disc is 1/3 - sqrt(3) / (4 pi).
+// Half of an ellipse, and the part beyond half its longer radius: the share 1/3 - sqrt(3) / (4 pi) of the disc.
 TEST(KnownAreas, OfAnEllipseCutByAFarLargerOutline) {
   for (const double r : {0x1p58, 0x1p60, 0x1p600}) {
     const Kinded circle{VESICA_CIRCLE, {-5 * r, 0, 5 * r}}, oval{VESICA_ELLIPSE, {-5 * r, 0, 1, 0, 5 * r, 4 * r}};

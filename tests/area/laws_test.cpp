@@ -153,7 +153,7 @@ TEST_F(AreaLaws, OnNestedShapes) {
   EXPECT_GT(asked_, 30000 * repeat());
 }
 
-/// Of a round shape, only what an AABB of subnormal width beside moderate numbers covers: the half of that width has a
+/// A round shape beside an AABB of subnormal width and moderate place: half of the width has a
 /// digit more than doubles have.
 TEST_F(AreaLaws, OnSliversOfSubnormalWidth) {
   Random random(seed());
@@ -207,7 +207,7 @@ TEST_F(AreaLaws, OfAShapeWithItself) {
   EXPECT_GT(asked_, 10000 * repeat());
 }
 
-/// One shape in another, each step a superset, until they are equal but for a place: areas never decrease.
+/// One shape in another, each step a superset, until they are equal up to one place: areas never decrease.
 TEST_F(AreaLaws, AShapeInAnotherHasNoGreaterArea) {
   Random random(seed());
   for (int kind = VESICA_CIRCLE; kind <= VESICA_ELLIPSE; ++kind) {

@@ -58,7 +58,7 @@ Vector coordinates(const Shape& s, const Vector& p) {
   return {dot(d, s.e0) / dot(s.e0, s.e0), dot(d, s.e1) / dot(s.e1, s.e1)};
 }
 
-/// Where a part of an outline is asked whether it is inside: not halfway, where symmetric shapes touch.
+/// The point of a part of an outline that decides if it is inside: not halfway, where symmetric shapes touch.
 Real between(const Real& from, const Real& to) { return from + (to - from) * Real("0.4321"); }
 
 bool holds(const Shape& s, const Vector& p) {
@@ -220,7 +220,7 @@ Real clipped(const Shape& s, const Shape& other) {
   return sum * cross(other.e0, other.e1);
 }
 
-/// Where s is the unit disc, t's outline is between the circles of radius 1 - g and 1 + g, g < 1 being this.
+/// Returns g < 1: if s is the unit disc, t's outline is between the circles of radius 1 - g and 1 + g.
 Real difference_of(const Shape& s, const Shape& t) {
   const Vector k = coordinates(s, t.centre), p = coordinates(s, t.centre + t.e0) - k,
                q = coordinates(s, t.centre + t.e1) - k;
@@ -233,7 +233,7 @@ Real shared(Shape a, Shape b) {
   b.centre = b.centre - a.centre;
   a.centre = {0, 0};
   if (!a.round && !b.round) return whole_area(a) < whole_area(b) ? clipped(b, a) : clipped(a, b);
-  // Of ellipses that are all but one, the places where they cross are lost in rounding, and each arc might count for
+  // If ellipses are nearly equal, rounding loses the places where they cross, and each arc might count for
   // both or for neither. They share all but 2 g of the lesser, whatever the aspect.
   if (a.round && b.round && difference_of(a, b) < Real("1e-40")) return std::min(whole_area(a), whole_area(b));
   return (a.round ? along_arcs(a, b) : along_edges(a, b)) + (b.round ? along_arcs(b, a) : along_edges(b, a));
@@ -288,7 +288,7 @@ double distance_to_meeting(int kind_a, const double* a, int kind_b, const double
     for (int i = 0; i < 4; ++i) {
       const Vector& p = corner[i];
       const Vector& q = corner[(i + 1) % 4];
-      // Tangent edges have no sign change to tell: their foot counts too.
+      // Tangent edges change no sign: their foot counts too.
       const Vector from = coordinates(ellipse, p), step = coordinates(ellipse, q) - from;
       std::vector<Real> at{-dot(from, step) / dot(step, step)};
       const Vector foot = from + at[0] * step;

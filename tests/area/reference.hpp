@@ -11,7 +11,7 @@ struct Deviation {
   double share;         ///< the shared area over the lesser shape's
 };
 
-/// Valid shapes with area, kinds and numbers as in vesica.h, which overlap and of which neither is more than 10^15
+/// Valid shapes with area, kinds and numbers as in vesica.h, which overlap; neither is more than 10^15
 /// times as long as the other. Milliseconds.
 Deviation deviation(int kind_a, const double* a, int kind_b, const double* b, double value);
 
@@ -19,7 +19,7 @@ Deviation deviation(int kind_a, const double* a, int kind_b, const double* b, do
 double area(int kind_a, const double* a, int kind_b, const double* b);
 
 /// The area of one shape to 60 digits, less `value`, over the distance of doubles at the area: at most 1/2 where the
-/// value is correctly rounded (but for subnormal areas).
+/// value is correctly rounded (except subnormal areas).
 double shape_area_error_in_places(int kind, const double* numbers, double value);
 
 /// How far two ellipses or circles are from being one, where the first is the unit disc: the offset of centres and what

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What batches do with arguments that are wrong, or that ask for nothing: the documented result, and an output that
+// Batches with wrong arguments, or arguments that ask for nothing: the documented result, and an output that
 // was not touched. The scene is small enough for literal answers: a disc of radius 2 about the origin, and points.
 #include <gtest/gtest.h>
 #include <vesica.h>

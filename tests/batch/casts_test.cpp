@@ -83,8 +83,8 @@ struct NearlyAlong {
   }
 };
 
-/// Of all pairs those that certainly miss and those that certainly are in contact at some time; of these what the
-/// kernel of contacts settles, or -1 where there is none. Most of the rest are in contact at the start.
+/// Pairs that certainly miss, pairs that certainly are in contact at some time, and those of the latter that the
+/// kernel of contacts settles, or -1 if there is none. Most others are in contact at the start.
 struct Tally {
   int missed = 0, meets = 0, settled = -1;
 };
@@ -142,8 +142,8 @@ void expect_tally(const InstructionSet& set, int a, int b, const Tally& e) {
       << t.meets << ", " << t.settled << '}';
 }
 
-/// Where a point meets a round shape within 2^-24 of a coordinate, the kernel leaves it open, as quick single calls do
-/// (detail::cast::ends_at()). Of two round shapes it leaves next to none.
+/// If a point meets a round shape within 2^-24 of a coordinate, the kernel leaves it open, as quick single calls do
+/// (detail::cast::ends_at()). It leaves next to none of two round shapes.
 constexpr struct {
   int kind_a, kind_b;
   Tally tally;

@@ -119,7 +119,7 @@ std::vector<Numbers<T>> at_contact(const Case& c, const properties::Numbers& a, 
 
 class Checked : public EveryCase {};
 
-/// Every pair at contact but for up to 2^14 last places; sizes alike, and from 1/8 to 8 times in one block; about the
+/// Every pair within 2^14 last places of contact; sizes alike, and from 1/8 to 8 times in one block; about the
 /// origin and far from it. Some are decided, and rightly.
 TEST_P(Checked, DecidesNoContactWrongly) {
   in_its_scalar([this]<class T>(T) {
@@ -173,7 +173,7 @@ std::vector<Numbers<T>> shapes_of(const Ordinary& data, int kind, int n, propert
   return shapes;
 }
 
-/// Of float a thousandth at most, of double none. But a rectangle and an ellipse a thousandth of its size have a bound
+/// At most a thousandth in float, none in double. But a rectangle and an ellipse a thousandth of its size have a bound
 /// that is too wide for float: such blocks are left to the other kernels.
 TEST_P(Checked, LeavesLittleUndecided) {
   in_its_scalar([this]<class T>(T) {
@@ -263,7 +263,7 @@ TEST_P(Checked, MatrixIsRightAtEveryLength) {
   });
 }
 
-/// A block at whose end the sizes and centres of the rest say nothing: one shape that is far larger, far away, tiny, or
+/// A block whose last shape is unlike the others: far larger, far away, tiny, or
 /// too large or too far for the bound.
 TEST_P(Checked, MatrixIsRightWithOneOfAnotherScale) {
   in_its_scalar([this]<class T>(T) {

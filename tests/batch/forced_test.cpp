@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The library itself under VESICA_ISA: it names the set it was told to use, ignores a name it does not know or a set
-// the processor lacks, and answers the same on every one.
+// The library itself under VESICA_ISA: it names the set it was asked to use, ignores a name it does not know or a set
+// the processor does not have, and answers the same on every one.
 #include <gtest/gtest.h>
 #include <vesica.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How long a kernel is asked that helps little. Answers are the same whoever gives them, so that only a count can tell:
+// How long a kernel is asked that helps little. Answers are the same whoever gives them, so that only a count shows it:
 // these kernels are the library's own, which count their calls and what they leave undecided.
 #include <gtest/gtest.h>
 
@@ -129,7 +129,7 @@ struct Chosen {
   Chosen& operator=(const Chosen&) = delete;
 };
 
-/// Casts of a block of which the kernels know nothing are followed by seven blocks of single calls.
+/// Casts of a block that the kernels cannot decide are followed by seven blocks of single calls.
 TYPED_TEST(GivenUp, KernelsOfCastsForSevenBlocks) {
   using T = TypeParam;
   constexpr int blocks = 16, n = blocks * vesica::query_block;

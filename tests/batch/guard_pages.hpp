@@ -11,7 +11,7 @@ enum class Edge { before, after };
 
 class GuardedMemory {
  public:
-  /// Room for so many bytes, a multiple of the size of a page.
+  /// Room for `capacity` bytes, a multiple of the size of a page.
   explicit GuardedMemory(std::size_t capacity = 64 * 1024);
   ~GuardedMemory();
   GuardedMemory(const GuardedMemory&) = delete;

@@ -46,7 +46,7 @@ class Many : public EveryCase {
   std::size_t begin_ = 0;
 };
 
-/// Every two layouts meet, and each meets every length; wide vectors have so many lengths that every two layouts meet a
+/// All pairs of layouts, and each layout with every length; with the many lengths of wide vectors each pair takes a
 /// quarter of them.
 TEST_P(Many, AgreesInEveryLayout) {
   in_its_scalar([this]<class T>(T) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tiles of a matrix that are not computed: those of which boxes are apart, and no others. Arrays in spatial order have
+// Tiles of a matrix that are not computed: tiles whose boxes are apart, and no others. Arrays in spatial order have
 // many, beside shapes that touch across the border of a tile, shapes larger than anything, and invalid ones.
 #include "tiles.hpp"
 
@@ -20,7 +20,7 @@ using vesica::batch::Tiles;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A shape about (x, y) that reaches `size` to both sides: exactly along x, but for ellipses and turned rectangles.
+/// A shape about (x, y) that reaches `size` to both sides: exactly along x, except ellipses and turned rectangles.
 properties::Numbers shape_at(int kind, double x, double y, double size, bool turned) {
   const double c = turned ? 0.6 : 1, s = turned ? 0.8 : 0;
   switch (kind) {
@@ -131,7 +131,7 @@ std::string met(Tiles<T>& tiles, std::int64_t row) {
   return signs;
 }
 
-/// Shapes in order reach from half a unit below the place of the first to half a unit above that of the last.
+/// Shapes in order reach from half a unit below the first place to half a unit above the last.
 TEST_P(TilesOfMatrix, AreSkippedWhereBoxesAreApart) {
   in_its_scalar([this]<class T>(T) {
     const Case& c = GetParam();

@@ -29,7 +29,7 @@ std::vector<Case> quick_cases() {
   return cases;
 }
 
-/// Unit axes only, one in so many near a tie, which the quick filter alone decides or leaves.
+/// Unit axes only, one in `near_tie_in` near a tie, which the quick filter alone decides or leaves.
 template <class T>
 Pairs<T> unit_pairs(const Case& kinds, int count, int near_tie_in) {
   properties::Random draw(properties::seed());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Shapes of unit axes but for rounding, as the quicker filters take them, at contact to the last places, and odd ones.
+/// Shapes of unit axes up to rounding, as the quicker filters take them, at contact to the last places, and odd ones.
 #pragma once
 
 #include <vesica.h>
@@ -86,7 +86,7 @@ void make_odd(const Case& kinds, Numbers<T>& a, Numbers<T>& b, Odd odd, properti
   shape = made_odd(shape, odd, draw);
 }
 
-/// A shape of unit axis but for rounding, its sizes of one of a few magnitudes.
+/// A shape of unit axis up to rounding, its sizes of one of a few magnitudes.
 inline properties::Numbers unit_shape(int kind, properties::Scalar scalar, properties::Random& draw) {
   const double longer = std::ldexp(draw.between(1, 2), draw.integer(-3, 0));
   const double x = draw.between(-1, 1), y = draw.between(-1, 1);

@@ -32,7 +32,7 @@ double hit_rate(const Kinds& kinds, const Pool& pool) {
 
 Pool small_pool(const Kinds& kinds, Trial trial) { return methods::make_pool(kinds, trial, seed_of_run(), 1024); }
 
-/// Of pairs whose second shape is moved towards the first by a part of the distance of centres; for kinds with centres.
+/// The second shapes are moved towards the first by a part of the distance of centres; for kinds with centres.
 double hit_rate_nearer(const Kinds& kinds, Pool pool, double part) {
   for (std::size_t i = 0; i < pool.a.size(); ++i) {
     for (const std::size_t field : {0U, 1U}) pool.b[i][field] -= part * (pool.b[i][field] - pool.a[i][field]);

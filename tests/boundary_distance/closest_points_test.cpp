@@ -26,7 +26,7 @@ vesica_closest_points_f64 ask(const Pair& p) {
   return out;
 }
 
-/// What is left of a distance between a computed point and where it should be, but for its coordinates' rounding.
+/// A computed point's distance from where it should be, less its coordinates' rounding.
 double in_scales(const Real& off, const Pair& p, double rounding) {
   const Real scale =
       nearest_reference::scale(nearest_reference::shape(p.kind_a, p.a), nearest_reference::shape(p.kind_b, p.b));
@@ -186,7 +186,7 @@ Pair osculating(double outer_b, double at, double inner_aspect, double inner_at,
   return {VESICA_ELLIPSE, VESICA_ELLIPSE, {0, 0, 1, 0, 1, outer_b}, {cx, cy, ux, uy, a, b}};
 }
 
-/// Judges those of the drawn pairs that are nested. There must be more than so many.
+/// Checks the nested pairs among those drawn: there must be more than `least_nested`.
 template <class Draw>
 void expect_points_apart(int pairs, int least_nested, Draw draw) {
   int nested = 0;
@@ -251,7 +251,7 @@ Pair along_tangent(int kind, double outer_b, double at, double half, double gap)
   return {VESICA_ELLIPSE, kind, outer, {cx - half * ny, cy + half * nx, cx + half * ny, cy - half * nx}};
 }
 
-// Were of different ends: the search ended along the normal of the side, which does not tell which of the two it took.
+// Were of different ends: the search ended along the normal of the side, which is the same for both corners.
 TEST(OutlinePoints, OfTiedCornersBelongToOneOfThem) {
   const Pair ties[] = {{VESICA_CIRCLE, VESICA_SEGMENT, {0, 1, 0x1.01p+0}, {0x1p-27, 0, 0, 0x1p-111}},
                        {VESICA_ELLIPSE,

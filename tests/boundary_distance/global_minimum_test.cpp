@@ -104,7 +104,7 @@ TEST(GlobalMinimum, EndsAtItsLimits) {
   EXPECT_NEAR(deep.at.value, 0x1p-22, 0x1p-52);
 }
 
-/// Nearly concentric discs but for a last place: F is flat all around, and to rounding its second derivative is not
+/// Discs concentric up to a last place: F is flat all around, and to rounding its second derivative is not
 /// positive where a descent begins. The value is least all the same.
 TEST(GlobalMinimum, NearlyConcentricDiscs) {
   using namespace vesica::detail::support_minimum;
@@ -140,7 +140,7 @@ vesica::detail::support_minimum::CentredShape drawn(double length, bool needle, 
   return {{std::cos(angle), std::sin(angle)}, length, length * thinness, true};
 }
 
-// Took up to 152 evaluations: on the arc where a needle turns its curvature tells nothing, and was all that was asked.
+// Took up to 152 evaluations: it followed the curvature alone, which says nothing on the arc where a needle turns.
 TEST(GlobalMinimum, NeedlesTakeNoMoreSteps) {
   using namespace vesica::detail::support_minimum;
   properties::Random random(properties::seed() + 6);

@@ -103,7 +103,7 @@ std::optional<properties::Pair> draw(Style style, int outer, int inner, Random& 
   if (outer == VESICA_AABB) o.angle = 0;
   const Sketch s = inner_sketch(style, o, random);
   properties::Pair pair{outer, inner, numbers(outer, o, 1), {}};
-  // The greatest factor that keeps the shape inside, to so many bits.
+  // The greatest factor that keeps the shape inside, to `steps` bits.
   const int steps = random.integer(3, 30);
   double low = 0, high = 1;
   for (int i = 0; i < steps || low == 0; ++i) {

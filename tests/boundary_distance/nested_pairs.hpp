@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Random pairs of which the second shape lies strictly inside the first, by the exact relation.
+/// Random pairs whose second shape lies strictly inside the first, by the exact relation.
 #pragma once
 
 #include <optional>

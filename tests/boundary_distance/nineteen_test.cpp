@@ -28,7 +28,7 @@ TEST(NineteenEllipses, BoundaryDistance) {
     if (nineteen_ellipses::touches_or_crosses(i)) {
       EXPECT_LE(c.distance, 4 * unit) << i;  // up to the rounding of the axes
     } else {
-      // The gap of disjoint shapes is how far they would have to overlap less; that of nested ones its own least.
+      // The gap of disjoint shapes says how far they are from contact; the gap of nested shapes has its own least.
       const bool nested = relation == VESICA_CONTAINS;
       EXPECT_EQ(relation, i == 18 ? VESICA_CONTAINS : VESICA_DISJOINT) << i;
       const auto exact = outline_reference::least(a, b, nested ? -1 : 1).value;

@@ -133,7 +133,7 @@ bool is_face_normal(const DenseShape& s, const Direction& n) {
   return !s.curved && std::min(along, across) < 1e-14;
 }
 
-/// Where F is constant but for the rounding of doubles, as for nearly concentric circles, only many digits show where
+/// If F is constant up to the rounding of doubles, as for nearly concentric circles, only many digits show where
 /// it is least.
 void add_hidden_minimum(const Shape& a, const Shape& b, int sign, const DensePair& f, std::vector<Bracket>& found) {
   constexpr int count = 48;

@@ -218,7 +218,7 @@ TYPED_TEST(ErrorOrder, OfTwoArrays) {
   });
 }
 
-/// Of one shape or array the second operand stands for nothing: faults of it are the first's, too.
+/// With one shape or array there is no second operand: its faults are those of the first.
 TYPED_TEST(ErrorOrder, OfOneShapeOrArray) {
   using T = TypeParam;
   using F = Face<T>;

@@ -87,7 +87,7 @@ void add_not_finite(std::int32_t kind, const Numbers<T>& base, std::vector<Inval
       out.push_back({shape, VESICA_E_NOT_FINITE});
     }
   }
-  // No sum or product of these is NaN.
+  // No sum and no product of them is NaN.
   Numbers<T> shape = base;
   for (std::size_t field = 0; field < count; ++field) shape[field] = Limits<T>::inf;
   out.push_back({shape, VESICA_E_NOT_FINITE});

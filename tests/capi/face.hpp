@@ -9,7 +9,7 @@
 
 namespace capi_tests {
 
-/// What vesica_crossings writes, for the kinds whose outlines meet in at most 8 places; the rest is 0.
+/// The output of vesica_crossings, for kinds whose outlines meet in at most 8 places; unused places are 0.
 template <class T>
 struct Crossings {
   std::int32_t count, shared;

@@ -31,7 +31,7 @@ inline constexpr TypedCast<double, vesica_impact_f64> typed_casts_f64[] = {VESIC
 inline constexpr TypedCast<float, vesica_impact_f32> typed_casts_f32[] = {VESICA_CASTS(f32)};
 #undef VESICA_CASTS
 
-/// Of one scalar type.
+/// The calls of one scalar type.
 inline const auto& typed_casts(double) { return typed_casts_f64; }
 inline const auto& typed_casts(float) { return typed_casts_f32; }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a constant is, a call at run time gives, bit for bit: square roots, bounds and constructors. At run time the
+// Constants and calls at run time have the same bits: square roots, bounds and constructors. At run time the
 // numbers are read from volatile memory, so that no compiler knows them.
 #include <array>
 #include <bit>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How many places two ellipses have in common: what the search for places tells is what exact integers do, and it
-// nearly always tells.
+// How many places two ellipses have in common: the search for places agrees with exact integers, and it
+// nearly always decides.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -48,7 +48,7 @@ EllipsePair nearly_concentric(Random& random) {
   if (random.chance(0.5)) f.ux = e.ux, f.uy = e.uy;
   return {e, f};
 }
-/// The same centre, or but for one coordinate.
+/// The same centre, or the same except for one coordinate.
 EllipsePair about_one_point(Random& random) {
   Ellipse<double> e = any(random, 1, 2), f = any(random, 1, 2);
   f.cx = e.cx + (random.chance(0.3) ? tiny(random, 60) : 0);

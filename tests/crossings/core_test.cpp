@@ -48,7 +48,7 @@ TEST(OnePlace, SameInEitherOrder) {
   EXPECT_EQ(place(Circle<double>{1, 0, 0}, Circle<double>{0, 0, 1}), (std::array<double, 2>{1, 0}));
 }
 
-/// Ellipses of one size, of which neither lies in the other.
+/// Ellipses of one size; neither lies in the other.
 TEST(Crossings, EllipsesOfOneArea) {
   const Ellipse<double> wide{0, 0, 1, 0, 2, 1}, high{0.125, 0, 0, 1, 2, 1};
   EXPECT_TRUE(is(census_of(wide, high), 4, 0));

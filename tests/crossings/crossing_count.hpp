@@ -13,7 +13,7 @@ struct Meeting {
 /// Valid shapes, kinds and numbers as in vesica.h; as vesica_crossings counts.
 Meeting meeting(int kind_a, const double* a, int kind_b, const double* b);
 
-/// Of two shapes that are both ellipses or circles with area: at how many places b's outline meets a's between two of
+/// For two ellipses or circles with area: at how many places b's outline meets a's between two of
 /// its angles, less than a full turn from `from` on to `to`; radians from the end of the axis, as cos and sin are of
 /// them.
 int meetings_between(int kind_a, const double* a, int kind_b, const double* b, double from, double to);

@@ -76,7 +76,7 @@ TEST(Estimates, Roots) {
     const mpq_class low = value(x) - error(x), high = value(x) + error(x);
     EXPECT_LE(low * low, value(a) - error(a));
     EXPECT_GE(high * high, value(a) + error(a));
-    // The error is half of the operand's, over the root, but for roundings.
+    // The error is half of the operand's, over the root, up to roundings.
     EXPECT_LE(error(x) * value(x), 2 * error(a) + power_of_two(-95) * value(a));
   }
 }

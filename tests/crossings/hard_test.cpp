@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Places of outlines that almost coincide, almost touch or almost osculate, that begin at a place, and of sizes far
-// from 1: as many as exact integers tell, each where exact integers tell a true one, in order.
+// from 1: as many as exact integers count, each where they find a true one, in order.
 #include <gtest/gtest.h>
 #include <vesica.h>
 
@@ -117,7 +117,7 @@ struct Tally {
       if (from > to + slack) return fail(a, b, "not in order");
     }
   }
-  /// As many true places around each group of places as the group has, and as many different ones as can be told apart.
+  /// As many true places around each group of places as the group has, and as many different ones as are distinct.
   void where_true_ones_are(const Shape& a, const Shape& b, const Oval& q, const capi_tests::Crossings<double>& out,
                            double near) {
     if (out.count == 0 || std::fmin(q.a, q.b) < 1024 * near) return;
@@ -224,7 +224,7 @@ TEST(CrossingsHard, OsculatingEllipsesMovedByFarLessThanRoundings) {
   tally.report("osculating ellipses moved");
 }
 
-// The x of the places are 0 and the cube root of 3200 / 3 times the offset, but for its fourth power.
+// The x of the places are 0 and the cube root of 3200 / 3 times the offset, up to its fourth power.
 TEST(CrossingsHard, PlacesOfAnOsculatingCircle) {
   const Shape a = ellipse(0x1p-224, 0, 1, 0, 10, 5), b = ellipse(0, -15, 3, 4, 4, 4);
   capi_tests::Crossings<double> out;
@@ -364,7 +364,7 @@ TEST(CrossingsHard, APlaceJustBeforeTheStartIsTheLast) {
   EXPECT_EQ(out.x[5], -0x1.2p-568);
 }
 
-/// Of two places on an edge, an ellipse's start and another: it is turned as little as exponents allow, and the edge
+/// Two places on an edge, an ellipse's start and another: it is turned as little as exponents allow, and the edge
 /// runs across the end of its axis.
 TEST(CrossingsHard, AStartOnAnEdgeComesBeforeTheOtherPlaceThere) {
   Random random(seed());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Quartics of which the zeros are known about.
+// Quartics with known zeros.
 #pragma once
 
 #include <vesica/crossings/fixed.hpp>

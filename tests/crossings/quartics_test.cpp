@@ -33,7 +33,7 @@ Fixed draw_fixed(Random& random, int bits) {
   return negative ? -x : x;
 }
 
-/// Of a size from that of what rounding leaves to nearly the greatest, its coefficients of about one size or not.
+/// A size from rounding errors up to nearly the greatest, the coefficients of about one size or not.
 Quartic draw_quartic(Random& random) {
   Quartic q;
   const int bits = random.integer(1, 380);
@@ -155,7 +155,7 @@ TEST(Quartics, PlacesBetweenFixedNumbers) {
   }
 }
 
-/// The part from 0 on or up to 1, by one construction, is that of the polar form; and the number of its changes of sign
+/// The part from 0 on or up to 1, by one construction, agrees with the polar form; and the number of sign changes
 /// is known, be they those that were expected or not.
 TEST(Quartics, PartsFromAnEnd) {
   Random random(properties::seed());
@@ -207,7 +207,7 @@ TEST(Quartics, ChangesOfSign) {
   for (int n = 0; n < 5; ++n) EXPECT_GT(counts[static_cast<std::size_t>(n)], 30 * properties::repeat());
 }
 
-/// Where no group is searched, none would have been found; and a sign from doubles is that of the part cut off.
+/// If no group is searched, none would have been found; and a sign from doubles belongs to the part cut off.
 TEST(Quartics, SearchesThatFail) {
   Random random(properties::seed());
   int left_out = 0, narrow = 0, close = 0, certain = 0, uncertain = 0;
@@ -258,7 +258,7 @@ exact::Number<8> exact_derivative(const Quartic& q, int order, double t) {
   return sum;
 }
 
-/// Of groups whose derivatives cancel in doubles.
+/// Groups whose derivatives cancel in doubles.
 TEST(Quartics, ExactDerivatives) {
   Random random(properties::seed());
   int cancelled = 0;

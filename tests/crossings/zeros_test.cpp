@@ -97,7 +97,7 @@ int sign_at(const Quartic& q, double t) {
   return value.negligible() ? 0 : value.negative() ? -1 : 1;
 }
 
-/// Next to spots, and elsewhere, the value has the sign that the spots about it tell.
+/// Next to the separating points, and elsewhere, the value has the sign that these imply.
 TEST(ZerosOfQuartics, NoneIsBesideSpots) {
   Random random(properties::seed());
   int told = 0;

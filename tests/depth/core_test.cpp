@@ -130,7 +130,7 @@ TEST(OutlineCores, NestedOutlines) {
   }
 }
 
-/// Lanes work on the two in the order of the general search, which does not depend on that of the arguments: of equal
+/// Lanes work on the two in the order of the general search, which does not depend on the arguments' order: of equal
 /// ones the lower or left one comes first.
 TEST(OutlineCores, OrderOfTwoEllipses) {
   using vesica::detail::support_minimum::form, vesica::detail::support_minimum::place;

@@ -51,7 +51,7 @@ void expect_laws(const Pair& p) {
     return;
   }
   ASSERT_NEAR(std::hypot(d.x, d.y), 1, 1e-15);
-  // Touching shapes of which none contains the other are 0 deep. (A point on an outline is, too, but inside by
+  // Touching shapes are 0 deep unless one contains the other. (A point on an outline is, too, but inside by
   // relation.)
   const int32_t relation = vesica_relation_f64(p.kind_a, p.a.data(), p.kind_b, p.b.data());
   if (relation == VESICA_TOUCH) {
@@ -77,7 +77,7 @@ TEST_P(Laws, EveryPairOfKinds) {
 INSTANTIATE_TEST_SUITE_P(Depth, Laws, testing::ValuesIn(properties::all_workloads),
                          [](const auto& test) { return std::string(properties::name(test.param)); });
 
-/// Shapes of the same numbers but for an offset that underflows in a unit in which their sizes do not overflow.
+/// Shapes of the same numbers up to an offset that underflows in a unit in which their sizes do not overflow.
 TEST(Depth, ExchangedShapesAtTheLeastOffsets) {
   properties::Random random(properties::seed());
   const auto tiny = [&] {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The numbers of an array need no alignment, in any function that takes arrays. What is wrong where the answers are
-// right by luck is for the undefined behaviour sanitizer to see; that of Clang 19 looks at the arguments of memcpy too.
+// right by luck is for the undefined behaviour sanitizer to see; Clang 19's looks at the arguments of memcpy too.
 #include <gtest/gtest.h>
 
 #include <string_view>
@@ -36,7 +36,7 @@ TEST_P(AlignmentTest, OfArraysIsFree) {
   for (const auto& call : environment::batch_calls(GetParam().scalar)) expect_same_anywhere(call, inputs);
 }
 
-/// Along a line: a matrix of so many has tiles that are not computed, and stretches of columns that begin behind these.
+/// Along a line: their matrix has tiles that are not computed, and stretches of columns that begin behind such tiles.
 TEST_P(AlignmentTest, OfArraysInOrderIsFree) {
   properties::Stream stream(Workload::random, GetParam().a, GetParam().b, GetParam().scalar, 6);
   Inputs inputs;

@@ -22,7 +22,7 @@ struct Input {
   explicit Input(const properties::Pair& pair);
 };
 
-/// What a call writes and returns, to be compared bit for bit.
+/// The output and the result of a call, to be compared bit for bit.
 struct Call {
   const char* name;
   Bytes (*ask)(const Input& input);
@@ -31,7 +31,7 @@ struct Call {
 /// Calls about one pair of shapes; constructors take their numbers from the first.
 const std::vector<Call>& scalar_calls(properties::Scalar scalar);
 
-/// Where the numbers of an array lie.
+/// The place of an array's numbers.
 enum class Place { records, odd_records, odd_columns };
 
 /// Pairs, all of the same two kinds, whose shapes make two arrays.

@@ -30,7 +30,7 @@ Bytes bytes_of(const Result&... results) {
   return bytes;
 }
 
-/// What a method returns and writes: method(a, b), or method(a, b, n), method(a, b, &out), method(a, b, n, &out).
+/// The result and the output of a method: method(a, b), or method(a, b, n), method(a, b, &out), method(a, b, n, &out).
 template <class T, auto method, class A, class B>
 Bytes ask(const Input& p, std::int32_t (*)(const A*, const B*)) {
   return bytes_of(method(shape<A>(p.a_f64, p.a_f32, T{}), shape<B>(p.b_f64, p.b_f32, T{})));

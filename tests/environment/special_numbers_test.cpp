@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Overlap of two shapes with numbers that a floating-point environment treats in its own way, in each environment:
-// subnormals, zeros of both signs, infinities, NaN of both kinds. The answer is that of an array of one pair in the
+// subnormals, zeros of both signs, infinities, NaN of both kinds. The answer equals an array's of one pair in the
 // default environment. The filter runs in the caller's environment, so it must be right there or leave the pair open.
 #include <gtest/gtest.h>
 #include <vesica.h>

@@ -46,7 +46,7 @@ TEST(Predicates, PointAgainstRim) {
   EXPECT_GT(on, 500 * properties::repeat());
 }
 
-/// Ellipses with numbers of wildly unlike exponents, of which many are alike: then much cancels.
+/// Ellipses with numbers of wildly unlike exponents, many of them alike: then much cancels.
 struct Ellipses {
   exact::Ellipse a, b;
 };
@@ -73,7 +73,7 @@ int sign_with_root(const mpq_class& a, const mpq_class& b, const mpq_class& c) {
   return root * sgn(mpq_class(b * b * c - a * a));
 }
 
-/// What exact::detail::first_in_second() decides.
+/// The decision of exact::detail::first_in_second().
 bool first_is_in_second(const exact::ContactCubic& p) {
   const mpq_class d1 = value(p.d1), c1 = value(p.c1), c2 = value(p.c2), d2 = value(p.d2), mu = value(p.mu);
   const mpq_class delta = mu * mu - 4 * d1 * d2, slope = 2 * c2 - 3 * mu, al = value(p.al), be = value(p.be);
@@ -127,7 +127,7 @@ TEST(ContactCubic, OfSmallNumbers) {
   EXPECT_GT(touching, 20);
 }
 
-/// What is far below a tie breaks it, and what is far below a double is what that leaves.
+/// A term far below a tie breaks it.
 TEST(Rounding, OfOneFarBelow) {
   const auto one = exact::from_double(1), tie = exact::from_double(0x1p128) + exact::from_double(0x1p75);
   const auto rounded = [](const auto& x) {

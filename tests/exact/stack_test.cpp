@@ -72,7 +72,7 @@ TEST(Stack, MeasureSeesWhatIsUsed) {
   const std::size_t used = stack.used_by([] { use(100'000); });
   EXPECT_GE(used, 100'000U);
   EXPECT_LT(used, 101'000U);
-  // What a thread does on its way out reaches a few kilobytes deep: calls that use less all measure as that.
+  // A thread's exit itself reaches a few kilobytes deep: calls that use less all measure the same.
   EXPECT_LT(stack.used_by([] { use(10); }), 16'384U);
 }
 

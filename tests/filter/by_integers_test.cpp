@@ -106,7 +106,7 @@ Place scaled(const Place& at, int e, int f) {
           size(at.hy)};
 }
 
-/// Integers: axes and sizes of about so many digits, centres of twice as many.
+/// Integers: axes and sizes of about `digits` digits, centres of twice as many.
 Place on_lattice(int digits, Random& random) {
   const auto whole = [&] { return std::floor(std::ldexp(random.between(-1, 1), digits)); };
   const auto size = [&] { return std::fabs(whole()) + 1; };

@@ -15,7 +15,7 @@ namespace truth {
 class Dyadic {
  public:
   Dyadic() = default;
-  /// Of any finite double, or float.
+  /// The value of any finite double or float.
   Dyadic(double x) {
     int exponent = 0;
     mantissa_ = std::ldexp(std::frexp(x, &exponent), 53);

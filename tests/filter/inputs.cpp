@@ -104,7 +104,7 @@ void Inputs<V>::draw_each(Numbers<V>& n) {
   if (style == 3) make_needles(n);
 }
 
-/// Of two sizes one is the least the guard lets pass; the offset then lies along an axis, where the other size is felt,
+/// One of two sizes is the least that the guard lets pass; the offset lies along an axis, where the other size counts,
 /// and perhaps axes lie along each other.
 template <class V>
 void Inputs<V>::make_needles(Numbers<V>& n) {
@@ -153,7 +153,7 @@ void Inputs<V>::turn_offset(Numbers<V>& n) {
   n = moved(n, (n[0] + x) - second[0], (n[1] + y) - second[1]);
 }
 
-/// The second axis along or across the first, but for a factor and a few places.
+/// The second axis along or across the first, up to a factor and a few places.
 template <class V>
 void Inputs<V>::turn_axis(Numbers<V>& n) {
   Direction<V> u = axis(a_, n.data());

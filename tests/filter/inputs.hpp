@@ -33,7 +33,7 @@ inline constexpr std::string_view roles[vesica::kind_count] = {"pp",     "pppp",
 struct Exponents {
   int axis_low, axis_high, size_low, size_high;
 };
-/// Those of a guard stated for float: 8 times as wide for double, as guards are.
+/// The exponents of a guard stated for float: 8 times as wide for double, as guards are.
 template <class V>
 constexpr Exponents widened(const Exponents& e) {
   constexpr int range = vesica::ScalarTraits<V>::range;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What each filter estimates, exactly, from the stored numbers: the definitions in the comments of
+/// The exact value that each filter estimates, from the stored numbers: the definitions in the comments of
 /// include/vesica/filter, without a rounding.
 #pragma once
 

@@ -3,7 +3,7 @@
 // bound too wide, or a guard too narrow, shows here and in no answer. One that leaves fewer has a bound narrower than
 // its proof, or a better proof, which is a reason to write other numbers here.
 //
-// The pairs are the same everywhere, and nothing here is fused, so that the numbers are met exactly: g++ and Clang
+// The pairs are the same everywhere, and nothing here is fused, so that the numbers are exact: g++ and Clang
 // agree. Fused they differ by 7 at most. A bound twice as wide leaves about one pair in 54 more, or 76 of 4,096.
 #include <gtest/gtest.h>
 
@@ -94,7 +94,7 @@ Pair nested(int kind_a, int kind_b, Random& random) {
   return a_within ? Pair{kind_a, kind_b, within, about} : Pair{kind_a, kind_b, about, within};
 }
 
-/// Of any magnitude, the second shape often of another: far larger, or far less. Or so large that errors, which are
+/// Pairs of any magnitude, often of two: the second shape far larger, or far less. Or so large that errors, which are
 /// 2^-48 of squared lengths, are about the guards' limit of 2^800.
 Pair nested_of_any_magnitude(Pair pair, Random& random) {
   const bool at_limit = random.chance(0.25);
@@ -122,11 +122,11 @@ Apart apart_of_any_magnitude(const Apart& a, Random& random) {
   return {scaled(a.pair, of_lengths, random.integer(-120, 120) >> narrower), std::ldexp(a.reach, of_lengths)};
 }
 
-/// What is left of `count` pairs. Of those that touch, moved by a little: by the pair's filter in double and in float,
-/// and by the filters of relation and of containment. Of those that touch from one side by the latter two, and by
-/// containment the other way round. Of contacts as they are, but small, by integers. Of any magnitude,
-/// by the pair's filter in double and in float, and by that of relation. Of those nested, by that of relation, and of
-/// four magnitudes of each. Of straight shapes apart, and of these at any magnitude, by the filter of distances.
+/// Undecided ones of `count` pairs. If they touch, moved by a little: by the pair's filter in double and in float,
+/// and by the filters of relation and containment. If they touch from one side: by the latter two, and by
+/// containment the other way round. Exact contacts of few digits: by integers. At any magnitude:
+/// by the pair's filter in double and in float, and by relation. Nested pairs: by relation, and at
+/// four magnitudes of each. Straight shapes apart, also at any magnitude: by the filter of distances.
 struct Left {
   int overlap, overlap_f32, relation, contains, relation_inner, contains_inner, contained_inner, ties, guard, guard_f32,
       guard_relation, nested, guard_nested, within, guard_within;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a filter decides is the exact answer, and it decides nothing about invalid shapes: every pair, in float and in
+// A filter decides only the exact answer, and nothing about invalid shapes: every pair, in float and in
 // double, inside and outside of the filters' guards, over the whole range of the format and about contact.
 #include <gtest/gtest.h>
 
@@ -142,7 +142,7 @@ class Verdicts : public testing::TestWithParam<Tested<V>> {
     return {pair_.kind_a, pair_.kind_b, widened, random_};
   }
 
-  /// A pair, its axes of unit length but for a few places where the tested filter asks for that.
+  /// A pair, its axes of unit length up to a few places if the tested filter asks for that.
   Numbers<V> drawn(inputs::Inputs<V>& pairs) {
     Numbers<V> n = pairs.draw();
     if (!pair_.unit_axes || !has_ellipse_) return n;

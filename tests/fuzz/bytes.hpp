@@ -58,7 +58,7 @@ class Bytes {
   std::size_t size_;
 };
 
-/// What must hold of every call; the fuzzer reports where it does not.
+/// Must hold after every call; the fuzzer reports it if not.
 inline void demand(bool holds, const char* file = __builtin_FILE(), int line = __builtin_LINE()) {
   if (holds) return;
   std::fprintf(stderr, "%s:%d: does not hold\n", file, line);

@@ -68,7 +68,7 @@ std::byte* damaged(Bytes& bytes, const std::byte* index, GuardedMemory& memory) 
   return said == 0 ? copy : nullptr;
 }
 
-/// Where there was no room, what was found is a number alone.
+/// Without room, the result is a number alone.
 void demand_items(const std::int64_t* out, std::int64_t found, std::int64_t capacity, std::int64_t items) {
   demand(is_error(found) || (found >= 0 && found <= (capacity == 0 ? items : capacity)));
   for (std::int64_t i = 0; capacity > 0 && i < found; ++i) demand(out[i] >= 0 && out[i] < items);

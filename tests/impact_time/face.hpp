@@ -71,8 +71,8 @@ struct Placed {
   Numbers numbers;
 };
 
-/// Where a shape is at t, by the C library's sine and cosine in long double, with sizes times 1 + grown. Centre and
-/// axis are right to some 2^-50 of the lengths; so with grown = -2^-40 what is told lies inside the true shape, unless
+/// A shape's place at t, by the C library's sine and cosine in long double, with sizes times 1 + grown. Centre and
+/// axis are right to some 2^-50 of the lengths; so with grown = -2^-40 the result lies inside the true shape, unless
 /// that is a needle or a point, which is off by that rounding.
 Placed placed_at(int kind, const Numbers& numbers, const Turn& turn, double t, double grown);
 

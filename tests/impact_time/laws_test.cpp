@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What holds without knowing any contact: powers of two to the bit; exchange and a finer tolerance as far as answers
+/// Laws that need no known contact: powers of two to the bit; exchange and a finer tolerance as far as answers
 /// are proved; and where nothing turns, what vesica_cast proves.
 #include <gtest/gtest.h>
 
@@ -44,7 +44,7 @@ class Laws : public testing::TestWithParam<properties::Kinds> {
                                                {times(s.b.vx), times(s.b.vy), s.b.angle},
                                                times(s.tolerance)});
     EXPECT_EQ(q.code, r.code);
-    // At the start the direction is that of vesica_depth.
+    // At the start the direction is vesica_depth's.
     if (r.code == VESICA_CAST_MISS || r.code == VESICA_CAST_START) return;
     EXPECT_EQ(q.t, r.t);
     EXPECT_EQ(q.nx, r.nx);

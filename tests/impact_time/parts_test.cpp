@@ -34,7 +34,7 @@ TEST(ImpactTimeParts, ClearBetweenTwoTimes) {
   EXPECT_FALSE(clear(-1, 0.5) || clear(0, 0.5) || clear(1, -0.5) || clear(1, 0));
 }
 
-/// When so many poses were tried no more is, and the time stays.
+/// After the limit of poses no other is tried, and the time stays.
 TEST(ImpactTimeParts, MarchesNoFurtherThanItsPoses) {
   const Scene s = discs();
   const Heading along{{1, 0}, Kept::still, {}};

@@ -76,7 +76,7 @@ struct Guarded {
   }
   std::int32_t count() const { return static_cast<std::int32_t>(sets.size()); }
 
-  /// Builds it once more, in steps of so many parts, which gives the same bytes.
+  /// Builds it once more, in steps of `parts` parts, which gives the same bytes.
   void build_in_steps(Buffers& buffers, std::int64_t parts) const {
     const std::int64_t items = vesica_index_count(index);
     const std::int64_t size = whole_lines(vesica_index_size(items)),

@@ -13,7 +13,7 @@ namespace index_tests {
 namespace {
 
 /// So many of a workload that its pairs are not too many for the scalar functions: of few all overlap, as the exact
-/// stage alone can tell; as circles and as floats others fall together.
+/// stage alone can decide; as circles and as floats others fall together.
 template <class T>
 std::int64_t many_of(const std::string& name, bool of_all_kinds) {
   if (name == "whole_range") return 250;
@@ -195,7 +195,7 @@ TEST(JoinFrames, UnlikeExponents) {
   }
 }
 
-/// Four blocks of equal weight, shared out to so many that products with their number take more than 64 bits.
+/// Four blocks of equal weight, shared by as many parts as make products exceed 64 bits.
 TEST(JoinParts, MoreThanCanBeMultiplied) {
   constexpr std::int64_t block = 1024, quarter = std::int64_t{1} << 60, parts = 4 * quarter;
   const Indexed<double> a(Records<double>{VESICA_POINT, std::vector<double>(2 * 4 * block)});

@@ -88,7 +88,7 @@ void expect_nearest(const Indexed<T>& many, const std::vector<Item<T>>& items, s
   }
 }
 
-/// Many blocks, of which few are looked into, and more items at hand than the search has room for.
+/// Many blocks, few of them searched, and more items at hand than the search has room for.
 TYPED_TEST(NearestTest, OfMany) {
   using T = TypeParam;
   for (const char* name : {"uniform", "clustered", "decades_6", "pareto_needles", "line", "points", "whole_range"}) {
@@ -101,7 +101,7 @@ TYPED_TEST(NearestTest, OfMany) {
   }
 }
 
-/// All equally far from the middle, but for rounding: neither places nor items come in an order.
+/// All equally far from the middle, up to rounding: neither places nor items come in an order.
 TYPED_TEST(NearestTest, OfACircle) {
   using T = TypeParam;
   Records<T> points{VESICA_POINT, {}};

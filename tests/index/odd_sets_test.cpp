@@ -264,7 +264,7 @@ TEST(OddSets, APointOfEachOfManyBlocks) {
   EXPECT_TRUE(sorted(join(VESICA_JOIN_OVERLAP, many, few, 0, 1, 777)) == expected);
 }
 
-/// Two blocks of 1,024 boxes, left and right, of which so many reach the points of the other set.
+/// Two blocks of 1,024 boxes, left and right; the given numbers of them reach the points of the other set.
 Records<double> boxes_of_two_blocks(int reaching_left, int reaching_right) {
   Records<double> boxes{VESICA_AABB, {}};
   for (int i = 0; i < 2048; ++i) {

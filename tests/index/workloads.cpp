@@ -32,7 +32,7 @@ Rect turned(Random& random, double x, double y, double scale) {
       x, y, std::cos(turn), std::sin(turn), scale * (0.2 + 0.4 * random.unit()), scale * (0.2 + 0.4 * random.unit())};
 }
 
-/// The side of a square where so many shapes of about unit size have about one partner each.
+/// The side of a square in which n shapes of about unit size have about one partner each.
 double side_for(std::int64_t n) { return 1.5 * std::sqrt(static_cast<double>(n)); }
 
 using Draw = Rect (*)(Random&, std::int64_t i, std::int64_t n, double side);

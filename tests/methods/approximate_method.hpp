@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What every method that may answer "uncertain" must keep: whatever else it says is true, near contact too.
+/// The law of methods that may answer "uncertain": any other answer is true, near contact too.
 #pragma once
 
 #include <string>

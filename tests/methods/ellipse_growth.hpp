@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What it means that an ellipse-ellipse method is left uncertain: the second ellipse, a little larger, overlaps the
+/// An ellipse-ellipse method may be uncertain only here: the second ellipse, a little larger, overlaps the
 /// first, and a little smaller does not.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace method_pairs {
 
-/// `change` makes pairs fit for the method, and is told of random pairs; n from 0 to 8.
+/// `change` makes pairs fit for the method, and knows which are random; n from 0 to 8.
 template <class Function>
 void expect_uncertain_within_bound(Function function, const std::function<Pair(const Pair&, Random&)>& change) {
   Random random(properties::seed());

@@ -32,7 +32,7 @@ Pair with_sizes_times(const Pair& pair, double factor) {
           with_sizes_times(pair.kind_b, pair.b, factor)};
 }
 
-/// Of lengths below 2^-400 the same pair 2^600 times as large: sizes that are subnormal know no relative gap.
+/// A pair of lengths below 2^-400 becomes 2^600 times as large: subnormal sizes have no relative gap.
 Pair away_from_subnormal(Pair pair) {
   bool tiny = true;
   const auto each_length = [&pair](const auto& visit) {

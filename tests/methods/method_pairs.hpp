@@ -28,7 +28,7 @@ Pair moved_near_contact(const Pair& pair, Scalar scalar, double relative_gap, Ra
 /// A random pair so moved.
 Pair near_tangent(int kind_a, int kind_b, Scalar scalar, double relative_gap, Random& random);
 
-/// Whether the pair's answer changes between sizes (of a segment, its ends' distances from the middle) times 1 - gap
+/// True if the pair's answer changes between sizes (for a segment, its ends' distances from the middle) times 1 - gap
 /// and 1 + gap: a method may err here, nowhere else.
 bool within_gap(const Pair& pair, double gap);
 

@@ -17,8 +17,8 @@ TEST(RectEllipseAllFeatures, KnownAnswers) {
   for (const Scalar scalar : {Scalar::f64, Scalar::f32}) expect_known_answers(scalar, method<f64, f32>(scalar));
 }
 
-/// Small ellipses whose centre is on a side of a rectangle, in numbers of few digits but for the ellipse's axis, so
-/// that its image is rounded: the centre alone tells that they overlap.
+/// Small ellipses whose centre is on a side of a rectangle, in numbers of few digits except the ellipse's axis, so
+/// that its image is rounded: the centre alone shows that they overlap.
 TEST(RectEllipseAllFeatures, CentreOnASide) {
   properties::Random random(properties::seed());
   for (int i = 0; i < 500; ++i) {

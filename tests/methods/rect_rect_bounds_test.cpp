@@ -27,7 +27,7 @@ TEST(RectRectBounds, KnownAnswers) {
   EXPECT_EQ(answer(vesica_rect_f32{0, 0, 3, 4, 1, 1}, vesica_rect_f32{13.75F, 0, 4, 3, 1, 1}), VESICA_UNCERTAIN);
 }
 
-// Half widths 1 and 1: the bound is 16 roundoffs of 2, which is 2^-48 (2^-19); twice that is told apart.
+// Half widths 1 and 1: the bound is 16 roundoffs of 2, which is 2^-48 (2^-19); twice that is decided.
 TEST(RectRectBounds, NarrowestNo) {
   EXPECT_EQ(answer(vesica_rect_f64{0, 0, 1, 0, 1, 1}, vesica_rect_f64{2 + 0x1p-47, 0, 1, 0, 1, 1}), VESICA_NO);
   EXPECT_EQ(answer(vesica_rect_f32{0, 0, 1, 0, 1, 1}, vesica_rect_f32{2 + 0x1p-18F, 0, 1, 0, 1, 1}), VESICA_NO);

@@ -79,7 +79,7 @@ TEST(NearestContact, AFaceThatAnEllipseAllButTouches) {
   EXPECT_LE(r.distance, 0x1p-52);
 }
 
-/// How far a common point is outside of a shape, at least, in u of the scale, but for its coordinates' rounding.
+/// How far a common point is outside of a shape, at least, in u of the scale, less its coordinates' rounding.
 double common_point_outside(const Pair& pair) {
   const Answer r = nearest_test::nearest(properties::Scalar::f64, pair);
   EXPECT_TRUE(r.code == 0 && r.distance == 0);
@@ -193,7 +193,7 @@ TEST(NearestContact, APointAllButOnANeedle) {
   }
 }
 
-// A shape all but on the tip of a needle, along its axis but for far less. The direction found was that of the needle's
+// A shape all but on the tip of a needle, along its axis up to far less. The direction found was that of a needle's
 // side: it was reached by a step too long to foresee what is left, or further steps only went some times as far as the
 // one before, or led astray. Or a face counted that the tip was not above. Up to 3000u of the scale were off.
 TEST(NearestContact, AllButOnTheTipOfANeedle) {
@@ -242,7 +242,7 @@ TEST(NearestContact, AllButOnTheTipOfANeedle) {
   }
 }
 
-// Needles above the sides of needles: a vector with rounded coordinates does not tell the best direction from others
+// Needles above the sides of needles: rounded coordinates of a vector do not separate the best direction from others
 // whose points are far along the needle, or off it once they were moved along a tangent.
 TEST(NearestContact, AboveTheSideOfANeedle) {
   const Pair pairs[] = {
@@ -287,7 +287,7 @@ TEST(NearestContact, AboveTheSideOfANeedle) {
 }
 
 // A slope whose terms cancel to nothing says little of the direction where the outline hardly bends; and whether a
-// point of support is above a face is not told by rounded numbers where the distance is as small as these are off.
+// point of support is above a face is unknown from rounded numbers if the distance is as small as their errors.
 TEST(NearestContact, AllButTouching) {
   const Pair pairs[] = {
       {VESICA_ELLIPSE,
@@ -315,7 +315,7 @@ TEST(NearestContact, ACircleOfTheLeastNumbers) {
   }
 }
 
-// In batches' unit and in the pair's the search took another number of steps: the distance changed by 1e-9 of itself.
+// In batches' unit and in the pair's the search took another number of steps: the distance changed by a relative 1e-9.
 TEST(NearestContact, ScaledByAPowerOfTwo) {
   const Pair pair{
       VESICA_ELLIPSE,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is asked where the usual search is not settled, ties among them, asked everywhere: every vertex and face, and
+// The fallback of an unsettled search, such as a tie, used everywhere: every vertex and face, and
 // signs of slopes alone. Both find the same distance.
 #include <gtest/gtest.h>
 
@@ -78,7 +78,7 @@ TEST(GeneralWay, BracketsAreHalvedByPowersOfTwo) {
   EXPECT_EQ(slope({{1, 0x1p-5}, {1, 0.5}}), none) << "not far";
 }
 
-/// Every vertex and every face, without a thought of which may be the closest.
+/// Every vertex and every face, in no order of preference.
 BoxEllipse<double> closest_of_all(const ScaledPair& p) {
   BoxEllipse<double> best{{0x1p1000, 0}, {0, 0}, 0, 0, 0, 0, false};
   const bool is_point = p.a.box.hx.high == 0 && p.a.box.hy.high == 0;

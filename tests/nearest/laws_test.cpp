@@ -48,7 +48,7 @@ class Laws : public testing::TestWithParam<properties::Kinds> {
   Scalar scalar() const { return GetParam().scalar; }
   double roundoff() const { return scalar() == Scalar::f32 ? 0x1p-24 : 0x1p-53; }
 
-  /// The same distance but for its rounding and, of shapes next to each other, for some 2^-100 of their size.
+  /// The same distance up to its rounding and, for shapes next to each other, some 2^-100 of their size.
   void expect_close(const Answer& before, const Answer& after, double size) const {
     if (before.code != 0 || after.code != 0) return;  // out of range the one way or the other
     const double least = scalar() == Scalar::f32 ? 0x1p-149 : 0x1p-1074;

@@ -8,7 +8,7 @@
 #include "oracle/region.hpp"
 
 // The library takes most of a matrix from the relation of the shapes. Here every edge is cut wherever it may enter or
-// leave a part of the other shape, and each piece is looked up there; areas are told by these pieces and by corners.
+// leave a part of the other shape, and each piece is looked up there; areas follow from these pieces and from corners.
 
 namespace oracle {
 namespace {

@@ -100,7 +100,7 @@ mpz_class value_at_one(const Polynomial& f) {
 
 /// det(x A + B), its coefficients being polynomials in the share t of the way. In the frame where the first ellipse is
 /// the disc of radius r about the origin, the second is m + s p + t q, (s, t) in the unit disc; A is the first's conic
-/// in (s, t), B that of the unit disc.
+/// in (s, t), B the unit disc's.
 struct Pencil {
   Polynomial c0, c1, c2, c3;
 

@@ -22,7 +22,7 @@ TEST(OverlapAabbAabb, CornerToCorner) {
                   {up(first, aabb::min_x), down(second, aabb::max_x), up(second, aabb::min_y)});
 }
 
-// Sums and differences of these corners are not representable.
+// Sums and differences of the corners are not representable.
 TEST(OverlapAabbAabb, UnequalMagnitudes) {
   AabbAabb::touch({-0x1p60, -1, 0x1p-60, 1}, {0x1p-60, 0, 0x1p60, 3},
                   {down(first, aabb::max_x), up(second, aabb::min_x)});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What std::vector asks of libstdc++, for programs that are linked without it.
+// The functions of libstdc++ that std::vector calls, for programs that are linked without it.
 #include <bits/functexcept.h>
 
 #include <cstdio>

@@ -41,7 +41,7 @@ Number half(const Number& x, Scalar scalar) {
   return x && representable(scalar, *x / 2) && *x / 2 * 2 == *x ? Number(*x / 2) : Number();
 }
 
-/// A shape of these numbers if all exist.
+/// The shape with the given numbers, if all exist.
 std::optional<Shape> shape_of(int kind, const std::vector<Number>& numbers) {
   Shape result{kind, {}};
   for (std::size_t i = 0; i < numbers.size(); ++i) {

@@ -17,7 +17,7 @@ const char* name(Scalar scalar);
 /// value, so the pair is the same shapes in both scalar types.
 using Numbers = std::array<double, 6>;
 
-/// The kinds that workloads and the oracle know: those below this number, all of which every query answers.
+/// The kinds that workloads and the oracle know: those below this number. Every query answers all of them.
 inline constexpr int kinds = 6;
 
 struct Pair {

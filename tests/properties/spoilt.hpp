@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Pairs of which one shape is invalid.
+/// Pairs with one invalid shape.
 #pragma once
 
 #include <cstddef>

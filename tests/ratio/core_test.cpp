@@ -64,7 +64,7 @@ TEST(RatioOfTheCore, HasTheBitsOfTheLibrary) {
   expect_the_same_bits<vesica::Rect<float>, vesica::Rect<float>>();
 }
 
-/// A quotient of areas of any powers of two, either of which may be beyond doubles, or nearly 0.
+/// A quotient of areas times any powers of two; both areas may be beyond doubles, or nearly 0.
 TEST(RatioOfTheCore, QuotientsOfMeasures) {
   const auto quotient = [](double x, int power_of_x, double y, int power_of_y) {
     return vesica::detail::ratio::quotient({x, power_of_x}, {y, power_of_y});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a filter says for certain about how two shapes stand to each other is so, and it says nothing about invalid
+// A filter's certain facts about the relation of two shapes are true, and it says nothing about invalid
 // shapes: every pair of kinds, in float and in double, inside and outside of the filters' guards, over the whole range
 // of the format, about outer and inner contact. And it says enough: of ordinary pairs, hardly any is left to the exact
 // stage.
@@ -65,7 +65,7 @@ struct Compiled {
       ShapeTraits<A>::kind, ShapeTraits<B>::kind, fields_a, fields_b, facts, exact, valid};
 };
 
-/// Whether every member that is true is so of the relation; and at most one of the answers may be.
+/// True if every fact that is set holds for the relation; at most one of the answers may be set.
 bool is_right(const filter::CertainFacts<bool>& s, Relation r) {
   const bool inside = r == Relation::inside || r == Relation::inside_touch;
   const bool contains = r == Relation::contains || r == Relation::contains_touch;
@@ -111,7 +111,7 @@ class Judge {
     return {pair_.first, pair_.second, inputs::widened<V>(e), random};
   }
 
-  /// A pair of which one shape often contains the other: the second's sizes shrunk or grown.
+  /// A pair whose first shape often contains the second, or the reverse: the second's sizes shrunk or grown.
   Numbers<V> nested(inputs::Inputs<V>& pairs) {
     Numbers<V> n = pairs.draw();
     const V factor = std::ldexp(V(1), random.integer(-6, 6));
@@ -236,7 +236,7 @@ TYPED_TEST(CertainFactsTest, AboutContact) {
       for (int i = 0; i < cases; ++i) {
         auto n = judge.nested(pairs);
         if (!pair.valid(n)) continue;
-        // Where containment changes, else where overlap does; and from there by places outwards.
+        // A place where containment changes, else one where overlap does; and from there by places outwards.
         const Relation here = pair.exact(n);
         n = pairs.near_contact(n, [&](const auto& m) { return pair.exact(m) == here; });
         for (int k = 0; k < 10; ++k) {

@@ -229,7 +229,7 @@ Pair<V> pair_of(const Circle<V>& disc, const Ellipse<V>& e) {
   return pair;
 }
 
-/// Of q and of w |w| - delta at the y that the filter takes.
+/// The values of q and of w |w| - delta at the y that the filter takes.
 constexpr auto polynomials = [](const auto& a, const auto& b) {
   const auto pair = pair_of(a, b);
   if (!pair.in_guard) return -1.0;

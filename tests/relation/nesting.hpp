@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Workloads for relations: pairs of which one often contains the other, nearly does, or is the other.
+/// Workloads for relations: pairs whose one shape often contains the other, nearly does, or equals it.
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@ inline constexpr std::array all_nestings{Nesting::nested, Nesting::near_nested, 
 
 const char* name(Nesting nesting);
 
-/// True if pairs of these kinds can be so. Only osculating is for some kinds alone.
+/// True if pairs of the two kinds can be nested like that. Only osculation needs certain kinds.
 bool exists(Nesting nesting, int kind_a, int kind_b);
 
 /// A stream as properties::Stream.

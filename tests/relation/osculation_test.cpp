@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // An ellipse and its circle of curvature, both with rational numbers. At a vertex the contact is four-fold: on the long
-// axis the circle lies inside, on the short one outside, and a radius one place off tells. At any other point it is
+// axis the circle lies inside, on the short one outside, and one place of the radius decides. At any other point it is
 // three-fold, where the outlines change sides. A filter sees a multiple root in all of them.
 #include <gtest/gtest.h>
 #include <vesica.h>

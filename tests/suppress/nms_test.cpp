@@ -60,7 +60,7 @@ TEST(Nms, KeepsTheBestOfEachGroup) {
   EXPECT_EQ(nms_of_boxes(boxes, {0.9, 0.1, 0.7, 0.8}, 0.7).kept, (Indices{0, 3, 2, 1}));
 }
 
-// The ratio of these two is 1/2 exactly.
+// The ratio of the two is 1/2 exactly.
 TEST(Nms, TheThresholdItselfDoesNotSuppress) {
   const std::vector<vesica_aabb_f64> boxes{{0, 0, 2, 2}, {0, 0, 2, 1}};
   EXPECT_EQ(nms_of_boxes(boxes, {2, 1}, 0.5).kept, (Indices{0, 1}));

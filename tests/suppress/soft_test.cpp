@@ -153,7 +153,7 @@ TEST(SoftSuppression, NothingIsLeft) {
   }
 }
 
-/// Shapes of fewer numbers: discs, of which a rectangle's columns are never read.
+/// Discs have fewer numbers than rectangles: a rectangle's other columns are never read.
 TEST(SoftSuppression, OfDiscs) {
   const double discs[3][3] = {{0, 0, 1}, {1, 0, 1}, {9, 0, 1}}, scores[3] = {0.9, 0.6, 0.5};
   vesica_shapes_f64 shapes;

@@ -48,7 +48,7 @@ sigjmp_buf before_call;
 
 void leave(int signal) { siglongjmp(before_call, signal); }
 
-/// Whether a mutant gives this answer to a case, in a second and without a crash.
+/// True if a mutant gives this answer to a case, in a second and without a crash.
 bool gives(std::uint64_t original, int mutant, const Case& c, bool asks_all) {
   if (sigsetjmp(before_call, 1) == 0) {
     const itimerval second{{0, 0}, {1, 0}}, none{};

@@ -18,7 +18,7 @@ inline int from_environment() noexcept {
   return text ? atoi(text) : 0;
 }
 
-/// Where no file is given, none.
+/// None if no file is given.
 inline unsigned char* map_reached() noexcept {
   const char* path = getenv("VESICA_MUTANT_REACHED");
   const int file = path ? open(path, O_RDWR) : -1;
@@ -44,7 +44,7 @@ inline int active = from_environment();
   return false;
 }
 
-/// Whether a change gives another value than the original. Zeros may differ by their sign, and of classes nothing is
+/// True if a change gives another value than the original. Zeros may differ by their sign, and of classes nothing is
 /// known.
 template <class A, class B>
 constexpr bool differ(const A& a, const B& b) noexcept {

@@ -247,7 +247,7 @@ class Arrays {
     demand_items(overlapped(), out);
   }
 
-  /// What suppression keeps of the b by its definition.
+  /// The items of b that suppression keeps by its definition.
   std::vector<std::int64_t> kept_by_definition(std::int32_t ratio, double threshold, bool labelled) const {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < pairs_.size(); ++i) {

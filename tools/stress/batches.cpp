@@ -22,7 +22,7 @@ constexpr std::size_t columns_of(Query query) {
   return query == Query::nearest || query == Query::boundary_distance ? 5 : query == Query::depth ? 3 : 1;
 }
 
-/// What a batch must return for these scalar answers.
+/// A batch's result for the given scalar answers.
 std::int64_t expected_return(Query query, std::span<const Answer> answers) {
   std::int64_t count = 0, error = 0;
   for (const Answer& answer : answers) {

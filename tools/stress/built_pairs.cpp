@@ -60,7 +60,7 @@ Vector any_axis(Random& random) {
   }
 }
 
-/// Where the other shape's centre is, along the needle and across it.
+/// The other shape's centre, along the needle and across it.
 Vector place_beside(Random& random, const Vector& needle, const Vector& other) {
   switch (random.below(7)) {
     case 0:

@@ -17,8 +17,8 @@ inline constexpr std::size_t most_numbers = 17;
 /// vesica_ratio's ratios, as many as its constants.
 inline constexpr std::size_t ratio_count = VESICA_RATIO_COMPLETE + 1;
 
-/// What a function returned and wrote, as doubles in the order of its struct; crossings: shared, x[8], y[8], and the
-/// count as the code; ratios: the seven numbers, then their seven codes, of which code is the first; de9im: -1 for F.
+/// A function's result and output, as doubles in the order of its struct; crossings: shared, x[8], y[8], and the
+/// count as the code; ratios: the seven numbers, then their seven codes, the first of them as code; de9im: -1 for F.
 /// Numbers that the function does not write are 0.
 struct Answer {
   std::int32_t code = 0;
@@ -35,7 +35,7 @@ std::string text(const Answer& answer);
 
 /// The queries from overlap to intersection.
 Answer ask(const Case& c, const Environment& environment = default_environment);
-/// Where nothing moves.
+/// For shapes at rest.
 Answer ask(Query query, Scalar scalar, const Pair& pair, const Environment& environment = default_environment);
 
 /// About as far as two shapes are apart, to the last place; where they overlap, anything up to their size; sometimes 0.

@@ -8,7 +8,7 @@
 
 namespace stress {
 
-/// Of valid shapes, as the C functions return them.
+/// The answers for valid shapes, as the C functions return them.
 std::int32_t exact_overlap(const Pair& pair);
 std::int32_t exact_relation(const Pair& pair);
 std::int32_t exact_contains(const Pair& pair);

@@ -56,7 +56,7 @@ Numbers odd_shape(Scalar scalar, int kind, Random& random) {
 
 Pair odd_pair(Scalar scalar, int kind_a, int kind_b, Random& random) {
   Pair pair{kind_a, kind_b, odd_shape(scalar, kind_a, random), odd_shape(scalar, kind_b, random)};
-  // Of two places far apart only one thing can be said: often both share theirs, in part.
+  // Odd places are far apart, so often the second shape takes coordinates of the first.
   for (const std::size_t i : {0U, 1U}) {
     if (random.chance(0.6)) pair.b[i] = pair.a[i];
   }
@@ -137,7 +137,7 @@ Pair altered(Scalar scalar, Pair p, Random& random) {
   return p;
 }
 
-/// What is bisected: overlap, or the relation.
+/// The query that is bisected: overlap, or the relation.
 std::int32_t answer(Query query, Scalar scalar, const Pair& p) { return ask(query, scalar, p).code; }
 
 struct Place {

@@ -15,7 +15,7 @@ struct Group {
   std::vector<Pair> pairs;
 };
 
-/// What a group's first pair is drawn from.
+/// The source of a group's first pair.
 enum class Drawn { all, needles, ties };
 
 /// The group of a seed and a number, the same in every run of one build. All shapes are valid.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What every answer has to obey: the header's promises, each with a name of its own.
+/// The laws of every answer: the header's promises, each with a name of its own.
 #pragma once
 
 #include <string>

@@ -23,7 +23,7 @@ mpz_class fixed_point(double x) {
                     : mpz_class(mantissa >> static_cast<mp_bitcnt_t>(-shift));
 }
 
-/// Whether no point of the shape lies beyond m along coordinate i, upward (sign 1) or downward (-1).
+/// True if no point of the shape lies beyond m along coordinate i, upward (sign 1) or downward (-1).
 bool holds(int kind, const Numbers& n, std::size_t i, int sign, double m) {
   const mpz_class distance = sign * (fixed_point(m) - fixed_point(n[i]));
   if (kind == VESICA_POINT) return distance >= 0;

@@ -30,7 +30,7 @@ Place place(const Answer& r, int i) {
   return {r.numbers[1 + k], r.numbers[9 + k]};
 }
 
-/// Where along an outline a place is: an angle from an ellipse's start. In long double, whose range no product leaves.
+/// A place along an outline: an angle from an ellipse's start. In long double, whose range no product leaves.
 double along_ellipse(const Numbers& n, double a, double b, double ux, double uy, const Place& p) {
   const long double dx = static_cast<long double>(p.x) - n[0], dy = static_cast<long double>(p.y) - n[1];
   const auto angle = static_cast<double>(std::atan2((dy * ux - dx * uy) / b, (dx * ux + dy * uy) / a));

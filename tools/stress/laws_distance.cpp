@@ -45,7 +45,7 @@ void demand_moved(Judge& j, const Case& c, const Answer& r) {
   }
 }
 
-/// Whether the sizes are where the quicker way may answer, and whether the offset of centres is.
+/// True if the sizes are in the range of the quicker code, and so is the offset of centres.
 std::pair<bool, bool> moderate(const Pair& p) {
   const auto sizes = [](int kind, const properties::Numbers& numbers) {
     for (int i = 0; i < properties::field_count(kind); ++i) {
@@ -73,7 +73,7 @@ void demand_scaled(Judge& j, const Case& c, const Answer& r) {
   }
 }
 
-/// What no point is free of.
+/// The error that every point has.
 Real coordinate_rounding(double x, double y) { return Real(u) * (abs(Real(x)) + abs(Real(y))) + 2 * Real(last_place); }
 
 std::string in_units(const Real& error, const Real& unit) {
@@ -114,7 +114,7 @@ void judge_disjoint(Judge& j, const Shape& a, const Shape& b, const Answer& r) {
   }
 }
 
-/// Of a pair with finite results, in double: the laws of both queries. zero: whether the distance must be 0.
+/// The laws of both queries for a pair with finite results, in double. zero: whether the distance must be 0.
 void demand_quick(Judge& j, const Case& c, const Answer& r, bool zero) {
   const auto& n = r.numbers;
   j.demand(zero ? n[0] == 0 : n[0] > 0, "zero", zero ? 0 : 1, n[0]);
@@ -125,7 +125,7 @@ void demand_quick(Judge& j, const Case& c, const Answer& r, bool zero) {
   demand_moved(j, c, r);
 }
 
-/// Whether there is anything more to judge: errors are judged here, and floats by the doubles.
+/// True if there is more to check: errors are checked here, and floats by the doubles.
 bool has_numbers(Judge& j, const Case& c, const Answer& r) {
   if (r.code != 0) {
     j.demand(r.code == VESICA_E_RANGE && !far_from_overflow(c.scalar, c.pair), "code", "0", text(r));

@@ -36,7 +36,7 @@ Case ended(Case c, double end) {
   return c;
 }
 
-/// Where exponents are wildly unlike the one may be out of range and the other not.
+/// If exponents are wildly unlike, one may be out of range and the other not.
 bool same(const Answer& r, const Answer& s) {
   return r.code == VESICA_E_RANGE || s.code == VESICA_E_RANGE || (r.code == s.code && r.numbers[0] == s.numbers[0]);
 }
@@ -86,7 +86,7 @@ Extent extent(int kind, const Numbers& n) {
 
 double aspect(const Numbers& ellipse) { return std::fmax(ellipse[4], ellipse[5]) / std::fmin(ellipse[4], ellipse[5]); }
 
-/// Whether v is along (x, y) to 2^-77. Exactly so is known only where both are along an axis of the plane.
+/// True if v is along (x, y) to 2^-77. Exactness is known only if both are along an axis of the plane.
 bool is_nearly_along(double x, double y, const Motion& v) {
   if ((x == 0 && v.vx == 0) || (y == 0 && v.vy == 0)) return false;
   const double longer = std::fmax(std::fabs(x), std::fabs(y)), speed = std::fmax(std::fabs(v.vx), std::fabs(v.vy));
@@ -120,7 +120,7 @@ void demand_point(Judge& j, const Case& c, const Answer& r) {
   j.demand(off.numbers[0] <= 9 * u * scale + rounding, "point_on_outline", 9 * u * scale, off.numbers[0]);
   if (is_nearly_along_a_face(c.pair.kind_a, c.pair.a, c.motion)) return;
   if (is_nearly_along_a_face(c.pair.kind_b, c.pair.b, c.motion)) return;
-  // Where the other one is then: as all numbers round, and along the outline.
+  // The other one's place then: as all numbers round, and along the outline.
   const double t = r.numbers[0], vx = c.motion.vx, vy = c.motion.vy, way_x = vx * t, way_y = vy * t;
   const Numbers later = properties::moved(c.pair.kind_b, c.pair.b, {way_x, way_y});
   const double most = std::fmax(std::fabs(vx), std::fabs(vy)), length = std::hypot(vx / most, vy / most);
@@ -169,7 +169,7 @@ void demand_rounded_down(Judge& j, const Case& c, const Answer& r) {
   j.demand(static_cast<double>(down) == r.numbers[0], "float_time", static_cast<double>(down), r.numbers[0]);
 }
 
-/// What is outside of the box about the motion is never touched.
+/// Shapes outside of the box about the motion are never touched.
 void demand_within_sweep(Judge& j, const Case& c, const Answer& r) {
   const Answer at_rest = ask(Query::bounds, c.scalar, c.pair);
   const Answer swept = ask({Query::sweep_bounds, c.scalar, swapped(c.pair), c.motion});

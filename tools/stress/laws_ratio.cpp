@@ -14,7 +14,7 @@ constexpr double u = 0x1p-53;
 
 double code_of(const Answer& r, std::size_t which) { return r.numbers[ratio_count + which]; }
 
-/// Where the divisor is an area of 0, and there alone.
+/// Only if the divisor is an area of 0.
 void demand_codes(Judge& j, const Case& c, const Answer& r) {
   const bool a = has_area(c.pair.kind_a, c.pair.a), b = has_area(c.pair.kind_b, c.pair.b);
   for (std::size_t which = 0; which < ratio_count; ++which) {

@@ -270,7 +270,7 @@ int replay_all(const Options& options) {
   return wrong == 0 && !cases.empty() ? 0 : 1;
 }
 
-/// What batches are asked of shows when they are.
+/// Batches print their inputs when they are asked.
 int print_functions() {
   for (std::uint64_t group = 0; group < 64; ++group) {
     const Group drawn = draw_group(1, group);

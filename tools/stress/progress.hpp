@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What was asked and what was found; a file keeps it from one run to the next.
+/// The questions asked and the faults found; a file keeps them from one run to the next.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the stress test asks, and the one-line notation in which it prints and replays a case.
+/// The questions of the stress test, and the one-line notation in which it prints and replays a case.
 #pragma once
 
 #include <vesica.h>

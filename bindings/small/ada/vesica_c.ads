@@ -343,7 +343,7 @@ package Vesica_C is
    function Vesica_Check_F64 (Kind : Integer_32; Shape : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_check_f64";
 
-   --  What an error code means, as one English phrase without a full stop.
+   --  The meaning of an error code, as one English phrase without a full stop.
    function Vesica_Strerror (Code : Integer_32) return chars_ptr
      with Import, Convention => C, External_Name => "vesica_strerror";
 
@@ -482,7 +482,7 @@ package Vesica_C is
       IEEE_Float_64; Myy : IEEE_Float_64; Output : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_ellipse_from_matrix_f64";
 
-   --  Describes an array of `count` records, each of which starts with a shape's struct.
+   --  Describes an array of `count` records.
    function Vesica_Shapes_From_Records_F64 (Kind : Integer_32; Count : Integer_64; Base : System.Address; Stride
       : ptrdiff_t; Output : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_shapes_from_records_f64";
@@ -517,7 +517,7 @@ package Vesica_C is
       System.Address; Y : System.Address) return Integer_64
      with Import, Convention => C, External_Name => "vesica_depth_many_f64";
 
-   --  What area do a[i] and b[i] share? out[i] is the result of vesica_area_f64.
+   --  The area that a[i] and b[i] share: out[i] is the result of vesica_area_f64.
    function Vesica_Area_Many_F64 (A : System.Address; B : System.Address; Output : System.Address) return
       Integer_64
      with Import, Convention => C, External_Name => "vesica_area_many_f64";
@@ -542,7 +542,7 @@ package Vesica_C is
       Row_Stride : ptrdiff_t) return Integer_64
      with Import, Convention => C, External_Name => "vesica_contains_matrix_f64";
 
-   --  What area do a[i] and b[j] share?
+   --  The area that a[i] and b[j] share.
    function Vesica_Area_Matrix_F64 (A : System.Address; B : System.Address; Output : System.Address; Row_Stride :
       ptrdiff_t) return Integer_64
      with Import, Convention => C, External_Name => "vesica_area_matrix_f64";
@@ -776,7 +776,7 @@ package Vesica_C is
       IEEE_Float_32; Myy : IEEE_Float_32; Output : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_ellipse_from_matrix_f32";
 
-   --  Describes an array of `count` records, each of which starts with a shape's struct.
+   --  Describes an array of `count` records.
    function Vesica_Shapes_From_Records_F32 (Kind : Integer_32; Count : Integer_64; Base : System.Address; Stride
       : ptrdiff_t; Output : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_shapes_from_records_f32";
@@ -811,7 +811,7 @@ package Vesica_C is
       System.Address; Y : System.Address) return Integer_64
      with Import, Convention => C, External_Name => "vesica_depth_many_f32";
 
-   --  What area do a[i] and b[i] share? out[i] is the result of vesica_area_f32.
+   --  The area that a[i] and b[i] share: out[i] is the result of vesica_area_f32.
    function Vesica_Area_Many_F32 (A : System.Address; B : System.Address; Output : System.Address) return
       Integer_64
      with Import, Convention => C, External_Name => "vesica_area_many_f32";
@@ -836,7 +836,7 @@ package Vesica_C is
       Row_Stride : ptrdiff_t) return Integer_64
      with Import, Convention => C, External_Name => "vesica_contains_matrix_f32";
 
-   --  What area do a[i] and b[j] share?
+   --  The area that a[i] and b[j] share.
    function Vesica_Area_Matrix_F32 (A : System.Address; B : System.Address; Output : System.Address; Row_Stride :
       ptrdiff_t) return Integer_64
      with Import, Convention => C, External_Name => "vesica_area_matrix_f32";

@@ -377,7 +377,7 @@ module vesica_c
       real(c_double), intent(in) :: shape(*)
     end function
 
-    !> What an error code means, as one English phrase without a full stop.
+    !> The meaning of an error code, as one English phrase without a full stop.
     type(c_ptr) function vesica_strerror(code) bind(c)
       import
       integer(c_int32_t), value :: code
@@ -634,7 +634,7 @@ module vesica_c
       type(vesica_ellipse_f64), intent(out) :: out
     end function
 
-    !> Describes an array of `count` records, each of which starts with a shape's struct.
+    !> Describes an array of `count` records.
     integer(c_int32_t) function vesica_shapes_from_records_f64(kind, count, base, stride, out) bind(c)
       import
       integer(c_int32_t), value :: kind
@@ -702,7 +702,7 @@ module vesica_c
       type(c_ptr), value :: y
     end function
 
-    !> What area do a[i] and b[i] share? out[i] is the result of vesica_area_f64.
+    !> The area that a[i] and b[i] share: out[i] is the result of vesica_area_f64.
     integer(c_int64_t) function vesica_area_many_f64(a, b, out) bind(c)
       import
       type(vesica_shapes_f64), intent(in) :: a
@@ -745,7 +745,7 @@ module vesica_c
       integer(c_ptrdiff_t), value :: row_stride
     end function
 
-    !> What area do a[i] and b[j] share?
+    !> The area that a[i] and b[j] share.
     integer(c_int64_t) function vesica_area_matrix_f64(a, b, out, row_stride) bind(c)
       import
       type(vesica_shapes_f64), intent(in) :: a
@@ -1162,7 +1162,7 @@ module vesica_c
       type(vesica_ellipse_f32), intent(out) :: out
     end function
 
-    !> Describes an array of `count` records, each of which starts with a shape's struct.
+    !> Describes an array of `count` records.
     integer(c_int32_t) function vesica_shapes_from_records_f32(kind, count, base, stride, out) bind(c)
       import
       integer(c_int32_t), value :: kind
@@ -1230,7 +1230,7 @@ module vesica_c
       type(c_ptr), value :: y
     end function
 
-    !> What area do a[i] and b[i] share? out[i] is the result of vesica_area_f32.
+    !> The area that a[i] and b[i] share: out[i] is the result of vesica_area_f32.
     integer(c_int64_t) function vesica_area_many_f32(a, b, out) bind(c)
       import
       type(vesica_shapes_f32), intent(in) :: a
@@ -1273,7 +1273,7 @@ module vesica_c
       integer(c_ptrdiff_t), value :: row_stride
     end function
 
-    !> What area do a[i] and b[j] share?
+    !> The area that a[i] and b[j] share.
     integer(c_int64_t) function vesica_area_matrix_f32(a, b, out, row_stride) bind(c)
       import
       type(vesica_shapes_f32), intent(in) :: a

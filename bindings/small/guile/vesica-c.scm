@@ -91,7 +91,7 @@
 (c vesica_bounds_f64 int32 int32 '* '*)
 ;; Is a shape valid, and if not, which rule does it break?
 (c vesica_check_f64 int32 int32 '*)
-;; What an error code means, as one English phrase without a full stop.
+;; The meaning of an error code, as one English phrase without a full stop.
 (c vesica_strerror '* int32)
 ;; Where do the outlines of two shapes meet?
 (c vesica_crossings_f64 int64 int32 '* int32 '* '* int64 '*)
@@ -155,7 +155,7 @@
 (c vesica_ellipse_from_covariance_f64 int32 double double double double double double '*)
 ;; Ellipse of the points X with (X - C) .
 (c vesica_ellipse_from_matrix_f64 int32 double double double double double '*)
-;; Describes an array of `count` records, each of which starts with a shape's struct.
+;; Describes an array of `count` records.
 (c vesica_shapes_from_records_f64 int32 int32 int64 '* ptrdiff_t '*)
 ;; Do a[i] and b[i] share a point? out[i] is the answer of vesica_overlap_f64.
 (c vesica_overlap_many_f64 int64 '* '* '*)
@@ -169,7 +169,7 @@
 (c vesica_boundary_distance_many_f64 int64 '* '* '* '* '* '* '*)
 ;; How deep do a[i] and b[i] overlap?
 (c vesica_depth_many_f64 int64 '* '* '* '* '*)
-;; What area do a[i] and b[i] share? out[i] is the result of vesica_area_f64.
+;; The area that a[i] and b[i] share: out[i] is the result of vesica_area_f64.
 (c vesica_area_many_f64 int64 '* '* '*)
 ;; Intersection over union of a[i] and b[i]: out[i] is the result of vesica_iou_f64.
 (c vesica_iou_many_f64 int64 '* '* '*)
@@ -179,7 +179,7 @@
 (c vesica_relation_matrix_f64 int64 '* '* '* ptrdiff_t)
 ;; Does a[i] contain all of b[j]?
 (c vesica_contains_matrix_f64 int64 '* '* '* ptrdiff_t)
-;; What area do a[i] and b[j] share?
+;; The area that a[i] and b[j] share.
 (c vesica_area_matrix_f64 int64 '* '* '* ptrdiff_t)
 ;; Intersection over union of a[i] and b[j].
 (c vesica_iou_matrix_f64 int64 '* '* '* ptrdiff_t)
@@ -284,7 +284,7 @@
 (c vesica_ellipse_from_covariance_f32 int32 float float float float float float '*)
 ;; Ellipse of the points X with (X - C) .
 (c vesica_ellipse_from_matrix_f32 int32 float float float float float '*)
-;; Describes an array of `count` records, each of which starts with a shape's struct.
+;; Describes an array of `count` records.
 (c vesica_shapes_from_records_f32 int32 int32 int64 '* ptrdiff_t '*)
 ;; Do a[i] and b[i] share a point? out[i] is the answer of vesica_overlap_f32.
 (c vesica_overlap_many_f32 int64 '* '* '*)
@@ -298,7 +298,7 @@
 (c vesica_boundary_distance_many_f32 int64 '* '* '* '* '* '* '*)
 ;; How deep do a[i] and b[i] overlap?
 (c vesica_depth_many_f32 int64 '* '* '* '* '*)
-;; What area do a[i] and b[i] share? out[i] is the result of vesica_area_f32.
+;; The area that a[i] and b[i] share: out[i] is the result of vesica_area_f32.
 (c vesica_area_many_f32 int64 '* '* '*)
 ;; Intersection over union of a[i] and b[i]: out[i] is the result of vesica_iou_f32.
 (c vesica_iou_many_f32 int64 '* '* '*)
@@ -308,7 +308,7 @@
 (c vesica_relation_matrix_f32 int64 '* '* '* ptrdiff_t)
 ;; Does a[i] contain all of b[j]?
 (c vesica_contains_matrix_f32 int64 '* '* '* ptrdiff_t)
-;; What area do a[i] and b[j] share?
+;; The area that a[i] and b[j] share.
 (c vesica_area_matrix_f32 int64 '* '* '* ptrdiff_t)
 ;; Intersection over union of a[i] and b[j].
 (c vesica_iou_matrix_f32 int64 '* '* '* ptrdiff_t)

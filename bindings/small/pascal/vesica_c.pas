@@ -323,7 +323,7 @@ function vesica_bounds_f64(kind: Int32; shape: Pointer; output: PVesicaAabbF64):
   vesica_library;
 // Is a shape valid, and if not, which rule does it break?
 function vesica_check_f64(kind: Int32; shape: Pointer): Int32; cdecl; external vesica_library;
-// What an error code means, as one English phrase without a full stop.
+// The meaning of an error code, as one English phrase without a full stop.
 function vesica_strerror(code: Int32): PChar; cdecl; external vesica_library;
 // Where do the outlines of two shapes meet?
 function vesica_crossings_f64(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output: PVesicaPointF64;
@@ -414,7 +414,7 @@ function vesica_ellipse_from_covariance_f64(mean_x: Double; mean_y: Double; cxx:
 // Ellipse of the points X with (X - C) .
 function vesica_ellipse_from_matrix_f64(cx: Double; cy: Double; mxx: Double; mxy: Double; myy: Double; output:
   PVesicaEllipseF64): Int32; cdecl; external vesica_library;
-// Describes an array of `count` records, each of which starts with a shape's struct.
+// Describes an array of `count` records.
 function vesica_shapes_from_records_f64(kind: Int32; count: Int64; base: Pointer; stride: PtrInt; output:
   PVesicaShapesF64): Int32; cdecl; external vesica_library;
 // Do a[i] and b[i] share a point? out[i] is the answer of vesica_overlap_f64.
@@ -435,7 +435,7 @@ function vesica_boundary_distance_many_f64(a: PVesicaShapesF64; b: PVesicaShapes
 // How deep do a[i] and b[i] overlap?
 function vesica_depth_many_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; depth: PDouble; x: PDouble; y: PDouble):
   Int64; cdecl; external vesica_library;
-// What area do a[i] and b[i] share? out[i] is the result of vesica_area_f64.
+// The area that a[i] and b[i] share: out[i] is the result of vesica_area_f64.
 function vesica_area_many_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; output: PDouble): Int64; cdecl; external
   vesica_library;
 // Intersection over union of a[i] and b[i]: out[i] is the result of vesica_iou_f64.
@@ -450,7 +450,7 @@ function vesica_relation_matrix_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; ou
 // Does a[i] contain all of b[j]?
 function vesica_contains_matrix_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; output: PByte; row_stride: PtrInt):
   Int64; cdecl; external vesica_library;
-// What area do a[i] and b[j] share?
+// The area that a[i] and b[j] share.
 function vesica_area_matrix_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; output: PDouble; row_stride: PtrInt):
   Int64; cdecl; external vesica_library;
 // Intersection over union of a[i] and b[j].
@@ -594,7 +594,7 @@ function vesica_ellipse_from_covariance_f32(mean_x: Single; mean_y: Single; cxx:
 // Ellipse of the points X with (X - C) .
 function vesica_ellipse_from_matrix_f32(cx: Single; cy: Single; mxx: Single; mxy: Single; myy: Single; output:
   PVesicaEllipseF32): Int32; cdecl; external vesica_library;
-// Describes an array of `count` records, each of which starts with a shape's struct.
+// Describes an array of `count` records.
 function vesica_shapes_from_records_f32(kind: Int32; count: Int64; base: Pointer; stride: PtrInt; output:
   PVesicaShapesF32): Int32; cdecl; external vesica_library;
 // Do a[i] and b[i] share a point? out[i] is the answer of vesica_overlap_f32.
@@ -615,7 +615,7 @@ function vesica_boundary_distance_many_f32(a: PVesicaShapesF32; b: PVesicaShapes
 // How deep do a[i] and b[i] overlap?
 function vesica_depth_many_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; depth: PSingle; x: PSingle; y: PSingle):
   Int64; cdecl; external vesica_library;
-// What area do a[i] and b[i] share? out[i] is the result of vesica_area_f32.
+// The area that a[i] and b[i] share: out[i] is the result of vesica_area_f32.
 function vesica_area_many_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; output: PSingle): Int64; cdecl; external
   vesica_library;
 // Intersection over union of a[i] and b[i]: out[i] is the result of vesica_iou_f32.
@@ -630,7 +630,7 @@ function vesica_relation_matrix_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; ou
 // Does a[i] contain all of b[j]?
 function vesica_contains_matrix_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; output: PByte; row_stride: PtrInt):
   Int64; cdecl; external vesica_library;
-// What area do a[i] and b[j] share?
+// The area that a[i] and b[j] share.
 function vesica_area_matrix_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; output: PSingle; row_stride: PtrInt):
   Int64; cdecl; external vesica_library;
 // Intersection over union of a[i] and b[j].

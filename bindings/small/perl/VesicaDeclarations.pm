@@ -84,7 +84,7 @@ our @FUNCTIONS = (
     [vesica_bounds_f64 => ['sint32', 'double[]', 'opaque'] => 'sint32'],
     # Is a shape valid, and if not, which rule does it break?
     [vesica_check_f64 => ['sint32', 'double[]'] => 'sint32'],
-    # What an error code means, as one English phrase without a full stop.
+    # The meaning of an error code, as one English phrase without a full stop.
     [vesica_strerror => ['sint32'] => 'string'],
     # Where do the outlines of two shapes meet?
     [vesica_crossings_f64 => ['sint32', 'double[]', 'sint32', 'double[]', 'opaque', 'sint64', 'opaque'] => 'sint64'],
@@ -149,7 +149,7 @@ our @FUNCTIONS = (
         'opaque'] => 'sint32'],
     # Ellipse of the points X with (X - C) .
     [vesica_ellipse_from_matrix_f64 => ['double', 'double', 'double', 'double', 'double', 'opaque'] => 'sint32'],
-    # Describes an array of `count` records, each of which starts with a shape's struct.
+    # Describes an array of `count` records.
     [vesica_shapes_from_records_f64 => ['sint32', 'sint64', 'opaque', 'sint64', 'opaque'] => 'sint32'],
     # Do a[i] and b[i] share a point? out[i] is the answer of vesica_overlap_f64.
     [vesica_overlap_many_f64 => ['opaque', 'opaque', 'opaque'] => 'sint64'],
@@ -164,7 +164,7 @@ our @FUNCTIONS = (
         'opaque'] => 'sint64'],
     # How deep do a[i] and b[i] overlap?
     [vesica_depth_many_f64 => ['opaque', 'opaque', 'opaque', 'opaque', 'opaque'] => 'sint64'],
-    # What area do a[i] and b[i] share? out[i] is the result of vesica_area_f64.
+    # The area that a[i] and b[i] share: out[i] is the result of vesica_area_f64.
     [vesica_area_many_f64 => ['opaque', 'opaque', 'opaque'] => 'sint64'],
     # Intersection over union of a[i] and b[i]: out[i] is the result of vesica_iou_f64.
     [vesica_iou_many_f64 => ['opaque', 'opaque', 'opaque'] => 'sint64'],
@@ -174,7 +174,7 @@ our @FUNCTIONS = (
     [vesica_relation_matrix_f64 => ['opaque', 'opaque', 'opaque', 'sint64'] => 'sint64'],
     # Does a[i] contain all of b[j]?
     [vesica_contains_matrix_f64 => ['opaque', 'opaque', 'opaque', 'sint64'] => 'sint64'],
-    # What area do a[i] and b[j] share?
+    # The area that a[i] and b[j] share.
     [vesica_area_matrix_f64 => ['opaque', 'opaque', 'opaque', 'sint64'] => 'sint64'],
     # Intersection over union of a[i] and b[j].
     [vesica_iou_matrix_f64 => ['opaque', 'opaque', 'opaque', 'sint64'] => 'sint64'],
@@ -280,7 +280,7 @@ our @FUNCTIONS = (
         'opaque'] => 'sint32'],
     # Ellipse of the points X with (X - C) .
     [vesica_ellipse_from_matrix_f32 => ['float', 'float', 'float', 'float', 'float', 'opaque'] => 'sint32'],
-    # Describes an array of `count` records, each of which starts with a shape's struct.
+    # Describes an array of `count` records.
     [vesica_shapes_from_records_f32 => ['sint32', 'sint64', 'opaque', 'sint64', 'opaque'] => 'sint32'],
     # Do a[i] and b[i] share a point? out[i] is the answer of vesica_overlap_f32.
     [vesica_overlap_many_f32 => ['opaque', 'opaque', 'opaque'] => 'sint64'],
@@ -295,7 +295,7 @@ our @FUNCTIONS = (
         'opaque'] => 'sint64'],
     # How deep do a[i] and b[i] overlap?
     [vesica_depth_many_f32 => ['opaque', 'opaque', 'opaque', 'opaque', 'opaque'] => 'sint64'],
-    # What area do a[i] and b[i] share? out[i] is the result of vesica_area_f32.
+    # The area that a[i] and b[i] share: out[i] is the result of vesica_area_f32.
     [vesica_area_many_f32 => ['opaque', 'opaque', 'opaque'] => 'sint64'],
     # Intersection over union of a[i] and b[i]: out[i] is the result of vesica_iou_f32.
     [vesica_iou_many_f32 => ['opaque', 'opaque', 'opaque'] => 'sint64'],
@@ -305,7 +305,7 @@ our @FUNCTIONS = (
     [vesica_relation_matrix_f32 => ['opaque', 'opaque', 'opaque', 'sint64'] => 'sint64'],
     # Does a[i] contain all of b[j]?
     [vesica_contains_matrix_f32 => ['opaque', 'opaque', 'opaque', 'sint64'] => 'sint64'],
-    # What area do a[i] and b[j] share?
+    # The area that a[i] and b[j] share.
     [vesica_area_matrix_f32 => ['opaque', 'opaque', 'opaque', 'sint64'] => 'sint64'],
     # Intersection over union of a[i] and b[j].
     [vesica_iou_matrix_f32 => ['opaque', 'opaque', 'opaque', 'sint64'] => 'sint64'],

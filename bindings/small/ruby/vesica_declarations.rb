@@ -81,7 +81,7 @@ module Vesica
     'int vesica_bounds_f64(int, void *, void *)',
     # Is a shape valid, and if not, which rule does it break?
     'int vesica_check_f64(int, void *)',
-    # What an error code means, as one English phrase without a full stop.
+    # The meaning of an error code, as one English phrase without a full stop.
     'const char * vesica_strerror(int)',
     # Where do the outlines of two shapes meet?
     'int64_t vesica_crossings_f64(int, void *, int, void *, void *, int64_t, void *)',
@@ -145,7 +145,7 @@ module Vesica
     'int vesica_ellipse_from_covariance_f64(double, double, double, double, double, double, void *)',
     # Ellipse of the points X with (X - C) .
     'int vesica_ellipse_from_matrix_f64(double, double, double, double, double, void *)',
-    # Describes an array of `count` records, each of which starts with a shape's struct.
+    # Describes an array of `count` records.
     'int vesica_shapes_from_records_f64(int, int64_t, void *, ptrdiff_t, void *)',
     # Do a[i] and b[i] share a point? out[i] is the answer of vesica_overlap_f64.
     'int64_t vesica_overlap_many_f64(void *, void *, void *)',
@@ -159,7 +159,7 @@ module Vesica
     'int64_t vesica_boundary_distance_many_f64(void *, void *, void *, void *, void *, void *, void *)',
     # How deep do a[i] and b[i] overlap?
     'int64_t vesica_depth_many_f64(void *, void *, void *, void *, void *)',
-    # What area do a[i] and b[i] share? out[i] is the result of vesica_area_f64.
+    # The area that a[i] and b[i] share: out[i] is the result of vesica_area_f64.
     'int64_t vesica_area_many_f64(void *, void *, void *)',
     # Intersection over union of a[i] and b[i]: out[i] is the result of vesica_iou_f64.
     'int64_t vesica_iou_many_f64(void *, void *, void *)',
@@ -169,7 +169,7 @@ module Vesica
     'int64_t vesica_relation_matrix_f64(void *, void *, void *, ptrdiff_t)',
     # Does a[i] contain all of b[j]?
     'int64_t vesica_contains_matrix_f64(void *, void *, void *, ptrdiff_t)',
-    # What area do a[i] and b[j] share?
+    # The area that a[i] and b[j] share.
     'int64_t vesica_area_matrix_f64(void *, void *, void *, ptrdiff_t)',
     # Intersection over union of a[i] and b[j].
     'int64_t vesica_iou_matrix_f64(void *, void *, void *, ptrdiff_t)',
@@ -274,7 +274,7 @@ module Vesica
     'int vesica_ellipse_from_covariance_f32(float, float, float, float, float, float, void *)',
     # Ellipse of the points X with (X - C) .
     'int vesica_ellipse_from_matrix_f32(float, float, float, float, float, void *)',
-    # Describes an array of `count` records, each of which starts with a shape's struct.
+    # Describes an array of `count` records.
     'int vesica_shapes_from_records_f32(int, int64_t, void *, ptrdiff_t, void *)',
     # Do a[i] and b[i] share a point? out[i] is the answer of vesica_overlap_f32.
     'int64_t vesica_overlap_many_f32(void *, void *, void *)',
@@ -288,7 +288,7 @@ module Vesica
     'int64_t vesica_boundary_distance_many_f32(void *, void *, void *, void *, void *, void *, void *)',
     # How deep do a[i] and b[i] overlap?
     'int64_t vesica_depth_many_f32(void *, void *, void *, void *, void *)',
-    # What area do a[i] and b[i] share? out[i] is the result of vesica_area_f32.
+    # The area that a[i] and b[i] share: out[i] is the result of vesica_area_f32.
     'int64_t vesica_area_many_f32(void *, void *, void *)',
     # Intersection over union of a[i] and b[i]: out[i] is the result of vesica_iou_f32.
     'int64_t vesica_iou_many_f32(void *, void *, void *)',
@@ -298,7 +298,7 @@ module Vesica
     'int64_t vesica_relation_matrix_f32(void *, void *, void *, ptrdiff_t)',
     # Does a[i] contain all of b[j]?
     'int64_t vesica_contains_matrix_f32(void *, void *, void *, ptrdiff_t)',
-    # What area do a[i] and b[j] share?
+    # The area that a[i] and b[j] share.
     'int64_t vesica_area_matrix_f32(void *, void *, void *, ptrdiff_t)',
     # Intersection over union of a[i] and b[j].
     'int64_t vesica_iou_matrix_f32(void *, void *, void *, ptrdiff_t)',

@@ -110,7 +110,7 @@ struct HalfCircle {
   }
   double slope(double at) const noexcept { return slope(at, point(at)); }
   /// A point's value, and the angle along the circle to the nearer zero of the parabola that fits the value there: so a
-  /// pair of zeros that nearly coincide is met as soon as one alone.
+  /// pair of zeros that nearly coincide is found as soon as one alone.
   struct Step {
     double at, height, value, angle;
     double next() const noexcept { return (at - height * angle) / std::sqrt(1 + angle * angle); }
@@ -138,7 +138,7 @@ inline double between_magnitudes(double low, double high) noexcept {
   const double least = 0x1p-40 * high;
   return std::sqrt((low > least ? low : least) * high);
 }
-/// A place between two of the diameter. Those near its middle or its ends are told by how near they are.
+/// A place between two of the diameter. Places near its middle or its ends are stored by their distance from there.
 inline double between(double low, double high) noexcept {
   if (low < 0 && high > 0) return 0;
   if (low < 0) return -between(-high, -low);
@@ -187,7 +187,7 @@ class Search {
     if (low_ > -0x1p-115 && high_ < 0x1p-115) return true;
     const double angle = std::fabs(step.angle), last_angle = last_angle_;
     last_angle_ = angle < 4 ? angle : 4;
-    // Where outlines coincide, but for what no slope tells, a cut may be anywhere.
+    // If outlines coincide as far as slopes show, a cut may be anywhere.
     if (!(angle < 4) && std::fabs(step.value) * rounded(half_->f.p) < 0x1p-64) return true;
     if (angle < 0x1p-28 || angle <= 0.5 * last_angle) {
       const double next = step.next();
@@ -209,8 +209,8 @@ template <class V>
 struct Searches {
   Search<V> search[8];  ///< two at most on the lower half circle, and two on each of the three parts of the upper
   int count = 0;
-  /// Where f's centre is on the diameter both half circles see the same, and search the same places: once will do. Such
-  /// searches begin at the same place, and those of one half circle at different ones.
+  /// If f's centre is on the diameter, both half circles see the same and search the same places: once will do. Such
+  /// searches begin at the same place, and searches of one half circle at different ones.
   void add(const HalfCircle<V>& half, const Place& low, const Place& high) noexcept {
     for (int i = 0; i < count && rounded(half.f.y) == 0; ++i) {
       if (search[i].begins_at(low.x)) return;
@@ -319,7 +319,7 @@ inline double cube_root(double r) noexcept {
 struct Upper {
   double reach = 0, least = 0;
 };
-/// Where outlines all but coincide a double would not tell p from q.
+/// If outlines nearly coincide, a double would not distinguish p from q.
 template <class V>
 Upper upper_half(const Against<V>& f) noexcept {
   const V one(1.0), ratio = f.q * f.over_p, flatness = (one - ratio) * (one + ratio);
@@ -372,7 +372,7 @@ inline double disc_segment(double x0, double y0, double x1, double y1) noexcept 
 /// By how much the disc's outline is inside the other's at one x, above and below.
 struct Gaps {
   double above = 0, below = 0;
-  /// Where outlines touch between two cuts, one look may meet that very place: the widest gap of several counts.
+  /// If outlines touch between two cuts, one look may find that very place: the widest gap of several counts.
   template <class V>
   void look(const Against<V>& f, const Heights<V>& h) noexcept {
     const double above_here = rounded(f.y + h.other - h.disc), below_here = rounded(h.other - f.y - h.disc);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A small shape that crosses the outline of an extremely larger one. Double-doubles then cannot tell where the outline
-/// runs, or it is straight as far as they can tell. So the outline's place is computed exactly and rounded once.
+/// A small shape that crosses the outline of an extremely larger one. Double-doubles then cannot place the outline,
+/// or it is straight in their precision. So the outline's place is computed exactly and rounded once.
 #pragma once
 
 #include <vesica/area/ellipse_ellipse.hpp>
@@ -71,7 +71,7 @@ inline double area_in_half_plane(const Oval<double>& e, const HalfPlane& h) noex
 }
 
 /// A box's edges in the frame in which a smaller ellipse is the unit disc, from exact distances. unit: the exponent of
-/// the ellipse's units, axis that of the box's axis in its own.
+/// the ellipse's units, axis the exponent of the box's axis in its own.
 inline Lines exact_lines(const exact::Box& box, const exact::Ellipse& e, const filter::Box<double>& box_in_units,
                          const Oval<double>& e_in_units, int unit) noexcept {
   const exact::Length dx = box.cx - e.cx, dy = box.cy - e.cy;

@@ -15,7 +15,7 @@ using DoubleDouble = arithmetic::AccurateDoubleDouble;
 inline constexpr double pi_high = 0x1.921fb54442d18p+1, pi_low = 0x1.1a62633145c07p-53;
 
 /// value * 2^exponent. The value is 0 or in a range whose squares and quotients are normal numbers. Where the area of a
-/// shape is subnormal, `low` is what the value lacks: it is rounded at another place there.
+/// shape is subnormal, `low` is the value's error: it is rounded at another place there.
 struct Measure {
   double value;
   int exponent;

@@ -144,7 +144,7 @@ inline AccurateDoubleDouble operator/(const AccurateDoubleDouble& a, const Accur
   const double third = (rest - b * AccurateDoubleDouble(second)).high / b.high;
   return AccurateDoubleDouble::renormalised(first, second) + AccurateDoubleDouble(third);
 }
-/// A rounded root and one Newton step. The root's square has the number's own high part but for a few last places:
+/// A rounded root and one Newton step. The root's square has the number's own high part up to a few last places:
 /// their difference is exact.
 inline AccurateDoubleDouble sqrt(const AccurateDoubleDouble& a) noexcept {
   if (!(a.high > 0)) return {};

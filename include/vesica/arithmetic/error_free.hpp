@@ -96,7 +96,7 @@ inline Pair<double> two_product_fused(double a, double b) noexcept {
   return {high, std::fma(a, b, -high)};
 }
 
-/// Where the hardware fuses: scalars and lanes that have a * b - c, rounded once.
+/// True for scalars and lanes whose hardware has a * b - c, rounded once.
 template <class V>
 concept HasFused = requires(V x) {
   fused_difference(x, x, x);

@@ -5,7 +5,7 @@
 
 namespace vesica::detail::arithmetic {
 
-/// Of one angle.
+/// Sine and cosine of one angle.
 struct Rotation {
   double cosine, sine;
 };
@@ -18,7 +18,7 @@ inline constexpr double most_radians = 0x1p20;
 ///   - Quarter turns are taken out. The two upper parts of pi / 2 have 33 bits and the count has at most 20, so their
 ///     products are exact. The lower part is off by 2^-122, times 2^20 that is nothing. Three differences below 1 are
 ///     rounded: what is left, at most 0.79, is off by 1.5.
-///   - Taylor's series of sine up to x^17 leaves out less than 0.79^19 / 19! < 2^-63, that of cosine up to x^18 less
+///   - Taylor's series of sine up to x^17 leaves out less than 0.79^19 / 19! < 2^-63, cosine's up to x^18 less
 ///     than 0.79^20 / 20! < 2^-67. Each ends in x + x s or 1 + c. s is below 0.11 and c below 0.32, both right to 4u of
 ///     themselves, and the sum rounds by 0.5: with what is left over less than 3 of sine, and less than 4 of cosine.
 inline Rotation rotation(double angle) noexcept {

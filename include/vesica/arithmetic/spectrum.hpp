@@ -32,7 +32,7 @@ struct Spectrum {
 
 enum class Definite { no, semi, positive };
 
-/// a b - c^2 to 2 roundoffs of itself, hence with the right sign (Kahan; Jeannerod, Louvet, Muller, "Further analysis
+/// a b - c^2, right to 2 roundoffs, hence with the right sign (Kahan; Jeannerod, Louvet, Muller, "Further analysis
 /// of Kahan's algorithm for the accurate computation of 2 x 2 determinants", 2013).
 inline double determinant(double a, double b, double c) noexcept {
   const double square = c * c;
@@ -59,7 +59,7 @@ inline Definite spectrum(double xx, double xy, double yy, Spectrum& out) noexcep
   const double x = scale(xx, -2 * i), y = scale(yy, -2 * j), off = scale(xy, -i - j);
   const double det = std::fabs(off) < 1 ? determinant(x, y, off) : -1;
   if (det < 0) return Definite::no;
-  // Twice the eigenvector's angle is that of (xx - yy, 2 xy), whose length is the eigenvalues' difference.
+  // Twice the eigenvector's angle is the angle of (xx - yy, 2 xy), whose length is the eigenvalues' difference.
   const int k = exponent_of(std::fmax(std::fabs(xx - yy), std::fabs(xy)));
   const UnitAndLength twice = unit_and_length(scale(xx - yy, -k), 2 * scale(xy, -k), k);
   halve_angle(twice.x, twice.y, xy, out);

@@ -25,7 +25,7 @@ VESICA_INLINE V limited(V x, V size) noexcept {
   return max(min(x, size), -size);
 }
 
-/// From the face across the first box's axis, or the one along it. `told`: whether the other is not as near.
+/// From the face across the first box's axis, or the one along it. `told`: true if the other is not as near.
 template <class V, class Mask>
 VESICA_INLINE NestedBoxes<V> nested_at(const BoxPair<V>& p, Mask take_across, const Reach<V>& found,
                                        Mask told) noexcept {
@@ -45,7 +45,7 @@ VESICA_INLINE NestedBoxes<V> nested_at(const BoxPair<V>& p, Mask take_across, co
           zero + y,    both(both(in_range(p), told), clear)};
 }
 
-/// The second box lies strictly inside the first. The answer is its least distance from the first's faces, of which
+/// The second box lies strictly inside the first. The answer is its least distance from the first's faces:
 /// only the two on the side of its centre count. The face is chosen in rounded arithmetic; its distance is then
 /// computed in double-doubles.
 template <class V>

@@ -162,7 +162,7 @@ inline EdgeCrossing edge_crossing(const Polygon& a, const Sides& of_a, int i, co
                                   int j) noexcept {
   const double t = of_b.crossing(b, j, a, i), s = of_a.crossing(a, i, b, j);
   const RoundedEdge e(a.corners, i), f(b.corners, j);
-  // The shorter edge tells the place better. Of equal ones, either order of the boxes takes the same.
+  // The shorter edge gives the place more precisely. If both are equal, either order of the boxes takes the same one.
   const double ex = e.at_x(t), ey = e.at_y(t), fx = f.at_x(s), fy = f.at_y(s);
   const double length_e = e.length(), length_f = f.length();
   const bool along_e = length_e < length_f || (length_e == length_f && (ex < fx || (ex == fx && ey < fy)));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The places where outlines of two ellipses meet. The form of one along a quarter of the other's outline is a quartic,
 /// formed exactly and rounded once to 370 bits; its zeros are found to 2^-96 of a turn. Mostly each is certainly one
-/// zero at which the sign changes, so that it is known how many there are. Else exact signs tell that, and how many
-/// places only touch: zeros closer than 2^-95 may be one spot with as many places as are missing.
+/// zero at which the sign changes, so that their number is known. Otherwise exact signs decide the number, and how many
+/// places only touch: zeros closer than 2^-95 may be one group with as many places as are missing.
 #pragma once
 
 #include <algorithm>
@@ -42,7 +42,7 @@ struct Harmonics {
     for (const auto& x : terms) {
       if (x.sign != 0) top = std::max(top, exact::detail::top_bit(x));
     }
-    // Coefficients of the quartics are less than 72 times the greatest of these.
+    // Coefficients of the quartics are less than 72 times the greatest of them.
     top += 10;
     Fixed* const out[5] = {&mean, &c1, &s1, &c2, &s2};
     for (int i = 0; i < 5; ++i) *out[i] = fixed(terms[i], top);
@@ -179,7 +179,7 @@ struct Groups {
 };
 
 /// As many places as the census says: an odd group has a crossing, a touch is where the quartic's extreme is nearest to
-/// 0, and what is missing are crossings too close to be told apart.
+/// 0, and missing ones are crossings too close to be distinguished.
 inline void share_out(Groups& groups, const Census& census) noexcept {
   int crossing = census.crossing, touching = census.touching;
   for (int i = 0; i < groups.count; ++i) {
@@ -298,7 +298,7 @@ inline Real along_circle(const Real& x, const Real& y, const Real& radius) noexc
 }
 
 /// The place at which f's outline begins, if it is one of them, is the first along f. Others may be nearer to it than
-/// roundings, as seen from f; along e places are told apart.
+/// roundings, as seen from f; along e places are distinct.
 inline void mend_start(const exact::Ellipse& e, const exact::Ellipse& f, Found& found) noexcept {
   const auto z = exact::image(e, f.cx - e.cx + f.a * f.ux, f.cy - e.cy + f.a * f.uy);
   const auto radius = e.a * e.b * exact::dot(e.ux, e.uy, e.ux, e.uy);

@@ -218,7 +218,7 @@ int set_part(const Quartic& q, exact::Limb from, exact::Limb to, Quartic& out) n
 }
 
 /// The same quartic from t = from / 2^64 to t = to / 2^64, or to t = 1 for a `to` of 0, but not all of it, by its polar
-/// form: coefficient i is that of i times `to` and 4 - i times `from`. The lowest `limbs` limbs hold the coefficients.
+/// form: coefficient i takes i times `to` and 4 - i times `from`. The lowest `limbs` limbs hold the coefficients.
 /// Returns its changes of sign.
 inline int part(const Quartic& q, exact::Limb from, exact::Limb to, int limbs, Quartic& out) noexcept {
   int changes = 0;
@@ -275,7 +275,7 @@ inline HalvesChanges halve(Quartic& to_high, Quartic& low, int limbs) noexcept {
 }
 
 /// A quartic's coefficients as doubles over 2^exponent, which makes the greatest about 1: between 1/2 and 1, or 0. Each
-/// is right to 2^-53 of itself and 2^-63.
+/// is right to a relative 2^-53 plus 2^-63.
 struct InDoubles {
   double coefficient[5];
   int exponent;

@@ -21,7 +21,7 @@ struct Spot {
 };
 
 /// In order, each narrower than the shortest interval of the tangent that matters, which two steps of 48 bits reach.
-/// Four zeros, and as many that rounding cannot tell from zeros.
+/// Four zeros, and as many that rounding cannot distinguish from zeros.
 struct Spots {
   Spot spot[16];
   int count = 0;
@@ -36,7 +36,7 @@ inline double root(int degree, double x) noexcept {
   return degree == 1 ? x : degree == 2 ? std::sqrt(x) : degree == 3 ? std::cbrt(x) : std::sqrt(std::sqrt(x));
 }
 
-/// A group of zeros is not told from what is less than 2 to this power: eight times what is negligible.
+/// Values below 2 to this power, eight times the negligible, are not distinguished from a group of zeros.
 inline constexpr int least_exponent = -316;
 
 /// In doubles, scaled: the coefficients about a point, and where the zeros of an interval are by them.
@@ -159,7 +159,7 @@ struct Local {
     return arithmetic::scale(std::fabs(derivative<0>(t)), bernstein.exponent);
   }
   /// The value at t, a multiple of 2^-53 between 0 and 1, where its sign is certain and it is not negligible; else 0.
-  /// Without cancellation but that of the terms themselves, each right to 2^-50 of itself and 2^-60. The quartic that
+  /// No cancellation except within the terms, each right to a relative 2^-50 plus 2^-60. The quartic that
   /// part() cuts off has it as its first or last coefficient, to 2^-379.
   double certain_value(double t) const noexcept {
     if (bernstein.exponent < -250) return 0;
@@ -176,7 +176,7 @@ struct Local {
   }
 
  private:
-  /// What is less than this at a group of k, over the derivative of order k, is less than 2^-5 in reach().
+  /// A value below this at a group of k, over the derivative of order k, is less than 2^-5 in reach().
   template <int k>
   static constexpr double least_far = 1.0 / (1 << 6 * k);
   static constexpr double binomial[5][5] = {
@@ -307,7 +307,7 @@ class ZeroSearch {
     const Fixed& c = i.q.coefficient[t == 0 ? 0 : 4];
     return c.negligible() ? 0 : c.negative() ? -1 : 1;
   }
-  /// As reach(), where doubles do not tell it.
+  /// As reach(), if doubles do not decide.
   static double exact_reach(const Interval& i, int k, double t) noexcept {
     const double least = arithmetic::power_of_two(least_exponent);
     const Derivatives d(i.q, t, i.limbs);

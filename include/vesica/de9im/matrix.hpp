@@ -31,7 +31,7 @@ constexpr bool is_one_of(char c, const char* list) noexcept {
   return false;
 }
 
-/// True if a text is nine of these characters.
+/// True if a text is nine such characters.
 constexpr bool is_nine_of(const char* text, const char* list) noexcept {
   for (int i = 0; i < 9; ++i) {
     if (!is_one_of(text[i], list)) return false;
@@ -41,7 +41,7 @@ constexpr bool is_nine_of(const char* text, const char* list) noexcept {
 
 }  // namespace detail::de9im
 
-/// Matches a matrix with a pattern of F, 0, 1, 2, T (any of these numbers) and * (anything): 1 or 0, or error_argument
+/// Matches a matrix with a pattern of F, 0, 1, 2, T (any number) and * (anything): 1 or 0, or error_argument
 /// for a text that is no matrix or no pattern.
 constexpr std::int32_t de9im_match(const char* matrix, const char* pattern) noexcept {
   namespace nine = detail::de9im;

@@ -69,7 +69,7 @@ VESICA_COLD inline NineIntersections of_segments(const exact::Box& box_a, const 
            point_if(in_b.outside), line_if(in_a.outside), point_if(in_a.outside), '2', 0}};
 }
 
-/// A segment and an area that share a point, of which they have the insides in common, or a stretch of the outline. If
+/// A segment and an area that share a point: their insides meet, or a stretch of the outline is shared. If
 /// the insides meet, the open segment meets the outline where it leaves the area. If not, it has a stretch of it, or a
 /// single point, which may be its end.
 inline NineIntersections of_segment_and_area(const Ends& ends, bool insides, bool stretch) noexcept {

@@ -18,7 +18,7 @@ struct BoxDepth {
   Mask settled;
 };
 
-/// A computed depth below this share of the sizes may stand for 0. Exact arithmetic tells.
+/// A computed depth below this share of the sizes may stand for 0. Exact arithmetic decides.
 inline constexpr double least_settled_depth = 0x1p-46;
 
 /// True if the pair is to be exchanged, so that (a, b) and (b, a) do the same work. Boxes are ordered by their numbers,
@@ -35,7 +35,7 @@ VESICA_INLINE auto out_of_order(const BoxPair<V>& p) noexcept {
   return greater;
 }
 
-/// The depth along a face's normal. `told`: whether no other face is as near.
+/// The depth along a face's normal. `told`: true if no other face is as near.
 template <class V, class Mask>
 VESICA_INLINE BoxDepth<V> depth_along(const Face<V>& face, const Reach<V>& best, const BoxPair<V>& given, Mask exchange,
                                       Mask told) noexcept {

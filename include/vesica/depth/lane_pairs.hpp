@@ -26,7 +26,7 @@ VESICA_INLINE MaskOf<V> out_of_order(const Ellipse<V>& a, const Ellipse<V>& b, c
   return greater;
 }
 
-/// An offset of 0 has no sign: whether a stored 0 had one must not tell the way.
+/// An offset of 0 has no sign: the sign of a stored 0 must not choose the direction.
 template <class V>
 VESICA_INLINE Vector<V> without_signs_of_zero(const Vector<V>& d) noexcept {
   const V zero(0.0);

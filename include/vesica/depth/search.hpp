@@ -25,7 +25,7 @@ struct Least {
   FastDoubleDouble<double> value;
 };
 
-/// Of 16ths of a half turn.
+/// Cosines and sines of 16ths of a half turn.
 inline constexpr double cosines_of_16ths[] = {1,
                                               0x1.f6297cff75cbp-1,
                                               0x1.d906bcf328d46p-1,
@@ -36,10 +36,10 @@ inline constexpr double cosines_of_16ths[] = {1,
                                               0x1.8f8b83c69a60bp-3,
                                               0};
 
-/// Where F bends less, its slope does not tell where it is least.
+/// If F bends less, its slope does not show the minimum.
 inline constexpr double least_bend = 0x1p-40;
 
-/// The search does not tell values apart that differ by its rounding: several faces of boxes, and all directions of two
+/// Values that differ by rounding are equal for the search: several faces of boxes, and all directions of two
 /// shapes that are nearly circles and nearly concentric. Where they are as near, to rounding, the normals of faces, or
 /// the way to the centre and directions all round, are compared to twice the precision.
 inline Least least_of_ties(const Frame& frame, const Objective& o, const Minimum& found) noexcept {

@@ -16,7 +16,7 @@ constexpr int compare_products_by_size(const Number<A>& a, const Number<B>& b, c
   const int sign = a.sign * b.sign, other = c.sign * d.sign;
   if (sign != other) return sign > other ? 1 : -1;
   if (sign == 0) return 0;
-  // The top bit of a product is that of its factors' sum, or one below.
+  // The top bit of a product is at the sum of its factors' bits, or one below.
   const std::int64_t left = top_bit(a) + top_bit(b), right = top_bit(c) + top_bit(d);
   return left + 1 < right ? -sign : right + 1 < left ? sign : 2;
 }

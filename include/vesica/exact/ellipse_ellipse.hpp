@@ -79,7 +79,7 @@ VESICA_CALLED constexpr bool reaches_zero(const ContactCubic& p) noexcept {
 /// or beyond y+ to a local maximum; with three real roots that maximum is not negative. q'(y+), q''(y+) and q(y+) times
 /// positive factors are numbers a + b sqrt(delta). Of q', rest + slope sqrt(delta), the rest is negative: where
 /// S1 = diag(s, t), S2 = 1 and D = (x, y) it is -2 (s x^2 + t y^2) - (s - t)^2. So q' has the sign of
-/// slope^2 delta - rest^2, of which 4 d2 is a factor. Degree 32.
+/// slope^2 delta - rest^2, which has the factor 4 d2. Degree 32.
 VESICA_CALLED constexpr bool first_in_second(const ContactCubic& p) noexcept {
   const Number<8> slope = slope_of(p);
   if (slope.sign <= 0) return false;

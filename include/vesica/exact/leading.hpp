@@ -24,7 +24,7 @@ struct Leading {
   constexpr explicit Leading(const Number<Degree>& x) noexcept {
     if (x.sign != 0) set(x.sign, x.span());
   }
-  /// Of a magnitude that may begin with zeros.
+  /// The leading digits of a magnitude that may begin with zeros.
   constexpr void set(int its_sign, detail::Span x) noexcept {
     while (x.size > 0 && x.limb[x.size - 1] == 0) --x.size;
     if (x.size == 0) return;

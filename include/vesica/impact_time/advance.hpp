@@ -76,7 +76,7 @@ inline Reached march(const Scene& s, const Heading& h, Reached at, double enough
 enum class Outcome { missed, close };
 
 /// The time up to which there is no contact, a direction that separates the shapes then, and the distance as the
-/// library tells it, where it was asked.
+/// library returns it, if it was asked.
 struct Advanced {
   Outcome outcome;
   double t;

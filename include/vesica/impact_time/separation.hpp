@@ -11,7 +11,7 @@
 ///
 /// K: a shape that turns by w adds (w - r)^2 bend (scene.hpp). The second derivative of n.(D + t v) is 2 r perp(n).v -
 /// r^2 n.(D + t v): at most 2 |r v|, and r^2 times how far n.(D + t v) can get below 0 within L, which it hardly does.
-/// r is 0, or that of a shape whose face's normal n is.
+/// r is 0, or the radius of the shape that has n as a face's normal.
 #pragma once
 
 #include <vesica/impact_time/scene.hpp>
@@ -98,7 +98,7 @@ inline void try_face(const Scene& s, const Pose& at, Kept kept, const PlaneVecto
   if (by.least > best.by.least) best = {{out, kept, back ? -in_frame : in_frame}, by};
 }
 
-/// The best face of either box. Boxes are apart iff one of these separates them; and the best one does so by at least
+/// The best face of either box. Boxes are apart iff some normal separates them; and the best one does so by at least
 /// 0.7 of the distance: where vertices are closest, the direction between them lies between two neighbouring normals,
 /// at most 45 degrees from one of them.
 inline void try_faces(const Scene& s, const Pose& at, Direction& best) noexcept {

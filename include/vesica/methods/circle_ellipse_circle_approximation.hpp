@@ -9,7 +9,7 @@
 /// t_m^2 t / (w h), t and t_m the derivative's length at that end and in the middle: no cancellation however short the
 /// arc. Differs: a `no` is said of discs only whose centre is certainly outside the ellipse, as it rests on the nearest
 /// point.
-/// Cost: about 45 ns, and 8 ns for each iteration with its two square roots; no division. Never errs. Bound: that of
+/// Cost: about 45 ns, and 8 ns for each iteration with its two square roots; no division. Never errs. Bound: as for
 /// the polygons, with three times the rounding. Once arcs are short beside the ellipse's roundest part each iteration
 /// gains a factor of 8, not 4.
 #pragma once

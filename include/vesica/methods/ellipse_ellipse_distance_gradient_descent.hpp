@@ -12,12 +12,12 @@
 /// then needs no tuning, is the same at any scale, and never goes up. A saddle, where print stops on pairs that mirror
 /// each other, is distinguished from a minimum by its second derivatives and left. The result's angles are those of its
 /// distance, not the ones a step further.
-/// Accuracy: the distance is that of two outline points, so never below the true one but by a few roundings of the
+/// Accuracy: the distance is between two outline points, so below the true one by at most a few roundings of the
 /// sizes and the distance of centres. With s = R + R' + d, disjoint ellipses come within about (tolerance s / d)^2 s,
 /// and contact within about tolerance^(2/3) s (needles of aspect 1e16: ten times that). Descent slows down like s / d:
 /// about ln(1 / tolerance) s / d iterations, so nearer than s / 1000 the default 10000 may run out, and success is 0.
 /// Overlapping outlines have several local minima and descent finds one: not the least in 0.4% of random nested pairs
-/// of aspect up to 3 and 3% beyond, and not 0 in 1% and 3% of crossing pairs. boundary_distance() has none of these
+/// of aspect up to 3 and 3% beyond, and not 0 in 1% and 3% of crossing pairs. boundary_distance() has no such
 /// limits.
 /// Cost: 60 ns an iteration; 25 iterations for the median of random disjoint pairs, 300 for one in a hundred.
 #pragma once

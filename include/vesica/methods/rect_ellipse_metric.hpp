@@ -2,7 +2,7 @@
 /// Shared by the rectangle-ellipse methods: the plane stretched until the ellipse is a disc, the rectangle with it.
 ///
 /// Eberly's level function Q(X) = (X - K) . M (X - K) - 1 ("Intersection of Rectangle and Ellipse", 2015, section 2) is
-/// |p|^2 / r^2 - 1 for the image p of X. In print M = diag(1 / a^2, 1 / b^2) turned, and an edge is met when
+/// |p|^2 / r^2 - 1 for the image p of X. In print M = diag(1 / a^2, 1 / b^2) turned, and an edge is hit if
 /// q1^2 - q0 q2 >= 0. Here X goes to p = (b v.X, a v x X) and r = a b v.v: no division, and axes of any length. By
 /// Lagrange's identity q1^2 - q0 q2 = r^2 |f|^2 - (f x p)^2, which does not cancel where an edge is long.
 #pragma once

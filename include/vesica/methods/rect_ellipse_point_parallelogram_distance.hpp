@@ -9,8 +9,8 @@
 /// Wrong in print: nothing, but the minimum within an edge, (q0 q2 - q1^2) / q2, cancels; here it is a squared cross
 /// product (rect_ellipse_metric.hpp).
 /// Cost: at most two edges, 5 divisions; about 50 ns. c_min may err by a few roundings of its terms, and so the answer
-/// within that of contact. For an ellipse of half length 0, or so small (about 2^-176 of the largest length, float
-/// 2^-22) that squares underflow, the answer is that of the exact overlap(), and c_min is put on its side of 0.
+/// within the same of contact. For an ellipse of half length 0, or so small (about 2^-176 of the largest length, float
+/// 2^-22) that squares underflow, the answer comes from the exact overlap(), and c_min is put on its side of 0.
 #pragma once
 
 #include <limits>

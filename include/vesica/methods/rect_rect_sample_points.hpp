@@ -10,7 +10,7 @@
 /// counts as inside only by more than the rounding of its place, so a `yes` is true of the stored numbers. Touching is
 /// uncertain.
 /// Cost: 2 (4 + k) points at worst: about 30 ns, and 2 ns for each k. Never errs. Bound: with k >= 1, uncertain means
-/// that of neither rectangle's middle line (the longer one, of length l) a stretch of l / (k + 1) lies in the other
+/// that no stretch of l / (k + 1) of either rectangle's middle line (the longer one, of length l) lies in the other
 /// rectangle made smaller by 50 roundoffs of the sum of distance and sizes.
 #pragma once
 

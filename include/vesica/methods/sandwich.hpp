@@ -6,7 +6,7 @@
 /// looked at, both answers are true: the side is in the ellipse, and the ellipse in the wedge. No division, no root.
 ///
 /// Rounding, in each coordinate by itself, for a plane may be stretched. With N the sum of what p, q and the centre
-/// were summed of, S that of p and q alone and u the roundoff, places as given are wrong by at most 6 u N, a test's own
+/// were summed of, S the same for p and q alone and u the roundoff, places are wrong by at most 6 u N, a test's own
 /// arithmetic is worth 10 u N, and n halvings displace points and tangents by 5 n u S, which may displace a wedge 6
 /// times as much. So every answer must hold wherever the centre is within e = 24 u N + 32 n u S of where it seems to
 /// be.
@@ -21,7 +21,7 @@ namespace vesica::methods {
 /// How far an approximate method went: halvings done, and the bound on the outline's error they reached.
 ///
 /// outline_error: 2^(0.303 - 2 iterations) times the larger half length (times the axis's), from Niemitalo; 0 when the
-/// answer is that of the exact overlap(). No point of the polygons is farther from the outline.
+/// answer comes from the exact overlap(). No point of the polygons is farther from the outline.
 template <class T>
 struct Approximation {
   T outline_error;
@@ -171,7 +171,7 @@ T outline_error(const Ellipse<T>& ellipse, std::int32_t iterations) noexcept {
 }
 
 /// An ellipse and a disc turned so that the ellipse lies along the coordinate axes, its larger half length on x, and
-/// the disc's centre in the first quadrant; all lengths times that of the ellipse's axis.
+/// the disc's centre in the first quadrant; all lengths times the length of the ellipse's axis.
 template <class T>
 struct UprightPair {
   T x, y, w, h, rr;

@@ -4,7 +4,7 @@
 /// Four candidates suffice: for each of the four axes, the vertex of the other box that reaches farthest towards the
 /// box whose axis it is. To see this, let n be the normal along which the boxes are farthest apart. Either n is a
 /// face's normal; then the other box's farthest vertex lies above that face. Or the shortest connection leads from
-/// vertex to vertex; then n lies between two neighbouring face normals of the eight, and for each of these two the
+/// vertex to vertex; then n lies between two neighbouring face normals of the eight, and for both the
 /// farthest vertex of the other box is one of the two vertices.
 #pragma once
 

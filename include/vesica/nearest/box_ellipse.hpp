@@ -37,7 +37,7 @@ VESICA_INLINE Feature<V> closest_feature(const Box<V>& box, const Axes<V>& e, V 
   const auto seen_x = beyond_x > reach_x, seen_y = beyond_y > reach_y, unseen = negated<V>(either(seen_x, seen_y));
   const auto use_x = either(seen_x, both(unseen, beyond_x > zero));
   const auto use_y = either(seen_y, both(unseen, beyond_y > zero));
-  // Of the support point (its step towards the face is reach), or of the metric foot (the step is all of beyond).
+  // The support point's (its step towards the face is reach), or the metric foot's (the step is all of beyond).
   const V along_y = fy - pxy * (select(seen_x, reach_x, beyond_x) / pxx);
   const V along_x = fx - pxy * (select(seen_y, reach_y, beyond_y) / pyy);
   const auto face_x = both(use_x, abs(along_y) <= ey), face_y = and_not(both(use_y, abs(along_x) <= ex), face_x);

@@ -131,7 +131,7 @@ inline Direction<double> common_normal(const TwoEllipses<double>& e, const Direc
     const double bend = s * (e.sa.area_squared / (ha * ia.square) + e.sb.area_squared / (hb * ib.square));
     const double tangent = slope / bend;
     if (abs(slope) <= 0x1p-52 * size || abs(tangent) <= 0x1p-53) break;
-    // The first sign tells on which side of D the maximum is: a quarter turn holds it then.
+    // The first sign decides on which side of D the maximum is: a quarter turn holds it then.
     (slope > 0 ? bracket.low : bracket.high) = n;
     const bool calm = slope * slope_before >= 0 || abs(tangent) <= 0.5 * abs(tangent_before);
     const Direction<double> next = turned(n, tangent);

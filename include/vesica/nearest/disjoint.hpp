@@ -82,7 +82,7 @@ inline Feature<double> feature(int k) noexcept {
 /// True if vertex k needs no search, being certainly farther than the best feature so far: it is another one with the
 /// same place, or behind the best one as seen along the best one's normal, which alone keeps the ellipse farther from
 /// it. Or the way to the ellipse's centre is over 8 times as long as the ellipse and over 4 times as long as the best
-/// distance. Then the slope that the search sees has the right sign, but for directions within 12 degrees of that way:
+/// distance. Then the slope that the search sees has the right sign, except within 12 degrees of that way:
 /// the ellipse adds at most 1.5 / 8 of it. So the search ends there, and finds a distance of more than half of the way.
 inline bool is_vertex_beaten(const Box<double>& box, const Axes<double>& e, const Vector<double>& d, int k,
                              const BoxEllipse<double>& best, double size) noexcept {
@@ -162,7 +162,7 @@ inline Closest closest_box_ellipse(const Box<double>& box, const Axes<double>& e
     found = box_ellipse_by_features(box, e, d, size);
     steps = 0;
   }
-  // A face's normal lacks nothing, and leaves no doubt.
+  // A face's normal is exact, and leaves no doubt.
   if (found.doubt > 0 && rounded(found.distance) - radius < found.doubt) {
     const Vector<double> corner = vertex(box, std::copysign(1.0, found.spot.s), std::copysign(1.0, found.spot.t));
     found.distance = polished_distance(found.distance, renormalised(d - corner), {found.nx, found.ny}, nullptr, e);

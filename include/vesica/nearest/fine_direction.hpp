@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The direction of the shortest connection in twice the precision, for where direction.hpp and double leave too much:
-/// nearly all of a needle's outline is between two directions that a vector with rounded coordinates may not tell
-/// apart.
+/// nearly all of a needle's outline is between two directions that a vector with rounded coordinates may not
+/// distinguish.
 #pragma once
 
 #include <vesica/nearest/box_ellipse.hpp>
@@ -114,7 +114,7 @@ inline Frame frame_of_flatter(const TwoEllipses<double>& s, const FoundNormal& b
 /// A step within a bracket goes to where the slope is likely to be 0 and a little beyond, so that the bracket closes
 /// from both sides. It is taken if it is at most half as long as the one taken just before; else the bracket is halved.
 inline constexpr double beyond_guess = 1 + 0x1p-10;
-/// For certainty: one halving in three at least is of the angle or its logarithm, and 62 of these close any bracket.
+/// For certainty: one halving in three at least is of the angle or its logarithm, and 62 of them close any bracket.
 inline constexpr int most_bracket_steps = 400;
 
 /// A slope below this share of its terms is of rounding alone.
@@ -153,7 +153,7 @@ Direction<double> halfway(const Shapes& shapes, const Direction<double>& d, cons
   Direction<double> n;
   return step % 2 == 1 && halves_powers(bracket, n) ? n : middle(shapes, d, bracket, step);
 }
-/// Between the ends and, as far as rounding tells, at neither.
+/// Between the ends and, up to rounding, at neither.
 inline bool is_inside(const Direction<double>& n, const Bracket<double>& b) noexcept {
   return cross(b.low, n) > 0 && cross(n, b.high) > 0;
 }

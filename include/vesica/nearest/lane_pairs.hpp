@@ -86,7 +86,7 @@ VESICA_INLINE MaskOf<V> holds(const Circle<V>& c, const Vector<V>& d) noexcept {
   return d.x.high * d.x.high + d.y.high * d.y.high <= c.r * c.r;
 }
 
-/// Overlapping shapes of which one holds the other's centre: that centre, and if each does, the one to the left.
+/// If one of two overlapping shapes holds the other's centre: that centre; if each does, the one to the left.
 template <class A, class B, class V>
 VESICA_INLINE LaneAnswer<V> common_centre(const A& a, const B& b, const Vector<V>& d) noexcept {
   const V zero(0.0);
@@ -107,7 +107,7 @@ VESICA_INLINE LaneAnswer<V> choose(MaskOf<V> m, const LaneAnswer<V>& yes, const 
           either(both(m, yes.settled), and_not(no.settled, m))};
 }
 
-/// Offsets from centres to places. A sum of zeros loses its sign, which would tell the order of the shapes.
+/// Offsets from centres to places. A sum of zeros loses its sign, which would show the order of the shapes.
 template <class A, class B, class V>
 VESICA_INLINE LaneAnswer<V> located(const A& a, const B& b, const Twofold<V>& distance, V ax, V ay, V bx, V by,
                                     MaskOf<V> settled, V doubt = V(0.0)) noexcept {
@@ -133,7 +133,7 @@ VESICA_INLINE V extent(const Rect<V>& r) noexcept {
   return extent(r.ux, r.uy, r.hx, r.hy);
 }
 
-/// At least the scale that error bounds speak of, at most some ten times that; but for powers of two ScaledPair::size.
+/// At least the scale that error bounds speak of, at most some ten times that; up to powers of two ScaledPair::size.
 template <class A, class B, class V>
 VESICA_INLINE V size_of(const A& a, const B& b, const Vector<V>& d) noexcept {
   return (extent(a) + extent(b)) + (abs(d.x.high) + abs(d.y.high));

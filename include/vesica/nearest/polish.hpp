@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The distance along a direction that rounding has left too far from the best one: nearly touching shapes, of which
+/// The distance along a direction that rounding has left too far from the best one: nearly touching shapes:
 /// one bends sharply where they are closest. There the last step of Newton's method is so long that its own rounding
 /// shows in the distance. Here that step is computed to twice the precision.
 #pragma once

@@ -183,13 +183,13 @@ struct Located {
 template <class Shape>
 Located located(const Shape& s, const ScaledShape&, const Contact& c, int exponent) noexcept {
   const form::Centre<double> centre = form::of(s).place;
-  // A sum of zeros loses its sign, which would tell the order of the shapes.
+  // A sum of zeros loses its sign, which would show the order of the shapes.
   return {0.0 + (centre.x + scale_far(c.x, exponent)), 0.0 + (centre.y + scale_far(c.y, exponent))};
 }
 /// Without a sum, which would lose the sign of a zero.
 inline Located located(const Point<double>& s, const ScaledShape&, const Contact&, int) noexcept { return {s.x, s.y}; }
 
-/// The number at share f of the way between two, from the middle (0) to either (-1, 1), which are met exactly.
+/// The number at share f of the way between two, from the middle (0) to either (-1, 1), which are exact.
 inline double between(double low, double high, double f) noexcept {
   const double nearer = f < 0 ? low : high, farther = f < 0 ? high : low, share = 0.5 * (1 - abs(f));
   const double whole = farther - nearer;
@@ -206,7 +206,7 @@ inline Located located(const Aabb<double>& s, const ScaledShape& p, const Contac
           between(s.min_y, s.max_y, share_of(c.spot.t, p.box.hy.high))};
 }
 
-/// The point of a shape that was found, given that of the other. Beside an AABB's face the coordinate along it is the
+/// The point of a shape that was found, given the other's. Beside an AABB's face the coordinate along it is the
 /// other point's own.
 template <class Shape>
 Located located_beside(const Shape&, const ScaledShape&, const Contact&, const Located& own, const Located&) noexcept {

@@ -79,9 +79,9 @@ VESICA_INLINE Support<V> no_support() noexcept {
 }
 
 /// The result for two disjoint shapes: the distance, the closest points as offsets from the shapes' own centres, and
-/// the unit vector from a to b. `settled` tells whether the search converged; if not, the rest means nothing. Of shapes
-/// that are nearly in contact the distance may be 0 or below, by less than some 2^-100 of their size. Of disjoint
-/// shapes a distance of at least `doubt` is right to 2u of itself. The points and the unit vector were turned by `turn`
+/// the unit vector from a to b. `settled` is true if the search converged; if not, the rest means nothing. For shapes
+/// that are nearly in contact the distance may be 0 or below, by less than some 2^-100 of their size. For disjoint
+/// shapes a distance of at least `doubt` is right to a relative 2u. Points and unit vector were turned by `turn`
 /// from where a search ended.
 template <class V>
 struct ClosestOffsets {
@@ -92,7 +92,7 @@ struct ClosestOffsets {
 };
 
 /// A slope that is off by e changes what the last step gains by (|slope| + e / 2) e / bend. Where that is more than u
-/// of the distance, that is not right to 2u of itself: this many u of the size of its terms are allowed for as e.
+/// of the distance, that is not right to a relative 2u: this many u of the size of its terms are allowed for as e.
 inline constexpr double slope_rounding = 8;
 
 /// A search has converged where the slope left is below this share of the size of its terms.
@@ -100,10 +100,10 @@ inline constexpr double settled_slope = 0x1p-46;
 
 /// The distance between two shapes along a normal N that points from a to b and that is, nearly, the one along which
 /// they are farthest apart: phi(n) = n.D - h_a(n) - h_b(n) never exceeds the distance and is stationary there, so it is
-/// evaluated in twice the precision at N as it stands. One step of Newton's method then takes out what N lacks:
+/// evaluated in twice the precision at N as it stands. One step of Newton's method then takes out N's error:
 /// phi' = n x g with g = D - x_a - x_b, phi'' = -(phi + curvatures). It moves the points along their outlines.
-/// d: from a's centre to b's. size: about that of the shapes and of d. smooth: 1, or 0 where a is a vertex of the face
-/// whose normal N is: then N lacks nothing, and the point of a is for the caller to find.
+/// d: from a's centre to b's. size: about the shapes' and d's. smooth: 1, or 0 where a is a vertex of the face
+/// whose normal N is: then N is exact, and the point of a is for the caller to find.
 template <class V, class F>
 VESICA_INLINE ClosestOffsets<V> separation(const Vector<V>& d, const Normal<V, F>& n, const Support<V>& a,
                                            const Support<V>& b, V size, V smooth = V(1.0)) noexcept {

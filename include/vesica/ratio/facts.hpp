@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What a ratio needs from each shape: its area, and how far it reaches along the coordinate axes. Lengths of usual
-/// magnitudes are plain doubles. Others are taken in units of a power of two, and so overflow no more than these do.
+/// The terms of a ratio from each shape: its area, and how far it reaches along the axes. Lengths of usual
+/// magnitudes are plain doubles. Others are taken in units of a power of two, and so overflow no more than ratios do.
 #pragma once
 
 #include <algorithm>
@@ -53,7 +53,7 @@ VESICA_INLINE Facts facts(const Shape& shape, double area) noexcept {
           f.outline != form::Outline::straight};
 }
 
-/// The smallest box along the coordinate axes about two shapes, and from centre to centre of these. Width and dx are in
+/// The smallest box along the coordinate axes about two shapes, and from centre to centre. Width and dx are in
 /// units of 2^unit_x, height and dy of 2^unit_y: a box may be 2^2000 times as long as it is high.
 struct Hull {
   double width, height, dx, dy;
@@ -68,7 +68,7 @@ inline double product(double x, double y, int unit) noexcept {
       arithmetic::scale_far(arithmetic::scale_far(x, -ex) * arithmetic::scale_far(y, -ey), ex + ey - unit));
 }
 
-/// How far a shape reaches from its centre along a coordinate, where p and q are that of its axis and of the
+/// How far a shape reaches from its centre along a coordinate, where p and q are the coordinates of its axis and of the
 /// perpendicular.
 inline double reach(const Facts& s, double p, double q, int unit) noexcept {
   const double along = product(p, s.along, unit), across = product(q, s.across, unit);

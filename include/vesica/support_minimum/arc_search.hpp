@@ -31,8 +31,8 @@ struct Objective {
   double tolerance;  ///< F may be missed by this much: its own rounding
 };
 
-/// Where F is least; `at` is of F with the corners of boxes that are the furthest along `towards`. Along the normal of
-/// a face two corners are as far: then `at.n` does not tell which of them.
+/// The minimum of F; `at` is F with the corners of boxes that are the furthest along `towards`. Along the normal of
+/// a face two corners are as far: then `at.n` does not say which of them.
 struct Minimum {
   Sample at;
   PlaneVector towards;
@@ -197,7 +197,7 @@ class ArcSearch {
   /// No slope of the shape's support function is greater.
   static double steepest(const CentredShape& s) noexcept { return s.curved ? lane::abs(s.a - s.b) : s.a + s.b; }
 
-  /// The greater of two lower bounds. The one from the curvature tells nothing where a needle turns on the arc. The
+  /// The greater of two lower bounds. The one from the curvature says nothing if a needle turns on the arc. The
   /// other: from either end F falls by at most the greatest slope times the angle, so it is at least the mean of both
   /// ends less half of that for the whole arc; an angle up to a quarter turn is at most pi / 2 < 1.6 times its sine.
   double bound_on(const Sample& a, const Sample& b) const noexcept {
@@ -237,7 +237,7 @@ class ArcSearch {
     put({s, arc.b, arc.corners, 0});
   }
 
-  /// Where the radius of curvature varies much along an arc it is halved in its logarithm, else the angle.
+  /// If the radius of curvature varies much along an arc, it is halved in its logarithm, else the angle.
   PlaneVector middle(const Sample& a, const Sample& b) const noexcept {
     const double ratio1 = ratio(a.radius1, b.radius1), ratio2 = ratio(a.radius2, b.radius2);
     const PlaneVector half = unit(a.n + b.n);
@@ -306,13 +306,13 @@ class ArcSearch {
   }
 
   double bend(const Sample& s) const noexcept { return s.radius1 + objective_.sign * s.radius2 - s.value; }
-  /// But for rounding, which does not tell in closest points (the slope is how far they are off at a right angle to the
+  /// Up to rounding, which does not show in closest points (the slope is how far they are off at a right angle to the
   /// distance), or for a Newton step of a few last places of the direction.
   bool is_level(const Sample& s) const noexcept {
     return lane::abs(s.slope) <= lane::max(level_slack * objective_.tolerance, level_turn * bend(s));
   }
 
-  /// Where outlines nearly osculate, F is as flat as its rounding over a hill and the minimum beside it. The search may
+  /// If outlines nearly osculate, F is as flat as its rounding over a hill and the minimum beside it. The search may
   /// end on the hill or at its foot, where Newton's steps do not lead down, or far too far. Longer and longer steps
   /// down do, until the slope changes its sign; then that place is bisected.
   void leave_hill() noexcept {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// A rectangle and an ellipse that overlap: the depth, and the distance of the outlines where one is inside the other.
-/// The method is that of two_ellipses.hpp with the corners of the rectangle in the place of one ellipse. For a corner v
+/// The method is as in two_ellipses.hpp with the corners of the rectangle in the place of one ellipse. For a corner v
 /// and L = m + n.(D - v), F >= m wherever h^2 > L^2 or L < 0. This is of degree 4 in the tangent of half an angle.
 #pragma once
 
@@ -70,7 +70,7 @@ VESICA_INLINE CornerStart<V> corner_start(const MirroredPair<V>& p, const Quadra
   const V zero(0.0), one(1.0);
   const Start<V> from = start(all_samples);
   const auto on_x = from.n.y == zero, on_y = from.n.x == zero;
-  // Where the ellipse's support point stands beside the faces' middles.
+  // The ellipse's support point relative to the faces' middles.
   const V beside_x = s.xy / sqrt(s.xx) - p.d.y, beside_y = s.xy / sqrt(s.yy) - p.d.x;
   const V i = flip_sign(one, select(on_y, -beside_y, from.n.x)), j = flip_sign(one, select(on_x, -beside_x, from.n.y));
   CornerStart<V> found{i, j, from, both(on_x, abs(beside_x) <= p.hy), both(on_y, abs(beside_y) <= p.hx)};
@@ -110,7 +110,7 @@ VESICA_INLINE Polynomial<4, V> deflated(const Polynomial<4, V>& p, V x, MaskOf<V
            pick(zero, zero, p.c[4])}};
 }
 
-/// Where a quarter is cut: close to its first direction, where there is a zero or a thin ellipse turns, or evenly.
+/// The cuts of a quarter: close to its first direction, where there is a zero or a thin ellipse turns, or evenly.
 consteval Cuts<10> cut_near_first() noexcept { return Cuts<10>({.02, .05, .09, .14, .2, .28, .38, .52, .74, 1}); }
 consteval Cuts<7> cut_evenly() noexcept { return Cuts<7>({.08, .22, .4, .6, .8, .92, 1}); }
 
@@ -266,7 +266,7 @@ VESICA_INLINE MaskOf<V> is_nearest_corner(const FoldedCorners<V>& c, const Neare
   return proved;
 }
 
-/// The box is inside the ellipse, d from the ellipse's centre to the box's: `distance` is minus that of the outlines;
+/// The box is inside the ellipse, d from the ellipse's centre to the box's: `distance` is minus the outlines' distance;
 /// (ax, ay) is on the ellipse, (bx, by) the box's corner, as offsets from their centres.
 template <class V>
 VESICA_INLINE ClosestOffsets<V> closest_inside(const Axes<V>& given, const Box<V>& box, const Vector<V>& d, V size,

@@ -20,7 +20,7 @@ VESICA_INLINE BoxPair<V> box_pair(const Rect<V>& a, const Rect<V>& b) noexcept {
   return {{a.ux, a.uy, a.hx, a.hy}, {b.ux, b.uy, b.hx, b.hy}, {sum(b.cx, -a.cx), sum(b.cy, -a.cy)}};
 }
 
-/// Of a face's normal N = (x, y), one of the two axes of its box and so of any length: h |N| + sign g |N| - |n.D| |N|,
+/// For a face's normal N = (x, y), an axis of its box and so of any length: h |N| + sign g |N| - |n.D| |N|,
 /// h the box's own half extent `own` along N and g the other box's.
 template <class V>
 struct Face {
@@ -40,7 +40,7 @@ VESICA_INLINE V rough_reach(const Face<V>& f, const Axes<V>& other, const Double
 /// Faces whose rough reaches differ by no more than this share of the sizes are as near, to rounding.
 inline constexpr double rough_tie = 0x1p-48;
 
-/// The same to twice the precision, and n.D |N|, whose sign tells on which side of the first box the second lies.
+/// The same to twice the precision, and n.D |N|, whose sign says on which side of the first box the second lies.
 template <class V>
 struct Reach {
   FastDoubleDouble<V> value;

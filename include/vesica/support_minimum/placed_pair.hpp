@@ -56,7 +56,7 @@ Form form(const Shape& s) noexcept {
 /// Without an inside: a point or a segment. Its outline is all of it.
 inline bool flat(const Form& f) noexcept { return f.a == 0 || f.b == 0; }
 
-/// A centred shape in a pair's unit: as stored, but for powers of two (the larger component of u in [1/2, 1)), and with
+/// A centred shape in a pair's unit: as stored, up to powers of two (the larger component of u in [1/2, 1)), and with
 /// a unit vector as axis.
 struct PlacedShape {
   PlaneVector u;
@@ -123,7 +123,7 @@ inline PlacedPair place(const Form& first, const Form& second) noexcept {
           unit};
 }
 
-/// Two boxes as they are; for rectangles the same as box_pair() of these.
+/// Two boxes as they are; for rectangles the same as their box_pair().
 inline BoxPair<double> box_pair(const Form& a, const Form& b) noexcept {
   const Offset twice = offset_of_centres(a, b, 1, -1);
   return {{a.u.x, a.u.y, a.a, a.b},

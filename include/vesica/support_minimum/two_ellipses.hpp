@@ -49,7 +49,7 @@ struct Samples {
   V value[std::size_t{count}];
 };
 
-/// Along the axes of an ellipse, and where its outline is half way between them: own and other tell how the two
+/// Along the axes of an ellipse, and half way between them on its outline: own and other say how the two
 /// support functions enter.
 template <class V>
 VESICA_INLINE void sample(const Axes<V>& e, double own, const SemiAxes<V>& f, double other, const Direction<V>& d,
@@ -156,7 +156,7 @@ VESICA_INLINE Heron<V> heron(const Polynomial<4, V>& a, const Polynomial<4, V>& 
 /// Beyond this many pieces degree 6 decides little that degree 4 does not.
 inline constexpr int heron_pieces = 7;
 
-// Where the circle of directions is cut on either side of the minimum: tangents of half the angles (8 to 165 degrees;
+// The cuts of the circle of directions on either side of the minimum: tangents of half the angles (8 to 165 degrees;
 // 45 to 170), chosen by trial on random pairs. Functions, so that objects for different instruction sets share no
 // symbol.
 consteval Cuts<11> cuts_of_sum() noexcept {
@@ -222,8 +222,8 @@ VESICA_INLINE MaskOf<V> is_least_of_difference(const TwoEllipses<V>& s, const Di
   return sure > V(0.0);
 }
 
-/// Near the evolute F is nearly flat at its minimum, and the direction is known to half its digits or fewer. This tells
-/// whether the last turn, from n to `to`, is small enough: a vector turned so far must keep its length, and a point
+/// Near the evolute F is nearly flat at its minimum, and the direction is known to half its digits or fewer. Returns
+/// true if the last turn, from n to `to`, is small enough: a vector turned so far must keep its length, and a point
 /// moved so far along the tangent of an outline of radius `curvature` must stay on it, both to rounding.
 template <class V>
 VESICA_INLINE MaskOf<V> turns_little(const Direction<V>& n, const Direction<V>& to, V curvature, V size) noexcept {
@@ -254,7 +254,7 @@ VESICA_INLINE ClosestOffsets<V> deepest(const Axes<V>& a, const Axes<V>& b, cons
   return result;
 }
 
-/// b inside a: `distance` is minus that of the outlines, at offsets (ax, ay) and (bx, by) from the centres.
+/// b inside a: `distance` is minus the outlines' distance, at offsets (ax, ay) and (bx, by) from the centres.
 template <class V>
 VESICA_INLINE ClosestOffsets<V> closest_inside(const Axes<V>& a, const Axes<V>& b, const Vector<V>& d, V size,
                                                MaskOf<V> idle) noexcept {

@@ -10,7 +10,7 @@
 namespace vesica::index {
 namespace {  // an instantiation of its own in each object
 
-/// Where a node has no child, its sides are infinite and the wrong way round. A box may have infinite sides too, and
+/// If a node has no child, its sides are infinite and the wrong way round. A box may have infinite sides too, and
 /// must not meet that. The sides of a child that is there leave no side of a finite number out.
 struct FiniteBox {
   double side[4];
@@ -187,7 +187,7 @@ inline void meet(const Block& first, const Block& second, bool same, Meetings& o
   std::int32_t n = 0;
   for (std::int32_t i = 0; i < out.selected; ++i) {
     std::uint32_t leaves = meeting(min_x, min_y, max_x, max_y, BoxLanes(selected_box(out, i))) & all;
-    // Of one block with itself, pairs of a lane and a later one.
+    // For one block with itself, pairs of a lane and a later one.
     if (same) leaves &= ~0u << (out.lane[i] / leaf_items);
     n += write_lanes(leaves, static_cast<std::uint32_t>(i) << 16, out.entry + n);
   }

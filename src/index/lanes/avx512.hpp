@@ -99,7 +99,7 @@ inline std::int32_t write_both(std::uint32_t mask, __m512i low, __m512i high, vo
 inline std::int32_t write_lanes(std::uint32_t mask, std::uint32_t base, std::uint32_t* out) noexcept {
   const __m512i low = _mm512_add_epi32(_mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15),
                                        _mm512_set1_epi32(static_cast<int>(base)));
-  // Of leaves mostly the first 16 are there.
+  // Most leaves have only the first 16.
   if (mask >> 16 != 0) return write_both(mask, low, _mm512_add_epi32(low, _mm512_set1_epi32(16)), out);
   _mm512_storeu_si512(out, _mm512_maskz_compress_epi32(static_cast<__mmask16>(mask), low));
   return __builtin_popcount(mask);

@@ -104,7 +104,7 @@ class Maker {
       set_integer_axis(n);
       return;
     }
-    // A direction by its half angle's tangent, of unit length but for rounding.
+    // A direction by its half angle's tangent, of unit length up to rounding.
     const T x = fraction(), y = fraction();
     const T dx = x - T(0.5), dy = y - T(0.46875);
     const T length = std::sqrt(dx * dx + dy * dy) + T(0x1p-30);
@@ -209,7 +209,7 @@ std::int64_t bisect(Pair<T>& pair, T& x, T other) {
   const std::int32_t answer = overlap(pair);
   std::int64_t same = place_of(x), different = place_of(other);
   while (same + 1 < different || different + 1 < same) {
-    // The mean, without the sum or the difference, either of which may overflow.
+    // The mean, without sum or difference: both may overflow.
     const std::int64_t middle = same / 2 + different / 2 + (same % 2 + different % 2) / 2;
     x = at_place<T>(middle);
     (overlap(pair) == answer ? same : different) = middle;

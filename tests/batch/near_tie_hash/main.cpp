@@ -3,7 +3,7 @@
 // bit of precision or a lane's wrong bound would change, and random pairs would not show. The literal below holds on
 // every instruction set, processor, compiler and optimisation level.
 //
-// Exit status: 0 when all is as it must be, 1 when not, 77 when VESICA_ISA asks for a set this processor lacks.
+// Exit status: 0 when all is as it must be, 1 when not, 77 when this processor does not have the set of VESICA_ISA.
 #include <vesica.h>
 
 #include <algorithm>

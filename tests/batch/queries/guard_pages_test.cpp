@@ -107,7 +107,7 @@ class GuardPagesOfArrays : public testing::Test {
     return c_shapes(memory.write<T>(kind, shapes, layout, edge));
   }
 
-  /// A call that fills so many columns of n elements.
+  /// A call that fills `columns` columns of n elements.
   template <class Out, std::size_t columns, class Call>
   static void fill(const char* name, std::size_t n, Edge edge, const Call& call) {
     Rooms rooms(edge);
@@ -138,7 +138,7 @@ class GuardPagesOfArrays : public testing::Test {
     fill<T, 1>("ratio", n, edge, [&](auto out) { return F::ratio_many(ratios[n % 3], &a, &b, out[0]); });
   }
 
-  /// A call that fills a matrix but for two elements between its rows.
+  /// A call that fills a matrix and leaves two elements between its rows.
   template <class Out, class Call>
   static void fill_matrix(const char* name, std::size_t rows, std::size_t columns, Edge edge, const Call& call) {
     Rooms rooms(edge);

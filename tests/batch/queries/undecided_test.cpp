@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // How many pairs the kernels of the queries of numbers leave to the scalar function. One that leaves too many is still
 // right, only slow. No kernel fuses, and the pairs are drawn without a rounding that could differ: SSE2, AVX2 and
-// AVX-512 leave the same number. Of relations none of these pairs is left: tests/filter/undecided_test.cpp has harder
+// AVX-512 leave the same number. Relation leaves none of these pairs: tests/filter/undecided_test.cpp has harder
 // ones.
 #include <gtest/gtest.h>
 
@@ -131,7 +131,7 @@ TEST(QueryKernels, LeaveAsManyAsTheyDid) {
 }
 
 /// The circle about a rectangle holds it and is at most 2^-47 of itself too great, or pairs that are apart would be
-/// looked at. Of these axes and half sizes, times any powers of two, the lengths are whole numbers.
+/// looked at. The lengths of these axes and half sizes, up to powers of two, are whole numbers.
 TEST(BoundingRadius, IsTheFarthestCornersDistanceAndLittleMore) {
   constexpr std::array<std::array<double, 3>, 4> whole{{{3, 4, 5}, {5, 12, 13}, {8, 15, 17}, {0, 1, 1}}};
   for (const auto& [ux, uy, axis] : whole) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Distance of outlines by brute force: the reference of these tests, sharing nothing with the library.
+/// Distance of outlines by brute force: the tests' reference, sharing nothing with the library.
 #pragma once
 
 #include <vesica.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What smoke_test.py mutates.
+// The file that smoke_test.py mutates.
 #pragma once
 
 #include <array>

@@ -331,7 +331,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: that of the function named after the two kinds, and a dispatch.
+    /// Cost: as the function named after the two kinds, and a dispatch.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32;
@@ -343,7 +343,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: that of vesica_relation_f64.
+    /// Cost: as vesica_relation_f64.
     ///
     /// Since: 0.1.
     pub fn vesica_contains_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32;
@@ -363,7 +363,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: up to twice that of vesica_overlap_f64; more if shapes touch or are equal.
+    /// Cost: up to twice vesica_overlap_f64; more if shapes touch or are equal.
     ///
     /// Since: 0.1.
     pub fn vesica_relation_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32;
@@ -384,7 +384,7 @@ extern "C" {
     /// shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
     /// means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
-    /// Cost: ten to thirty times that of vesica_overlap_f64; more for shapes that cross and near-ties.
+    /// Cost: ten to thirty times vesica_overlap_f64; more for shapes that cross and near-ties.
     ///
     /// Since: 0.1.
     pub fn vesica_nearest_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
@@ -409,7 +409,7 @@ extern "C" {
     /// half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over
     /// shorter size.
     ///
-    /// Cost: about that of vesica_nearest_f64; three times that with an ellipse.
+    /// Cost: about as vesica_nearest_f64; three times as much with an ellipse.
     ///
     /// Since: 0.1.
     pub fn vesica_depth_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
@@ -431,8 +431,8 @@ extern "C" {
     /// scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4
     /// u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
-    /// Cost: six times that of vesica_overlap_f64 for boxes, fifty times for two ellipses; more if outlines nearly
-    /// touch or coincide, or if one shape is far larger.
+    /// Cost: six times vesica_overlap_f64 for boxes, fifty times for two ellipses; more if outlines nearly touch or
+    /// coincide, or if one shape is far larger.
     ///
     /// Since: 0.1.
     pub fn vesica_area_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut f64) -> i32;
@@ -447,7 +447,7 @@ extern "C" {
     ///
     /// Accuracy: the bound of vesica_area_f64, divided by the area of the union.
     ///
-    /// Cost: that of vesica_area_f64 and of vesica_shape_area_f64 twice.
+    /// Cost: vesica_area_f64 and twice vesica_shape_area_f64.
     ///
     /// Since: 0.1.
     pub fn vesica_iou_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut f64) -> i32;
@@ -459,7 +459,7 @@ extern "C" {
     ///
     /// Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is exact.
     ///
-    /// Cost: up to ten times that of vesica_overlap_f64; more for magnitudes above 2^400 or below 2^-400.
+    /// Cost: up to ten times vesica_overlap_f64; more for magnitudes above 2^400 or below 2^-400.
     ///
     /// Since: 0.1.
     pub fn vesica_bounds_f64(kind: i32, shape: *const c_void, out: *mut Aabb<f64>) -> i32;
@@ -472,7 +472,7 @@ extern "C" {
     ///
     /// Since: 0.1.
     pub fn vesica_check_f64(kind: i32, shape: *const c_void) -> i32;
-    /// What an error code means, as one English phrase without a full stop.
+    /// The meaning of an error code, as one English phrase without a full stop.
     ///
     /// Returns: static text, never NULL: "success" for answers (\>= 0), "unknown error" for unknown codes.
     ///
@@ -502,7 +502,7 @@ extern "C" {
     /// largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of
     /// at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
-    /// Cost: several times that of vesica_nearest_f64.
+    /// Cost: several times vesica_nearest_f64.
     ///
     /// Since: 0.1.
     pub fn vesica_crossings_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Point<f64>,
@@ -511,7 +511,7 @@ extern "C" {
     ///
     /// The outline of a shape with area is the curve around it. A point, a segment and a shape with a zero size are
     /// their own outlines. If outlines meet, the distance is 0 and (ax, ay) = (bx, by) is a point of both. If shapes
-    /// are disjoint, the result is that of vesica_nearest_f64. If one is strictly inside the other, the distance is the
+    /// are disjoint, the result is as of vesica_nearest_f64. If one is strictly inside the other, the distance is the
     /// least over the whole outline, never a local minimum. Which case holds is decided exactly. Exchanging the shapes
     /// exchanges the points and changes no bit. Moving both shapes alike changes no bit of the distance if no
     /// coordinate is rounded.
@@ -526,7 +526,7 @@ extern "C" {
     /// largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of
     /// at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
-    /// Cost: that of vesica_nearest_f64 for disjoint shapes; up to three times that if outlines meet or are nested.
+    /// Cost: as vesica_nearest_f64 for disjoint shapes; up to three times as much if outlines meet or are nested.
     ///
     /// Since: 0.1.
     pub fn vesica_boundary_distance_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
@@ -866,7 +866,7 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.
     ///
-    /// Accuracy: the axis is that of vesica_rect_from_angle_f64; half lengths are exact.
+    /// Accuracy: the axis as vesica_rect_from_angle_f64; half lengths are exact.
     ///
     /// Since: 0.1.
     pub fn vesica_ellipse_from_angle_f64(cx: f64, cy: f64, angle: f64, a: f64, b: f64, out: *mut Ellipse<f64>) -> i32;
@@ -899,15 +899,14 @@ extern "C" {
     /// covariance), VESICA_E_RANGE (a half length overflows).
     ///
     /// Accuracy: half lengths and both components of the axis are right to 8 units in their own last place, even if the
-    /// matrix is nearly singular or nearly a circle's. Exchanging cxx and cyy exchanges the components, but for their
-    /// signs.
+    /// matrix is nearly singular or nearly a circle's. Exchanging cxx and cyy exchanges the components, up to signs.
     ///
     /// Since: 0.1.
     pub fn vesica_ellipse_from_covariance_f64(mean_x: f64, mean_y: f64, cxx: f64, cxy: f64, cyy: f64, k: f64,
         out: *mut Ellipse<f64>) -> i32;
     /// Ellipse of the points X with (X - C) . M (X - C) \<= 1, where M is symmetric with entries mxx, mxy, myy.
     ///
-    /// The result is that of vesica_ellipse_from_covariance_f64 for the inverse of M and k = 1.
+    /// The result is as of vesica_ellipse_from_covariance_f64 for the inverse of M and k = 1.
     ///
     /// Requires: M positive definite as stored.
     ///
@@ -915,12 +914,12 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_ARGUMENT (not positive definite).
     ///
-    /// Accuracy: that of vesica_ellipse_from_covariance_f64. No half length overflows.
+    /// Accuracy: as vesica_ellipse_from_covariance_f64. No half length overflows.
     ///
     /// Since: 0.1.
     pub fn vesica_ellipse_from_matrix_f64(cx: f64, cy: f64, mxx: f64, mxy: f64, myy: f64,
         out: *mut Ellipse<f64>) -> i32;
-    /// Describes an array of `count` records, each of which starts with a shape's struct.
+    /// Describes an array of `count` records. Each starts with a shape's struct.
     ///
     /// Requires: base, the first record's shape, which may be NULL if count is 0; stride, the bytes from one record to
     /// the next; count \>= 0.
@@ -1061,7 +1060,7 @@ extern "C" {
     /// Since: 0.1.
     pub fn vesica_depth_many_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, depth: *mut f64, x: *mut f64,
         y: *mut f64) -> i64;
-    /// What area do a\[i\] and b\[i\] share? out\[i\] is the result of vesica_area_f64.
+    /// The area that a\[i\] and b\[i\] share: out\[i\] is the result of vesica_area_f64.
     ///
     /// Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers
     /// as the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
@@ -1173,7 +1172,7 @@ extern "C" {
     /// Since: 0.1.
     pub fn vesica_contains_matrix_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut u8,
         row_stride: isize) -> i64;
-    /// What area do a\[i\] and b\[j\] share? The elements of out are results of vesica_area_f64.
+    /// The area that a\[i\] and b\[j\] share. The elements of out are results of vesica_area_f64.
     ///
     /// Requires: room for a matrix: out\[i \* row_stride + j\] is the result for a\[i\] and b\[j\]. row_stride counts
     /// elements of out. With two or more rows its magnitude is at least b's count; if it is negative, rows run
@@ -1229,9 +1228,9 @@ extern "C" {
     /// -1 or the capacity. Before anything is written: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (one's count is
     /// not 1, a negative capacity, and as vesica_overlap_many_f64).
     ///
-    /// Accuracy: every answer is that of vesica_overlap_f64.
+    /// Accuracy: every answer is as of vesica_overlap_f64.
     ///
-    /// Cost: that of vesica_overlap_many_f64.
+    /// Cost: as vesica_overlap_many_f64.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_select_f64(one: *const Shapes<f64>, many: *const Shapes<f64>, out: *mut i64,
@@ -1247,7 +1246,7 @@ extern "C" {
     /// Greedy non-maximum suppression: takes shapes in the order of their scores, highest first, and keeps each one
     /// whose vesica_iou_f64 with every shape kept before is at most the threshold.
     ///
-    /// Of equal scores the lower index comes first. Infinite scores are legal. At threshold 1 all shapes are kept.
+    /// The lower index of equal scores comes first. Infinite scores are legal. At threshold 1 all shapes are kept.
     /// Shapes without an area suppress none and are not suppressed.
     ///
     /// Requires: shapes, of a kind from VESICA_CIRCLE to VESICA_ELLIPSE; scores, one for each; threshold from 0 to 1;
@@ -1261,9 +1260,9 @@ extern "C" {
     /// VESICA_E_KIND (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f64, threshold, too
     /// little scratch).
     ///
-    /// Accuracy: the ratio that is compared is that of vesica_iou_f64; in float, the ratio rounded to float.
+    /// Accuracy: the ratio that is compared is as of vesica_iou_f64; in float, the ratio rounded to float.
     ///
-    /// Cost: that of vesica_iou_many_f64 for each pair of a shape and one that is kept near it.
+    /// Cost: as vesica_iou_many_f64 for each pair of a shape and one that is kept near it.
     ///
     /// Since: 0.1.
     pub fn vesica_nms_f64(shapes: *const Shapes<f64>, scores: *const f64, threshold: f64, scratch: *mut c_void,
@@ -1325,7 +1324,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: that of the function named after the two kinds, and a dispatch.
+    /// Cost: as the function named after the two kinds, and a dispatch.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32;
@@ -1345,7 +1344,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: up to twice that of vesica_overlap_f32; more if shapes touch or are equal.
+    /// Cost: up to twice vesica_overlap_f32; more if shapes touch or are equal.
     ///
     /// Since: 0.1.
     pub fn vesica_relation_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32;
@@ -1357,7 +1356,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: that of vesica_relation_f32.
+    /// Cost: as vesica_relation_f32.
     ///
     /// Since: 0.1.
     pub fn vesica_contains_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32;
@@ -1384,7 +1383,7 @@ extern "C" {
     /// between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the
     /// scale. An aspect ratio is longer over shorter size.
     ///
-    /// Cost: several times that of vesica_nearest_f32.
+    /// Cost: several times vesica_nearest_f32.
     ///
     /// Since: 0.1.
     pub fn vesica_crossings_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Point<f32>,
@@ -1407,7 +1406,7 @@ extern "C" {
     /// |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4
     /// u times the scale. An aspect ratio is longer over shorter size.
     ///
-    /// Cost: ten to thirty times that of vesica_overlap_f32; more for shapes that cross and near-ties.
+    /// Cost: ten to thirty times vesica_overlap_f32; more for shapes that cross and near-ties.
     ///
     /// Since: 0.1.
     pub fn vesica_nearest_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
@@ -1416,7 +1415,7 @@ extern "C" {
     ///
     /// The outline of a shape with area is the curve around it. A point, a segment and a shape with a zero size are
     /// their own outlines. If outlines meet, the distance is 0 and (ax, ay) = (bx, by) is a point of both. If shapes
-    /// are disjoint, the result is that of vesica_nearest_f32. If one is strictly inside the other, the distance is the
+    /// are disjoint, the result is as of vesica_nearest_f32. If one is strictly inside the other, the distance is the
     /// least over the whole outline, never a local minimum. Which case holds is decided exactly. Exchanging the shapes
     /// exchanges the points and changes no bit. Moving both shapes alike changes no bit of the distance if no
     /// coordinate is rounded.
@@ -1432,7 +1431,7 @@ extern "C" {
     /// between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the
     /// scale. An aspect ratio is longer over shorter size.
     ///
-    /// Cost: that of vesica_nearest_f32 for disjoint shapes; up to three times that if outlines meet or are nested.
+    /// Cost: as vesica_nearest_f32 for disjoint shapes; up to three times as much if outlines meet or are nested.
     ///
     /// Since: 0.1.
     pub fn vesica_boundary_distance_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
@@ -1457,7 +1456,7 @@ extern "C" {
     /// scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4
     /// u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
-    /// Cost: about that of vesica_nearest_f32; three times that with an ellipse.
+    /// Cost: about as vesica_nearest_f32; three times as much with an ellipse.
     ///
     /// Since: 0.1.
     pub fn vesica_depth_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
@@ -1492,8 +1491,8 @@ extern "C" {
     /// the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an
     /// error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
-    /// Cost: six times that of vesica_overlap_f32 for boxes, fifty times for two ellipses; more if outlines nearly
-    /// touch or coincide, or if one shape is far larger.
+    /// Cost: six times vesica_overlap_f32 for boxes, fifty times for two ellipses; more if outlines nearly touch or
+    /// coincide, or if one shape is far larger.
     ///
     /// Since: 0.1.
     pub fn vesica_area_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut f32) -> i32;
@@ -1509,7 +1508,7 @@ extern "C" {
     /// Accuracy: the bound of vesica_area_f32, divided by the area of the union.
     /// Each number is computed in double, within these bounds, and then rounded to float once.
     ///
-    /// Cost: that of vesica_area_f32 and of vesica_shape_area_f32 twice.
+    /// Cost: vesica_area_f32 and twice vesica_shape_area_f32.
     ///
     /// Since: 0.1.
     pub fn vesica_iou_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut f32) -> i32;
@@ -1521,7 +1520,7 @@ extern "C" {
     ///
     /// Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is exact.
     ///
-    /// Cost: up to ten times that of vesica_overlap_f32; more for magnitudes above 2^400 or below 2^-400.
+    /// Cost: up to ten times vesica_overlap_f32; more for magnitudes above 2^400 or below 2^-400.
     ///
     /// Since: 0.1.
     pub fn vesica_bounds_f32(kind: i32, shape: *const c_void, out: *mut Aabb<f32>) -> i32;
@@ -1849,7 +1848,7 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.
     ///
-    /// Accuracy: the axis is that of vesica_rect_from_angle_f32; half lengths are exact.
+    /// Accuracy: the axis as vesica_rect_from_angle_f32; half lengths are exact.
     ///
     /// Since: 0.1.
     pub fn vesica_ellipse_from_angle_f32(cx: f32, cy: f32, angle: f32, a: f32, b: f32, out: *mut Ellipse<f32>) -> i32;
@@ -1882,15 +1881,14 @@ extern "C" {
     /// covariance), VESICA_E_RANGE (a half length overflows).
     ///
     /// Accuracy: half lengths and both components of the axis are right to 8 units in their own last place, even if the
-    /// matrix is nearly singular or nearly a circle's. Exchanging cxx and cyy exchanges the components, but for their
-    /// signs.
+    /// matrix is nearly singular or nearly a circle's. Exchanging cxx and cyy exchanges the components, up to signs.
     ///
     /// Since: 0.1.
     pub fn vesica_ellipse_from_covariance_f32(mean_x: f32, mean_y: f32, cxx: f32, cxy: f32, cyy: f32, k: f32,
         out: *mut Ellipse<f32>) -> i32;
     /// Ellipse of the points X with (X - C) . M (X - C) \<= 1, where M is symmetric with entries mxx, mxy, myy.
     ///
-    /// The result is that of vesica_ellipse_from_covariance_f32 for the inverse of M and k = 1.
+    /// The result is as of vesica_ellipse_from_covariance_f32 for the inverse of M and k = 1.
     ///
     /// Requires: M positive definite as stored.
     ///
@@ -1898,12 +1896,12 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_ARGUMENT (not positive definite).
     ///
-    /// Accuracy: that of vesica_ellipse_from_covariance_f32. No half length overflows.
+    /// Accuracy: as vesica_ellipse_from_covariance_f32. No half length overflows.
     ///
     /// Since: 0.1.
     pub fn vesica_ellipse_from_matrix_f32(cx: f32, cy: f32, mxx: f32, mxy: f32, myy: f32,
         out: *mut Ellipse<f32>) -> i32;
-    /// Describes an array of `count` records, each of which starts with a shape's struct.
+    /// Describes an array of `count` records. Each starts with a shape's struct.
     ///
     /// Requires: base, the first record's shape, which may be NULL if count is 0; stride, the bytes from one record to
     /// the next; count \>= 0.
@@ -2044,7 +2042,7 @@ extern "C" {
     /// Since: 0.1.
     pub fn vesica_depth_many_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, depth: *mut f32, x: *mut f32,
         y: *mut f32) -> i64;
-    /// What area do a\[i\] and b\[i\] share? out\[i\] is the result of vesica_area_f32.
+    /// The area that a\[i\] and b\[i\] share: out\[i\] is the result of vesica_area_f32.
     ///
     /// Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers
     /// as the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
@@ -2156,7 +2154,7 @@ extern "C" {
     /// Since: 0.1.
     pub fn vesica_contains_matrix_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut u8,
         row_stride: isize) -> i64;
-    /// What area do a\[i\] and b\[j\] share? The elements of out are results of vesica_area_f32.
+    /// The area that a\[i\] and b\[j\] share. The elements of out are results of vesica_area_f32.
     ///
     /// Requires: room for a matrix: out\[i \* row_stride + j\] is the result for a\[i\] and b\[j\]. row_stride counts
     /// elements of out. With two or more rows its magnitude is at least b's count; if it is negative, rows run
@@ -2212,9 +2210,9 @@ extern "C" {
     /// -1 or the capacity. Before anything is written: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (one's count is
     /// not 1, a negative capacity, and as vesica_overlap_many_f32).
     ///
-    /// Accuracy: every answer is that of vesica_overlap_f32.
+    /// Accuracy: every answer is as of vesica_overlap_f32.
     ///
-    /// Cost: that of vesica_overlap_many_f32.
+    /// Cost: as vesica_overlap_many_f32.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_select_f32(one: *const Shapes<f32>, many: *const Shapes<f32>, out: *mut i64,
@@ -2222,7 +2220,7 @@ extern "C" {
     /// Greedy non-maximum suppression: takes shapes in the order of their scores, highest first, and keeps each one
     /// whose vesica_iou_f32 with every shape kept before is at most the threshold.
     ///
-    /// Of equal scores the lower index comes first. Infinite scores are legal. At threshold 1 all shapes are kept.
+    /// The lower index of equal scores comes first. Infinite scores are legal. At threshold 1 all shapes are kept.
     /// Shapes without an area suppress none and are not suppressed.
     ///
     /// Requires: shapes, of a kind from VESICA_CIRCLE to VESICA_ELLIPSE; scores, one for each; threshold from 0 to 1;
@@ -2236,9 +2234,9 @@ extern "C" {
     /// VESICA_E_KIND (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f32, threshold, too
     /// little scratch).
     ///
-    /// Accuracy: the ratio that is compared is that of vesica_iou_f32; in float, the ratio rounded to float.
+    /// Accuracy: the ratio that is compared is as of vesica_iou_f32; in float, the ratio rounded to float.
     ///
-    /// Cost: that of vesica_iou_many_f32 for each pair of a shape and one that is kept near it.
+    /// Cost: as vesica_iou_many_f32 for each pair of a shape and one that is kept near it.
     ///
     /// Since: 0.1.
     pub fn vesica_nms_f32(shapes: *const Shapes<f32>, scores: *const f32, threshold: f32, scratch: *mut c_void,
@@ -2326,9 +2324,9 @@ extern "C" {
     /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array
     /// that exceeds the address space, an unknown unit of angles).
     ///
-    /// Accuracy: that of vesica_bounds_f64.
+    /// Accuracy: as vesica_bounds_f64.
     ///
-    /// Cost: that of vesica_bounds_f64; up to eight times less with AVX2 or AVX-512.
+    /// Cost: as vesica_bounds_f64; up to eight times less with AVX2 or AVX-512.
     ///
     /// Since: 0.1.
     pub fn vesica_bounds_many_f64(shapes: *const Shapes<f64>, out: *mut Aabb<f64>) -> i64;
@@ -2419,9 +2417,9 @@ extern "C" {
     /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array
     /// that exceeds the address space, an unknown unit of angles).
     ///
-    /// Accuracy: that of vesica_bounds_f32.
+    /// Accuracy: as vesica_bounds_f32.
     ///
-    /// Cost: that of vesica_bounds_f32; up to eight times less with AVX2 or AVX-512.
+    /// Cost: as vesica_bounds_f32; up to eight times less with AVX2 or AVX-512.
     ///
     /// Since: 0.1.
     pub fn vesica_bounds_many_f32(shapes: *const Shapes<f32>, out: *mut Aabb<f32>) -> i64;
@@ -2516,7 +2514,7 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a wrong count, size or alignment), VESICA_E_SHAPE.
     ///
-    /// Cost: a few times that of vesica_bounds_many_f64.
+    /// Cost: a few times vesica_bounds_many_f64.
     ///
     /// Since: 0.1.
     pub fn vesica_index_build_f64(sets: *const Shapes<f64>, set_count: i32, index: *mut c_void, index_size: i64,
@@ -2532,11 +2530,11 @@ extern "C" {
     /// Returns: 0; at step 4 what vesica_index_build_f64 returns.
     ///
     /// Errors: those of vesica_index_build_f64. VESICA_E_ARGUMENT also, with nothing done, if step, part or parts is
-    /// out of range, if the scratch is not that of step 0 of a build that has not ended, if a part of the step before
-    /// is missing, or if some of this part was done before. A part without shapes (there may be more parts than shapes)
+    /// out of range, if the scratch is not from step 0 of a build that has not ended, if a part of the step before is
+    /// missing, or if some of this part was done before. A part without shapes (there may be more parts than shapes)
     /// has nothing to do: a missing or repeated one is not noticed.
     ///
-    /// Cost: in all that of the build: three fifths in step 1; a tenth in step 0, which cannot be divided.
+    /// Cost: in all as the build: three fifths in step 1; a tenth in step 0, which cannot be divided.
     ///
     /// Since: 0.1.
     pub fn vesica_index_step_f64(step: i32, part: i64, parts: i64, sets: *const Shapes<f64>, set_count: i32,
@@ -2559,18 +2557,18 @@ extern "C" {
     ///
     /// Accuracy: exact, if there are sets.
     ///
-    /// Cost: that of a search, and that of vesica_overlap_f64 for each item whose bounds meet those of the shape.
+    /// Cost: a search, and vesica_overlap_f64 for each item whose bounds meet those of the shape.
     ///
     /// Since: 0.1.
     pub fn vesica_index_select_f64(index: *const c_void, sets: *const Shapes<f64>, set_count: i32,
         one: *const Shapes<f64>, out: *mut i64, capacity: i64, state: *mut i64) -> i64;
     /// Join: all pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
     ///
-    /// If both indexes are the same pointer, pairs are those of two different items a \< b: VESICA_JOIN_CONTAINS then
-    /// finds those of which the lower item contains the higher one, _INSIDE the others. Pair i is out_a\[i\] and
-    /// out_b\[i\]. The order of pairs depends on the bytes of the indexes and the query alone. The work may be divided
-    /// into `parts` of about equal work, which may run at the same time, each with its own scratch. The pairs of all
-    /// parts, one part after the other, are those of a call with part 0 and parts 1.
+    /// If both indexes are the same pointer, pairs are two different items a \< b: VESICA_JOIN_CONTAINS then finds
+    /// pairs whose lower item contains the higher one, _INSIDE the others. Pair i is out_a\[i\] and out_b\[i\]. The
+    /// order of pairs depends on the bytes of the indexes and the query alone. The work may be divided into `parts` of
+    /// about equal work, which may run at the same time, each with its own scratch. The pairs of all parts, one part
+    /// after the other, are those of a call with part 0 and parts 1.
     ///
     /// Requires: query is VESICA_JOIN_OVERLAP ... VESICA_JOIN_INSIDE. sets_a and sets_b are those of the indexes; with
     /// VESICA_JOIN_BOUNDS they are ignored. 0 \<= part \< parts. scratch_size \>= vesica_join_scratch(); nothing is
@@ -2584,7 +2582,7 @@ extern "C" {
     ///
     /// Accuracy: exact for all queries but VESICA_JOIN_BOUNDS.
     ///
-    /// Cost: about twice that of vesica_overlap_f64 for each shape, and the same for each pair whose bounds meet.
+    /// Cost: about twice vesica_overlap_f64 for each shape, and the same for each pair whose bounds meet.
     ///
     /// Since: 0.1.
     pub fn vesica_join_f64(query: i32, index_a: *const c_void, sets_a: *const Shapes<f64>, set_count_a: i32,
@@ -2604,9 +2602,9 @@ extern "C" {
     ///
     /// Errors: those of vesica_join_f64; VESICA_E_ARGUMENT also for a distance that is negative or NaN.
     ///
-    /// Accuracy: that of vesica_within_f64; pairs that are VESICA_WITHIN_NEARLY are included.
+    /// Accuracy: as vesica_within_f64; pairs that are VESICA_WITHIN_NEARLY are included.
     ///
-    /// Cost: seven times that of vesica_join_f64.
+    /// Cost: seven times vesica_join_f64.
     ///
     /// Since: 0.1.
     pub fn vesica_join_within_f64(index_a: *const c_void, sets_a: *const Shapes<f64>, set_count_a: i32,
@@ -2628,8 +2626,8 @@ extern "C" {
     ///
     /// Accuracy: distances are those of vesica_nearest_f64, bit for bit.
     ///
-    /// Cost: that of a search, and that of vesica_nearest_f64 for some 10 items more than k, and for all items that
-    /// overlap the shape, as the lowest come first.
+    /// Cost: a search, and vesica_nearest_f64 for some 10 items more than k, and for all items that overlap
+    /// the shape, as the lowest come first.
     ///
     /// Since: 0.1.
     pub fn vesica_index_nearest_f64(index: *const c_void, sets: *const Shapes<f64>, set_count: i32,
@@ -2653,7 +2651,7 @@ extern "C" {
     ///
     /// Accuracy: distances are those of vesica_nearest_f64, bit for bit.
     ///
-    /// Cost: that of vesica_index_nearest_f64 for each item.
+    /// Cost: vesica_index_nearest_f64 for each item.
     ///
     /// Since: 0.1.
     pub fn vesica_join_nearest_f64(sets_a: *const Shapes<f64>, set_count_a: i32, index_b: *const c_void,
@@ -2671,7 +2669,7 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a wrong count, size or alignment), VESICA_E_SHAPE.
     ///
-    /// Cost: a few times that of vesica_bounds_many_f32.
+    /// Cost: a few times vesica_bounds_many_f32.
     ///
     /// Since: 0.1.
     pub fn vesica_index_build_f32(sets: *const Shapes<f32>, set_count: i32, index: *mut c_void, index_size: i64,
@@ -2687,11 +2685,11 @@ extern "C" {
     /// Returns: 0; at step 4 what vesica_index_build_f32 returns.
     ///
     /// Errors: those of vesica_index_build_f32. VESICA_E_ARGUMENT also, with nothing done, if step, part or parts is
-    /// out of range, if the scratch is not that of step 0 of a build that has not ended, if a part of the step before
-    /// is missing, or if some of this part was done before. A part without shapes (there may be more parts than shapes)
+    /// out of range, if the scratch is not from step 0 of a build that has not ended, if a part of the step before is
+    /// missing, or if some of this part was done before. A part without shapes (there may be more parts than shapes)
     /// has nothing to do: a missing or repeated one is not noticed.
     ///
-    /// Cost: in all that of the build: three fifths in step 1; a tenth in step 0, which cannot be divided.
+    /// Cost: in all as the build: three fifths in step 1; a tenth in step 0, which cannot be divided.
     ///
     /// Since: 0.1.
     pub fn vesica_index_step_f32(step: i32, part: i64, parts: i64, sets: *const Shapes<f32>, set_count: i32,
@@ -2714,18 +2712,18 @@ extern "C" {
     ///
     /// Accuracy: exact, if there are sets.
     ///
-    /// Cost: that of a search, and that of vesica_overlap_f32 for each item whose bounds meet those of the shape.
+    /// Cost: a search, and vesica_overlap_f32 for each item whose bounds meet those of the shape.
     ///
     /// Since: 0.1.
     pub fn vesica_index_select_f32(index: *const c_void, sets: *const Shapes<f32>, set_count: i32,
         one: *const Shapes<f32>, out: *mut i64, capacity: i64, state: *mut i64) -> i64;
     /// Join: all pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
     ///
-    /// If both indexes are the same pointer, pairs are those of two different items a \< b: VESICA_JOIN_CONTAINS then
-    /// finds those of which the lower item contains the higher one, _INSIDE the others. Pair i is out_a\[i\] and
-    /// out_b\[i\]. The order of pairs depends on the bytes of the indexes and the query alone. The work may be divided
-    /// into `parts` of about equal work, which may run at the same time, each with its own scratch. The pairs of all
-    /// parts, one part after the other, are those of a call with part 0 and parts 1.
+    /// If both indexes are the same pointer, pairs are two different items a \< b: VESICA_JOIN_CONTAINS then finds
+    /// pairs whose lower item contains the higher one, _INSIDE the others. Pair i is out_a\[i\] and out_b\[i\]. The
+    /// order of pairs depends on the bytes of the indexes and the query alone. The work may be divided into `parts` of
+    /// about equal work, which may run at the same time, each with its own scratch. The pairs of all parts, one part
+    /// after the other, are those of a call with part 0 and parts 1.
     ///
     /// Requires: query is VESICA_JOIN_OVERLAP ... VESICA_JOIN_INSIDE. sets_a and sets_b are those of the indexes; with
     /// VESICA_JOIN_BOUNDS they are ignored. 0 \<= part \< parts. scratch_size \>= vesica_join_scratch(); nothing is
@@ -2739,7 +2737,7 @@ extern "C" {
     ///
     /// Accuracy: exact for all queries but VESICA_JOIN_BOUNDS.
     ///
-    /// Cost: about twice that of vesica_overlap_f32 for each shape, and the same for each pair whose bounds meet.
+    /// Cost: about twice vesica_overlap_f32 for each shape, and the same for each pair whose bounds meet.
     ///
     /// Since: 0.1.
     pub fn vesica_join_f32(query: i32, index_a: *const c_void, sets_a: *const Shapes<f32>, set_count_a: i32,
@@ -2759,9 +2757,9 @@ extern "C" {
     ///
     /// Errors: those of vesica_join_f32; VESICA_E_ARGUMENT also for a distance that is negative or NaN.
     ///
-    /// Accuracy: that of vesica_within_f32; pairs that are VESICA_WITHIN_NEARLY are included.
+    /// Accuracy: as vesica_within_f32; pairs that are VESICA_WITHIN_NEARLY are included.
     ///
-    /// Cost: seven times that of vesica_join_f32.
+    /// Cost: seven times vesica_join_f32.
     ///
     /// Since: 0.1.
     pub fn vesica_join_within_f32(index_a: *const c_void, sets_a: *const Shapes<f32>, set_count_a: i32,
@@ -2783,8 +2781,8 @@ extern "C" {
     ///
     /// Accuracy: distances are those of vesica_nearest_f32, bit for bit.
     ///
-    /// Cost: that of a search, and that of vesica_nearest_f32 for some 10 items more than k, and for all items that
-    /// overlap the shape, as the lowest come first.
+    /// Cost: a search, and vesica_nearest_f32 for some 10 items more than k, and for all items that overlap
+    /// the shape, as the lowest come first.
     ///
     /// Since: 0.1.
     pub fn vesica_index_nearest_f32(index: *const c_void, sets: *const Shapes<f32>, set_count: i32,
@@ -2808,7 +2806,7 @@ extern "C" {
     ///
     /// Accuracy: distances are those of vesica_nearest_f32, bit for bit.
     ///
-    /// Cost: that of vesica_index_nearest_f32 for each item.
+    /// Cost: vesica_index_nearest_f32 for each item.
     ///
     /// Since: 0.1.
     pub fn vesica_join_nearest_f32(sets_a: *const Shapes<f32>, set_count_a: i32, index_b: *const c_void,
@@ -2818,7 +2816,7 @@ extern "C" {
     ///
     /// The first four ratios are from 0 to 1. Shared area over one shape's is 0 if no area is shared, and 1 if the
     /// other shape contains it. The last three are at most the IoU, and at least -1 (CIoU: -2). The angle of a shape in
-    /// CIoU is that of the vector (half length across its axis, half length along it); v is 0 if a shape has no size.
+    /// CIoU is the vector's (half length across its axis, half length along it); v is 0 if a shape has no size.
     /// Exchanging the shapes exchanges OVER_FIRST and OVER_SECOND, and changes no bit of the others.
     ///
     /// Requires: ratio, one of VESICA_RATIO_OVER_UNION to VESICA_RATIO_COMPLETE.
@@ -2833,7 +2831,7 @@ extern "C" {
     /// of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u
     /// scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
-    /// Cost: up to four times that of vesica_area_f64 or vesica_iou_f64 for boxes; little more than that for ellipses.
+    /// Cost: up to four times vesica_area_f64 or vesica_iou_f64 for boxes; little more than these for ellipses.
     ///
     /// Since: 0.1.
     pub fn vesica_ratio_f64(ratio: i32, kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
@@ -2919,7 +2917,7 @@ extern "C" {
     ///
     /// Accuracy: the same bits as vesica_nearest_f64 or, negated, vesica_depth_f64. The sign is exact.
     ///
-    /// Cost: that of vesica_nearest_f64 or vesica_depth_f64.
+    /// Cost: as vesica_nearest_f64 or vesica_depth_f64.
     ///
     /// Since: 0.1.
     pub fn vesica_signed_distance_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
@@ -2947,7 +2945,7 @@ extern "C" {
         row_stride: isize) -> i64;
     /// Are two shapes at most `distance` apart? A distance of exactly that counts, as touching does.
     ///
-    /// With distance 0 the answer is that of vesica_overlap_f64, exact for all kinds. If both shapes may be ellipses,
+    /// With distance 0 the answer is as of vesica_overlap_f64, exact for all kinds. If both shapes may be ellipses,
     /// test for \> 0 to miss no pair, and for VESICA_WITHIN_YES to accept only what is certain. Exchanging the shapes
     /// changes nothing.
     ///
@@ -2963,7 +2961,7 @@ extern "C" {
     /// two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
     /// means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
-    /// Cost: one to six times that of vesica_overlap_f64; that of vesica_nearest_f64 for ellipses.
+    /// Cost: one to six times vesica_overlap_f64; as vesica_nearest_f64 for ellipses.
     ///
     /// Since: 0.1.
     pub fn vesica_within_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, distance: f64) -> i32;
@@ -3017,9 +3015,9 @@ extern "C" {
     ///
     /// Errors: as vesica_nms_f64; VESICA_E_ARGUMENT also for ratio, a least_score that is NaN, and a negative most.
     ///
-    /// Accuracy: the ratio that is compared is that of vesica_ratio_f64; in float, the ratio rounded to float.
+    /// Accuracy: the ratio that is compared is as of vesica_ratio_f64; in float, the ratio rounded to float.
     ///
-    /// Cost: that of vesica_nms_f64; ratios other than IoU take longer for each comparison.
+    /// Cost: as vesica_nms_f64; ratios other than IoU take longer for each comparison.
     ///
     /// Since: 0.1.
     pub fn vesica_suppress_f64(shapes: *const Shapes<f64>, scores: *const f64, labels: *const i32, ratio: i32,
@@ -3054,7 +3052,7 @@ extern "C" {
     /// right to 1 unit in the last place; times 0 an infinite score is 0. So the same shapes are kept, with the same
     /// bits, on every machine. The float function computes in double and rounds only the final scores.
     ///
-    /// Cost: for each kept shape, that of vesica_ratio_matrix_f64 with the shapes of its label that are left.
+    /// Cost: for each kept shape, as vesica_ratio_matrix_f64 with the shapes of its label that are left.
     ///
     /// Since: 0.1.
     pub fn vesica_suppress_soft_f64(shapes: *const Shapes<f64>, scores: *const f64, labels: *const i32, ratio: i32,
@@ -3064,7 +3062,7 @@ extern "C" {
     ///
     /// The first four ratios are from 0 to 1. Shared area over one shape's is 0 if no area is shared, and 1 if the
     /// other shape contains it. The last three are at most the IoU, and at least -1 (CIoU: -2). The angle of a shape in
-    /// CIoU is that of the vector (half length across its axis, half length along it); v is 0 if a shape has no size.
+    /// CIoU is the vector's (half length across its axis, half length along it); v is 0 if a shape has no size.
     /// Exchanging the shapes exchanges OVER_FIRST and OVER_SECOND, and changes no bit of the others.
     ///
     /// Requires: ratio, one of VESICA_RATIO_OVER_UNION to VESICA_RATIO_COMPLETE.
@@ -3080,7 +3078,7 @@ extern "C" {
     /// largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of
     /// at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
-    /// Cost: up to four times that of vesica_area_f32 or vesica_iou_f32 for boxes; little more than that for ellipses.
+    /// Cost: up to four times vesica_area_f32 or vesica_iou_f32 for boxes; little more than these for ellipses.
     ///
     /// Since: 0.1.
     pub fn vesica_ratio_f32(ratio: i32, kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
@@ -3170,9 +3168,9 @@ extern "C" {
     ///
     /// Errors: as vesica_nms_f32; VESICA_E_ARGUMENT also for ratio, a least_score that is NaN, and a negative most.
     ///
-    /// Accuracy: the ratio that is compared is that of vesica_ratio_f32; in float, the ratio rounded to float.
+    /// Accuracy: the ratio that is compared is as of vesica_ratio_f32; in float, the ratio rounded to float.
     ///
-    /// Cost: that of vesica_nms_f32; ratios other than IoU take longer for each comparison.
+    /// Cost: as vesica_nms_f32; ratios other than IoU take longer for each comparison.
     ///
     /// Since: 0.1.
     pub fn vesica_suppress_f32(shapes: *const Shapes<f32>, scores: *const f32, labels: *const i32, ratio: i32,
@@ -3190,7 +3188,7 @@ extern "C" {
     /// Accuracy: the same bits as vesica_nearest_f32 or, negated, vesica_depth_f32. The sign is exact.
     /// Each number is computed in double, within these bounds, and then rounded to float once.
     ///
-    /// Cost: that of vesica_nearest_f32 or vesica_depth_f32.
+    /// Cost: as vesica_nearest_f32 or vesica_depth_f32.
     ///
     /// Since: 0.1.
     pub fn vesica_signed_distance_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
@@ -3220,7 +3218,7 @@ extern "C" {
         row_stride: isize) -> i64;
     /// Are two shapes at most `distance` apart? A distance of exactly that counts, as touching does.
     ///
-    /// With distance 0 the answer is that of vesica_overlap_f32, exact for all kinds. If both shapes may be ellipses,
+    /// With distance 0 the answer is as of vesica_overlap_f32, exact for all kinds. If both shapes may be ellipses,
     /// test for \> 0 to miss no pair, and for VESICA_WITHIN_YES to accept only what is certain. Exchanging the shapes
     /// changes nothing.
     ///
@@ -3236,7 +3234,7 @@ extern "C" {
     /// two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
     /// means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
-    /// Cost: one to six times that of vesica_overlap_f32; that of vesica_nearest_f32 for ellipses.
+    /// Cost: one to six times vesica_overlap_f32; as vesica_nearest_f32 for ellipses.
     ///
     /// Since: 0.1.
     pub fn vesica_within_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, distance: f32) -> i32;
@@ -3298,7 +3296,7 @@ extern "C" {
     /// right to 1 unit in the last place; times 0 an infinite score is 0. So the same shapes are kept, with the same
     /// bits, on every machine. The float function computes in double and rounds only the final scores.
     ///
-    /// Cost: for each kept shape, that of vesica_ratio_matrix_f32 with the shapes of its label that are left.
+    /// Cost: for each kept shape, as vesica_ratio_matrix_f32 with the shapes of its label that are left.
     ///
     /// Since: 0.1.
     pub fn vesica_suppress_soft_f32(shapes: *const Shapes<f32>, scores: *const f32, labels: *const i32, ratio: i32,
@@ -3306,9 +3304,9 @@ extern "C" {
         keep: *mut i64, decayed: *mut f32, kept: *mut i64) -> i32;
     /// Does b touch a while it moves, when first, and where?
     ///
-    /// The normal is that of the face or the round outline that is hit. If a corner hits a corner, it is that of an
+    /// The normal belongs to the face or the round outline that is hit. If a corner hits a corner, it belongs to an
     /// edge there. If b only slides along a, it is perpendicular to the velocity. At an angle below 2^-80 to a face,
-    /// the normal may be that of the face beside it, and the point their corner. If two faces meet, the point is the
+    /// the normal may belong to the face beside it, and the point their corner. If two faces meet, the point is the
     /// middle of what they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f64 and
     /// the point of vesica_nearest_f64. Shapes that only touch at the start move apart or slide if (nx, ny).(vx, vy)
     /// \>= 0. Otherwise they approach, but where corners meet, or a shape has no area, they may also separate.
@@ -3354,8 +3352,8 @@ extern "C" {
     ///
     /// Accuracy: every result has the same bits as vesica_cast_f64.
     ///
-    /// Cost: that of vesica_cast_f64 for each pair; with AVX2 or AVX-512 a half to an eighth of it, except for pairs
-    /// that overlap at the start.
+    /// Cost: as vesica_cast_f64 for each pair; with AVX2 or AVX-512 a half to an eighth of it, except for pairs that
+    /// overlap at the start.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_many_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, vx: *const f64, vy: *const f64,
@@ -3371,7 +3369,7 @@ extern "C" {
     /// Errors: those of vesica_cast_f64. VESICA_E_SHAPE if any shape is invalid. VESICA_E_RANGE only if vesica_cast_f64
     /// returns it for a shape that might be touched first.
     ///
-    /// Cost: less than that of vesica_cast_f64 for each shape that is missed.
+    /// Cost: less than vesica_cast_f64 for each shape that is missed.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_first_f64(one: *const Shapes<f64>, many: *const Shapes<f64>, vx: f64, vy: f64, t_end: f64,
@@ -3384,7 +3382,7 @@ extern "C" {
     ///
     /// Errors: those of vesica_cast_f64; VESICA_E_RANGE if a side would overflow.
     ///
-    /// Accuracy: a side that does not move is that of vesica_bounds_f64. One that moves is too far out by less than 5.5
+    /// Accuracy: a side that does not move is as of vesica_bounds_f64. One that moves is too far out by less than 5.5
     /// units in the last place of the largest of three numbers: the side at rest, the way it moves, and where it ends.
     ///
     /// Since: 0.1.
@@ -3406,7 +3404,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: that of a search, and that of vesica_cast_f64 for each item whose box the swept box meets.
+    /// Cost: a search, and vesica_cast_f64 for each item whose box the swept box meets.
     ///
     /// Since: 0.1.
     pub fn vesica_index_cast_f64(index: *const c_void, sets: *const Shapes<f64>, set_count: i32,
@@ -3419,7 +3417,7 @@ extern "C" {
     ///
     /// Errors: those of vesica_index_cast_f64; VESICA_E_RANGE only as for vesica_cast_first_f64.
     ///
-    /// Cost: that of a search, and that of vesica_cast_f64 for the few items near the ray.
+    /// Cost: a search, and vesica_cast_f64 for the few items near the ray.
     ///
     /// Since: 0.1.
     pub fn vesica_index_cast_first_f64(index: *const c_void, sets: *const Shapes<f64>, set_count: i32,
@@ -3437,8 +3435,8 @@ extern "C" {
     /// Returns: VESICA_CAST_MISS: it is proved that there is no contact from 0 to 1; t is infinity, and all other
     /// numbers and the gap are NaN. VESICA_CAST_HIT: it is proved that there is contact after t. VESICA_CAST_NEAR:
     /// there may be contact after t; contact of a point with a segment or a point, where there is no depth, is never
-    /// proved. VESICA_CAST_START: the shapes overlap at t = 0, which is exact; \*out is that of vesica_cast_f64, and
-    /// the gap is 0.
+    /// proved. VESICA_CAST_START: the shapes overlap at t = 0, which is exact; \*out is as of vesica_cast_f64, and the
+    /// gap is 0.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE (a coordinate of the
     /// point, or the gap, would overflow).
@@ -3461,10 +3459,9 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
     ///
-    /// Accuracy: that of vesica_cast_f64.
+    /// Accuracy: as vesica_cast_f64.
     ///
-    /// Cost: that of vesica_overlap_f64 for a miss, ten times that for a hit; for two rectangles that of
-    /// vesica_cast_f64.
+    /// Cost: as vesica_overlap_f64 for a miss, ten times as much for a hit; for two rectangles as vesica_cast_f64.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_point_point_f64(a: *const Point<f64>, b: *const Point<f64>, vx: f64, vy: f64, t_end: f64,
@@ -3477,10 +3474,9 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
     ///
-    /// Accuracy: that of vesica_cast_f64.
+    /// Accuracy: as vesica_cast_f64.
     ///
-    /// Cost: that of vesica_overlap_f64 for a miss, ten times that for a hit; for two rectangles that of
-    /// vesica_cast_f64.
+    /// Cost: as vesica_overlap_f64 for a miss, ten times as much for a hit; for two rectangles as vesica_cast_f64.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_segment_point_f64(a: *const Segment<f64>, b: *const Point<f64>, vx: f64, vy: f64, t_end: f64,
@@ -3493,10 +3489,9 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
     ///
-    /// Accuracy: that of vesica_cast_f64.
+    /// Accuracy: as vesica_cast_f64.
     ///
-    /// Cost: that of vesica_overlap_f64 for a miss, ten times that for a hit; for two rectangles that of
-    /// vesica_cast_f64.
+    /// Cost: as vesica_overlap_f64 for a miss, ten times as much for a hit; for two rectangles as vesica_cast_f64.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_circle_point_f64(a: *const Circle<f64>, b: *const Point<f64>, vx: f64, vy: f64, t_end: f64,
@@ -3509,10 +3504,9 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
     ///
-    /// Accuracy: that of vesica_cast_f64.
+    /// Accuracy: as vesica_cast_f64.
     ///
-    /// Cost: that of vesica_overlap_f64 for a miss, ten times that for a hit; for two rectangles that of
-    /// vesica_cast_f64.
+    /// Cost: as vesica_overlap_f64 for a miss, ten times as much for a hit; for two rectangles as vesica_cast_f64.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_aabb_point_f64(a: *const Aabb<f64>, b: *const Point<f64>, vx: f64, vy: f64, t_end: f64,
@@ -3525,10 +3519,9 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
     ///
-    /// Accuracy: that of vesica_cast_f64.
+    /// Accuracy: as vesica_cast_f64.
     ///
-    /// Cost: that of vesica_overlap_f64 for a miss, ten times that for a hit; for two rectangles that of
-    /// vesica_cast_f64.
+    /// Cost: as vesica_overlap_f64 for a miss, ten times as much for a hit; for two rectangles as vesica_cast_f64.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_rect_point_f64(a: *const Rect<f64>, b: *const Point<f64>, vx: f64, vy: f64, t_end: f64,
@@ -3541,10 +3534,9 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
     ///
-    /// Accuracy: that of vesica_cast_f64.
+    /// Accuracy: as vesica_cast_f64.
     ///
-    /// Cost: that of vesica_overlap_f64 for a miss, ten times that for a hit; for two rectangles that of
-    /// vesica_cast_f64.
+    /// Cost: as vesica_overlap_f64 for a miss, ten times as much for a hit; for two rectangles as vesica_cast_f64.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_ellipse_point_f64(a: *const Ellipse<f64>, b: *const Point<f64>, vx: f64, vy: f64, t_end: f64,
@@ -3557,10 +3549,9 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
     ///
-    /// Accuracy: that of vesica_cast_f64.
+    /// Accuracy: as vesica_cast_f64.
     ///
-    /// Cost: that of vesica_overlap_f64 for a miss, ten times that for a hit; for two rectangles that of
-    /// vesica_cast_f64.
+    /// Cost: as vesica_overlap_f64 for a miss, ten times as much for a hit; for two rectangles as vesica_cast_f64.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_circle_circle_f64(a: *const Circle<f64>, b: *const Circle<f64>, vx: f64, vy: f64, t_end: f64,
@@ -3573,19 +3564,18 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
     ///
-    /// Accuracy: that of vesica_cast_f64.
+    /// Accuracy: as vesica_cast_f64.
     ///
-    /// Cost: that of vesica_overlap_f64 for a miss, ten times that for a hit; for two rectangles that of
-    /// vesica_cast_f64.
+    /// Cost: as vesica_overlap_f64 for a miss, ten times as much for a hit; for two rectangles as vesica_cast_f64.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_rect_rect_f64(a: *const Rect<f64>, b: *const Rect<f64>, vx: f64, vy: f64, t_end: f64,
         out: *mut Impact<f64>) -> i32;
     /// Does b touch a while it moves, when first, and where?
     ///
-    /// The normal is that of the face or the round outline that is hit. If a corner hits a corner, it is that of an
+    /// The normal belongs to the face or the round outline that is hit. If a corner hits a corner, it belongs to an
     /// edge there. If b only slides along a, it is perpendicular to the velocity. At an angle below 2^-80 to a face,
-    /// the normal may be that of the face beside it, and the point their corner. If two faces meet, the point is the
+    /// the normal may belong to the face beside it, and the point their corner. If two faces meet, the point is the
     /// middle of what they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f32 and
     /// the point of vesica_nearest_f32. Shapes that only touch at the start move apart or slide if (nx, ny).(vx, vy)
     /// \>= 0. Otherwise they approach, but where corners meet, or a shape has no area, they may also separate.
@@ -3631,8 +3621,8 @@ extern "C" {
     ///
     /// Accuracy: every result has the same bits as vesica_cast_f32.
     ///
-    /// Cost: that of vesica_cast_f32 for each pair; with AVX2 or AVX-512 a half to an eighth of it, except for pairs
-    /// that overlap at the start.
+    /// Cost: as vesica_cast_f32 for each pair; with AVX2 or AVX-512 a half to an eighth of it, except for pairs that
+    /// overlap at the start.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_many_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, vx: *const f32, vy: *const f32,
@@ -3648,7 +3638,7 @@ extern "C" {
     /// Errors: those of vesica_cast_f32. VESICA_E_SHAPE if any shape is invalid. VESICA_E_RANGE only if vesica_cast_f32
     /// returns it for a shape that might be touched first.
     ///
-    /// Cost: less than that of vesica_cast_f32 for each shape that is missed.
+    /// Cost: less than vesica_cast_f32 for each shape that is missed.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_first_f32(one: *const Shapes<f32>, many: *const Shapes<f32>, vx: f32, vy: f32, t_end: f32,
@@ -3661,7 +3651,7 @@ extern "C" {
     ///
     /// Errors: those of vesica_cast_f32; VESICA_E_RANGE if a side would overflow.
     ///
-    /// Accuracy: a side that does not move is that of vesica_bounds_f32. One that moves is too far out by less than 5.5
+    /// Accuracy: a side that does not move is as of vesica_bounds_f32. One that moves is too far out by less than 5.5
     /// units in the last place of the largest of three numbers: the side at rest, the way it moves, and where it ends.
     ///
     /// Since: 0.1.
@@ -3683,7 +3673,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: that of a search, and that of vesica_cast_f32 for each item whose box the swept box meets.
+    /// Cost: a search, and vesica_cast_f32 for each item whose box the swept box meets.
     ///
     /// Since: 0.1.
     pub fn vesica_index_cast_f32(index: *const c_void, sets: *const Shapes<f32>, set_count: i32,
@@ -3696,7 +3686,7 @@ extern "C" {
     ///
     /// Errors: those of vesica_index_cast_f32; VESICA_E_RANGE only as for vesica_cast_first_f32.
     ///
-    /// Cost: that of a search, and that of vesica_cast_f32 for the few items near the ray.
+    /// Cost: a search, and vesica_cast_f32 for the few items near the ray.
     ///
     /// Since: 0.1.
     pub fn vesica_index_cast_first_f32(index: *const c_void, sets: *const Shapes<f32>, set_count: i32,
@@ -3718,10 +3708,9 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
     ///
-    /// Accuracy: that of vesica_cast_f32.
+    /// Accuracy: as vesica_cast_f32.
     ///
-    /// Cost: that of vesica_overlap_f32 for a miss, ten times that for a hit; for two rectangles that of
-    /// vesica_cast_f32.
+    /// Cost: as vesica_overlap_f32 for a miss, ten times as much for a hit; for two rectangles as vesica_cast_f32.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_point_point_f32(a: *const Point<f32>, b: *const Point<f32>, vx: f32, vy: f32, t_end: f32,
@@ -3734,10 +3723,9 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
     ///
-    /// Accuracy: that of vesica_cast_f32.
+    /// Accuracy: as vesica_cast_f32.
     ///
-    /// Cost: that of vesica_overlap_f32 for a miss, ten times that for a hit; for two rectangles that of
-    /// vesica_cast_f32.
+    /// Cost: as vesica_overlap_f32 for a miss, ten times as much for a hit; for two rectangles as vesica_cast_f32.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_segment_point_f32(a: *const Segment<f32>, b: *const Point<f32>, vx: f32, vy: f32, t_end: f32,
@@ -3750,10 +3738,9 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
     ///
-    /// Accuracy: that of vesica_cast_f32.
+    /// Accuracy: as vesica_cast_f32.
     ///
-    /// Cost: that of vesica_overlap_f32 for a miss, ten times that for a hit; for two rectangles that of
-    /// vesica_cast_f32.
+    /// Cost: as vesica_overlap_f32 for a miss, ten times as much for a hit; for two rectangles as vesica_cast_f32.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_circle_point_f32(a: *const Circle<f32>, b: *const Point<f32>, vx: f32, vy: f32, t_end: f32,
@@ -3766,10 +3753,9 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
     ///
-    /// Accuracy: that of vesica_cast_f32.
+    /// Accuracy: as vesica_cast_f32.
     ///
-    /// Cost: that of vesica_overlap_f32 for a miss, ten times that for a hit; for two rectangles that of
-    /// vesica_cast_f32.
+    /// Cost: as vesica_overlap_f32 for a miss, ten times as much for a hit; for two rectangles as vesica_cast_f32.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_aabb_point_f32(a: *const Aabb<f32>, b: *const Point<f32>, vx: f32, vy: f32, t_end: f32,
@@ -3782,10 +3768,9 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
     ///
-    /// Accuracy: that of vesica_cast_f32.
+    /// Accuracy: as vesica_cast_f32.
     ///
-    /// Cost: that of vesica_overlap_f32 for a miss, ten times that for a hit; for two rectangles that of
-    /// vesica_cast_f32.
+    /// Cost: as vesica_overlap_f32 for a miss, ten times as much for a hit; for two rectangles as vesica_cast_f32.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_rect_point_f32(a: *const Rect<f32>, b: *const Point<f32>, vx: f32, vy: f32, t_end: f32,
@@ -3798,10 +3783,9 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
     ///
-    /// Accuracy: that of vesica_cast_f32.
+    /// Accuracy: as vesica_cast_f32.
     ///
-    /// Cost: that of vesica_overlap_f32 for a miss, ten times that for a hit; for two rectangles that of
-    /// vesica_cast_f32.
+    /// Cost: as vesica_overlap_f32 for a miss, ten times as much for a hit; for two rectangles as vesica_cast_f32.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_ellipse_point_f32(a: *const Ellipse<f32>, b: *const Point<f32>, vx: f32, vy: f32, t_end: f32,
@@ -3814,10 +3798,9 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
     ///
-    /// Accuracy: that of vesica_cast_f32.
+    /// Accuracy: as vesica_cast_f32.
     ///
-    /// Cost: that of vesica_overlap_f32 for a miss, ten times that for a hit; for two rectangles that of
-    /// vesica_cast_f32.
+    /// Cost: as vesica_overlap_f32 for a miss, ten times as much for a hit; for two rectangles as vesica_cast_f32.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_circle_circle_f32(a: *const Circle<f32>, b: *const Circle<f32>, vx: f32, vy: f32, t_end: f32,
@@ -3830,10 +3813,9 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
     ///
-    /// Accuracy: that of vesica_cast_f32.
+    /// Accuracy: as vesica_cast_f32.
     ///
-    /// Cost: that of vesica_overlap_f32 for a miss, ten times that for a hit; for two rectangles that of
-    /// vesica_cast_f32.
+    /// Cost: as vesica_overlap_f32 for a miss, ten times as much for a hit; for two rectangles as vesica_cast_f32.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_rect_rect_f32(a: *const Rect<f32>, b: *const Rect<f32>, vx: f32, vy: f32, t_end: f32,
@@ -3842,9 +3824,9 @@ extern "C" {
     ///
     /// Every shape has an inside, an outline and an outside. The first three characters say what a's inside shares with
     /// b's inside, outline and outside; the next three say it of a's outline, the last three of a's outside. F means
-    /// nothing, 0 single points, 1 lines, 2 an area. The outline of a shape with area is the curve around it, that of a
-    /// segment its two end points; a point has none. A segment without length is a point; a shape with one size 0 is a
-    /// segment, with both 0 a point. Two boxes side by side that share a side give "FF2F11212". Exchanging the shapes
+    /// nothing, 0 single points, 1 lines, 2 an area. The outline of a shape with area is the curve around it, a
+    /// segment's its two end points; a point has none. A segment without length is a point; a shape with one size 0 is
+    /// a segment, with both 0 a point. Two boxes side by side that share a side give "FF2F11212". Exchanging the shapes
     /// exchanges rows and columns.
     ///
     /// Requires: matrix with room for VESICA_DE9IM_SIZE characters.
@@ -3855,7 +3837,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: that of vesica_relation_f64; more for a segment, and for rectangles whose sides are parallel.
+    /// Cost: as vesica_relation_f64; more for a segment, and for rectangles whose sides are parallel.
     ///
     /// Since: 0.1.
     pub fn vesica_de9im_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, matrix: *mut u8) -> i32;
@@ -3888,14 +3870,14 @@ extern "C" {
     /// Errors: VESICA_E_NULL, VESICA_E_KIND (also for other pairs of kinds than these), VESICA_E_ARGUMENT (a negative
     /// capacity), VESICA_E_SHAPE, VESICA_E_RANGE (a vertex, or the length of a side that makes one, overflows).
     ///
-    /// Accuracy: the number of vertices is exact: it is that of the true region. A corner of a shape that lies in the
-    /// other keeps the stored numbers, or those of vesica_corners_of_shapes_f64 for a rectangle. Other vertices are
-    /// right to 4 u times the largest coordinate or size of either shape. In bounds on errors u is 2^-53, half a unit
-    /// in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
-    /// their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is
-    /// longer over shorter size.
+    /// Accuracy: the number of vertices is exact: it is the true region's. A corner of a shape that lies in the other
+    /// keeps the stored numbers, or the numbers of vesica_corners_of_shapes_f64 for a rectangle. Others are right to 4
+    /// u times the largest coordinate or size of either shape. In bounds on errors u is 2^-53, half a unit in the last
+    /// place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
+    /// lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over
+    /// shorter size.
     ///
-    /// Cost: that of vesica_overlap_f64 for disjoint shapes, else about that of vesica_crossings_f64.
+    /// Cost: as vesica_overlap_f64 for disjoint shapes, else about as vesica_crossings_f64.
     ///
     /// Since: 0.1.
     pub fn vesica_intersection_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Point<f64>,
@@ -3904,9 +3886,9 @@ extern "C" {
     ///
     /// Every shape has an inside, an outline and an outside. The first three characters say what a's inside shares with
     /// b's inside, outline and outside; the next three say it of a's outline, the last three of a's outside. F means
-    /// nothing, 0 single points, 1 lines, 2 an area. The outline of a shape with area is the curve around it, that of a
-    /// segment its two end points; a point has none. A segment without length is a point; a shape with one size 0 is a
-    /// segment, with both 0 a point. Two boxes side by side that share a side give "FF2F11212". Exchanging the shapes
+    /// nothing, 0 single points, 1 lines, 2 an area. The outline of a shape with area is the curve around it, a
+    /// segment's its two end points; a point has none. A segment without length is a point; a shape with one size 0 is
+    /// a segment, with both 0 a point. Two boxes side by side that share a side give "FF2F11212". Exchanging the shapes
     /// exchanges rows and columns.
     ///
     /// Requires: matrix with room for VESICA_DE9IM_SIZE characters.
@@ -3917,7 +3899,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: that of vesica_relation_f32; more for a segment, and for rectangles whose sides are parallel.
+    /// Cost: as vesica_relation_f32; more for a segment, and for rectangles whose sides are parallel.
     ///
     /// Since: 0.1.
     pub fn vesica_de9im_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, matrix: *mut u8) -> i32;
@@ -3936,14 +3918,14 @@ extern "C" {
     /// Errors: VESICA_E_NULL, VESICA_E_KIND (also for other pairs of kinds than these), VESICA_E_ARGUMENT (a negative
     /// capacity), VESICA_E_SHAPE, VESICA_E_RANGE (a vertex, or the length of a side that makes one, overflows).
     ///
-    /// Accuracy: the number of vertices is exact: it is that of the true region. A corner of a shape that lies in the
-    /// other keeps the stored numbers, or those of vesica_corners_of_shapes_f32 for a rectangle. Other vertices are
-    /// right to 4 u times the largest coordinate or size of either shape. Each number is computed in double, within
-    /// these bounds, and then rounded to float once. In bounds on errors u is 2^-53, half a unit in the last place of
-    /// 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths;
-    /// "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
+    /// Accuracy: the number of vertices is exact: it is the true region's. A corner of a shape that lies in the other
+    /// keeps the stored numbers, or the numbers of vesica_corners_of_shapes_f32 for a rectangle. Others are right to 4
+    /// u times the largest coordinate or size of either shape. Each number is computed in double, within these bounds,
+    /// and then rounded to float once. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of
+    /// two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
+    /// means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
-    /// Cost: that of vesica_overlap_f32 for disjoint shapes, else about that of vesica_crossings_f32.
+    /// Cost: as vesica_overlap_f32 for disjoint shapes, else about as vesica_crossings_f32.
     ///
     /// Since: 0.1.
     pub fn vesica_intersection_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Point<f32>,
