@@ -57,6 +57,16 @@ struct DecidedVerdict {
   constexpr operator Verdict<Mask>() const noexcept { return {both(decided, overlap), and_not(decided, overlap)}; }
 };
 
+/// Either kind of answer as two masks.
+template <class Mask>
+VESICA_INLINE constexpr Verdict<Mask> in_masks(const Verdict<Mask>& v) noexcept {
+  return v;
+}
+template <class Mask>
+VESICA_INLINE constexpr Verdict<Mask> in_masks(const DecidedVerdict<Mask>& v) noexcept {
+  return v;
+}
+
 /// No answer outside the guard.
 template <class Mask>
 VESICA_INLINE constexpr Verdict<Mask> guarded(Mask guard, Mask overlap, Mask disjoint) noexcept {

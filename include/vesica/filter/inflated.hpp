@@ -21,7 +21,7 @@ VESICA_INLINE constexpr auto cores_within(const A& a, const B& b, V reach) noexc
   const Centre<V> d = offset(place(a), place(b));
   if constexpr (is_point<A> && is_point<B>) {
     const Estimate<V> gap = beyond_reach(d, reach);
-    return guarded(both(reach >= V(0.0f), is_finite(gap)), gap);
+    return in_masks(guarded(both(reach >= V(0.0f), is_finite(gap)), gap));
   } else if constexpr (is_point<A>) {
     return point_box_within(box(b), {-d.x, -d.y}, reach);
   } else if constexpr (is_point<B>) {
@@ -123,7 +123,7 @@ VESICA_INLINE constexpr auto inflated_box_ellipse(const Box<V>& box, V radius, c
   const Ellipse<V> inner{e.cx, e.cy, e.ux, e.uy, (e.a + inner_k) * shrink, (e.b + inner_k) * shrink};
   const Ellipse<V> outer{e.cx, e.cy, e.ux, e.uy, stretched(e.a), stretched(e.b)};
   const auto valid = at_least(V(0.0f), e.a, e.b, radius);
-  return guarded(valid, box_ellipse(box, inner, d).overlap, box_ellipse(box, outer, d).disjoint);
+  return guarded(valid, in_masks(box_ellipse(box, inner, d)).overlap, in_masks(box_ellipse(box, outer, d)).disjoint);
 }
 
 }  // namespace vesica::filter

@@ -61,7 +61,8 @@ template <class B>
 VESICA_COLD std::int32_t estimate_within(const Ellipse<double>& a, const B& b, double distance) noexcept {
   if (check(a) != 0 || check(b) != 0 || !(a.a > 0 && a.b > 0)) return -1;
   const auto core = form::inflated(b).core;
-  const auto cores = filter::box_ellipse(filter::box(core), a, filter::offset(filter::place(core), filter::place(a)));
+  const auto cores = filter::in_masks(
+      filter::box_ellipse(filter::box(core), a, filter::offset(filter::place(core), filter::place(a))));
   if (cores.overlap) return 1;
   if (!cores.disjoint) return -1;
   const nearest::ClosestCores c = nearest::closest_cores(a, b);
