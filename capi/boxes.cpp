@@ -216,7 +216,7 @@ int64_t bounds_many(const CShapesOf<T>* shapes, T* out) noexcept {
     return code;
   };
   const vesica::BoxKernels* const kernels = box_kernels(v);
-  // Of other kinds bounds take no arithmetic.
+  // Bounds of other kinds take little arithmetic.
   const bool has_axis_or_radius = has_box(v.kind) || v.kind == VESICA_CIRCLE;
   if (kernels == nullptr || !has_axis_or_radius) return each<4>(v.count, out, bounds_of);
   const bool is_ellipse = v.kind == VESICA_ELLIPSE;

@@ -41,7 +41,7 @@ Body body_of(int32_t kind, const void* shape) noexcept {
   return body;
 }
 
-/// Of shapes whose kinds are known when this is compiled. The C structs are the core's shapes and contacts byte for
+/// For shapes whose kinds are known when this is compiled. The C structs are the core's shapes and contacts byte for
 /// byte, and of doubles its result is written where it shall be. `told`: the result of the early out, where it was
 /// asked before.
 template <class A, class B, class T, class... Told>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What kernels are asked, on a device and through its stand-in: every workload with invalid shapes among it, near
+/// The questions to kernels, on a device and through its stand-in: every workload with invalid shapes among it, near
 /// ties, the corpus and the hosts' vectors; and what the library answers.
 #pragma once
 

@@ -429,7 +429,7 @@ Bytes ask_boxes(const Inputs& inputs) {
   return bytes;
 }
 
-/// An index built in steps and parts, and all that it tells of itself.
+/// An index built in steps and parts, and what can be read from it.
 template <class T>
 Bytes ask_steps(const Inputs& inputs) {
   const Operands<T, typename Face<T>::Shapes> operands(inputs);

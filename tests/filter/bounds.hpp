@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What tests of error bounds share: the search over pairs of two kinds, and an estimate beside the truth.
+/// Shared by tests of error bounds: the search over pairs of two kinds, and an estimate beside the truth.
 #pragma once
 
 #include <gtest/gtest.h>

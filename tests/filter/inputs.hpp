@@ -25,7 +25,7 @@ Shape shape_at(const typename vesica::ShapeTraits<Shape>::Scalar* n) {
   if constexpr (vesica::ShapeTraits<Shape>::fields == 6) return {n[0], n[1], n[2], n[3], n[4], n[5]};
 }
 
-/// What each number of a kind is: p a coordinate, a an axis component, s a size. In the order of kinds.
+/// The role of each number of a kind: p a coordinate, a an axis component, s a size. In the order of kinds.
 inline constexpr std::string_view roles[vesica::kind_count] = {"pp",     "pppp",   "pps",   "pppp",
                                                                "ppaass", "ppaass", "pppps", "ppaasss"};
 

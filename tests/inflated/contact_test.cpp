@@ -36,7 +36,7 @@ Shape times(Shape s, double k) {
   return s;
 }
 
-/// Where b, moved along x, stops to meet a: two places that no double lies between, or a few.
+/// Finds how far b moves along x until it leaves a: two places that no double lies between, or a few.
 bool contact(const Shape& a, const Shape& b, double& from, double& to) {
   from = 0, to = 16;
   if (!overlap(a, moved(b, from)) || overlap(a, moved(b, to))) return false;

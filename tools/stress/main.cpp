@@ -270,7 +270,7 @@ int replay_all(const Options& options) {
   return wrong == 0 && !cases.empty() ? 0 : 1;
 }
 
-/// Batches print their inputs when they are asked.
+/// Prints the functions that batches ask.
 int print_functions() {
   for (std::uint64_t group = 0; group < 64; ++group) {
     const Group drawn = draw_group(1, group);

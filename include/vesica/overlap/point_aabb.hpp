@@ -18,7 +18,7 @@ VESICA_INLINE constexpr auto filter(const Point<V>& point, const Aabb<V>& aabb) 
 #if VESICA_HAS_TWO_DOUBLES
 VESICA_INLINE auto filter(const Point<double>& point, const Aabb<double>& aabb) noexcept {
   const TwoDoubles p(point.x, point.y), min(aabb.min_x, aabb.min_y), max(aabb.max_x, aabb.max_y);
-  // Of these minima and maxima the second is NaN if p is.
+  // The second of these minima and maxima is NaN if p is.
   const auto valid = filter::finite_and_ordered(min, max, lane::min(min, p), lane::max(max, p));
   return filter::DecidedVerdict<bool>{in_both(both(min <= p, p <= max)), in_both(valid)};
 }

@@ -130,7 +130,7 @@ TEST(QueryKernels, LeaveAsManyAsTheyDid) {
   }
 }
 
-/// The circle about a rectangle holds it and is at most 2^-47 of itself too great, or pairs that are apart would be
+/// The circle about a rectangle holds it and is at most a relative 2^-47 too great, or pairs that are apart would be
 /// looked at. The lengths of these axes and half sizes, up to powers of two, are whole numbers.
 TEST(BoundingRadius, IsTheFarthestCornersDistanceAndLittleMore) {
   constexpr std::array<std::array<double, 3>, 4> whole{{{3, 4, 5}, {5, 12, 13}, {8, 15, 17}, {0, 1, 1}}};
