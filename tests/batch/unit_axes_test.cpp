@@ -43,16 +43,14 @@ Pairs<T> unit_pairs(const Case& kinds, int count, int near_tie_in) {
   return pairs;
 }
 
-/// Pairs of unit axes, a few near ties among them, `how_many` of them odd in a random place of one of the two arrays.
+/// Pairs drawn from those of unit axes, `how_many` of them odd in a random place of one of the two arrays.
 template <class T>
-Pairs<T> block_of_pairs(const Case& kinds, std::size_t size, std::size_t how_many, Odd odd) {
-  constexpr int count = 3000, near_tie_in = 100;
-  const Pairs<T> from = unit_pairs<T>(kinds, count, near_tie_in);
+Pairs<T> block_of_pairs(const Case& kinds, const Pairs<T>& from, std::size_t size, std::size_t how_many, Odd odd) {
   Pairs<T> pairs{kinds.kind_a, kinds.kind_b, {}, {}, {}};
   properties::Random draw(properties::seed() + size + how_many);
   const std::size_t every = size / std::max<std::size_t>(how_many, 1);
   for (std::size_t i = 0; i < size; ++i) {
-    const auto at = static_cast<std::size_t>(draw.below(count));
+    const auto at = static_cast<std::size_t>(draw.below(static_cast<int>(from.size())));
     Numbers<T> a = from.a[at], b = from.b[at];
     if (how_many != 0 && i % every == every / 2 && i / every < how_many) make_odd(kinds, a, b, odd, draw);
     pairs.add(a, b);
@@ -75,10 +73,11 @@ class UnitAxes : public EveryCase {
 TEST_P(UnitAxes, AgreesWithAnyShareOfOddOnes) {
   in_its_scalar([this]<class T>(T) {
     constexpr std::size_t block = vesica::batch::block_size<T>;
+    const Pairs<T> from = unit_pairs<T>(GetParam(), 3000, 100);
     for (const Odd odd : all_odd) {
       for (const std::size_t how_many :
            {std::size_t{1}, std::size_t{9}, block / 32, block / 32 + 1, block / 4, block / 4 + 1, block}) {
-        const Pairs<T> pairs = block_of_pairs<T>(GetParam(), block, how_many, odd);
+        const Pairs<T> pairs = block_of_pairs<T>(GetParam(), from, block, how_many, odd);
         const std::string what =
             std::to_string(how_many) + " odd of " + std::to_string(block) + ", way " + std::to_string(int(odd));
         check<T>(pairs, Layout::columns, Layout::columns, what);
@@ -92,9 +91,10 @@ TEST_P(UnitAxes, AgreesWithAnyShareOfOddOnes) {
 TEST_P(UnitAxes, AgreesWhenOnlyOneBlockIsOdd) {
   in_its_scalar([this]<class T>(T) {
     constexpr std::size_t block = vesica::batch::block_size<T>;
+    const Pairs<T> from = unit_pairs<T>(GetParam(), 3000, 100);
     Pairs<T> pairs{GetParam().kind_a, GetParam().kind_b, {}, {}, {}};
     for (const Odd odd : {Odd::nothing, Odd::longer, Odd::nothing}) {
-      const Pairs<T> part = block_of_pairs<T>(GetParam(), block, block, odd);
+      const Pairs<T> part = block_of_pairs<T>(GetParam(), from, block, block, odd);
       for (std::size_t i = 0; i < part.size(); ++i) pairs.add(part.a[i], part.b[i]);
     }
     check<T>(pairs, Layout::columns, Layout::packed, "an odd block between two of unit axes");
@@ -105,10 +105,11 @@ TEST_P(UnitAxes, AgreesWhenOnlyOneBlockIsOdd) {
 /// One shape, odd or not, with many, odd or not, the other way round too.
 TEST_P(UnitAxes, AgreesWhenOneIsRepeated) {
   in_its_scalar([this]<class T>(T) {
+    const Pairs<T> from = unit_pairs<T>(GetParam(), 3000, 100);
     properties::Random draw(properties::seed());
     for (const Odd one : all_odd) {
       for (const Odd rest : {Odd::nothing, Odd::longer, Odd::not_finite}) {
-        Pairs<T> pairs = block_of_pairs<T>(GetParam(), 200, 40, rest);
+        Pairs<T> pairs = block_of_pairs<T>(GetParam(), from, 200, 40, rest);
         if (has_axis(pairs.kind_a)) pairs.a[0] = made_odd(pairs.a[0], one, draw);
         pairs.b[0] = made_odd(pairs.b[0], one, draw);
         const std::string what = "ways " + std::to_string(int(one)) + ", " + std::to_string(int(rest));
