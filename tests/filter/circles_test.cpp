@@ -8,6 +8,8 @@
 #include <random>
 #include <vesica/overlap.hpp>
 
+#include "properties/random.hpp"
+
 namespace {
 
 using namespace vesica;
@@ -70,7 +72,7 @@ void place_at_edge_of_ellipse(const A& a, Ellipse<double>& b, bool apart, double
 template <class A, class MakeA>
 void attack(const MakeA& make_a) {
   int apart = 0, together = 0, apart_by_ellipse = 0, together_by_ellipse = 0;
-  for (int i = 0; i < 120000; ++i) {
+  for (int i = 0; i < 120000 * properties::repeat(); ++i) {
     const int exponent = i % 3 == 0 ? 3 : 40;
     const A a = make_a(exponent);
     Ellipse<double> b = random_ellipse(exponent);
@@ -85,7 +87,9 @@ void attack(const MakeA& make_a) {
     if (at_apart && by > 0x1p-30) (at_ellipse ? apart_by_ellipse : apart) += verdict.disjoint;
     if (!at_apart && by < -0x1p-30) (at_ellipse ? together_by_ellipse : together) += verdict.overlap;
   }
-  for (const int decided : {apart, together, apart_by_ellipse, together_by_ellipse}) EXPECT_GT(decided, 5000);
+  for (const int decided : {apart, together, apart_by_ellipse, together_by_ellipse}) {
+    EXPECT_GT(decided, 5000 * properties::repeat());
+  }
 }
 
 TEST(Circles, DecideAsExactArithmeticDoes) {
