@@ -19,6 +19,15 @@ double factor(const SoftSuppression& s, double ratio) noexcept {
   return arithmetic::exp_of_minus(quotient, ((square.high - back.high) - back.low + square.low) / s.parameter);
 }
 
+/// The most numbers of a shape that suppression takes.
+constexpr int most_numbers = [] {
+  int most = 0;
+  for (std::int32_t kind = 0; kind < kind_count; ++kind) {
+    if (has_form(kind) && fields_of_kind[kind] > most) most = fields_of_kind[kind];
+  }
+  return most;
+}();
+
 /// The shapes that are left, in columns, in the order of their numbers.
 class Left {
  public:
@@ -26,8 +35,8 @@ class Left {
       : asked_(suppression), kind_(suppression.sets.set[0].kind), items_(suppression.sets.items) {
     auto* const column = static_cast<double*>(suppression.scratch);
     score_ = column;
-    for (int k = 0; k < max_fields; ++k) number_[k] = column + (k + 1) * items_;
-    item_ = reinterpret_cast<std::int64_t*>(column + (max_fields + 1) * items_);
+    for (int k = 0; k < most_numbers; ++k) number_[k] = column + (k + 1) * items_;
+    item_ = reinterpret_cast<std::int64_t*>(column + (most_numbers + 1) * items_);
   }
 
   template <class T>
@@ -119,7 +128,7 @@ class Left {
 
 }  // namespace
 
-std::int64_t soft_bytes(std::int64_t items) noexcept { return items * 8 * (max_fields + 2); }
+std::int64_t soft_bytes(std::int64_t items) noexcept { return items * 8 * (most_numbers + 2); }
 
 template <class T>
 std::int64_t suppress_softly(const SoftSuppression& suppression, const T* score, std::int64_t* keep, T* decayed,

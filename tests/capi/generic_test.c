@@ -52,6 +52,8 @@ static void test_double(void) {
   EXPECT(vesica_overlap(&apart, &ellipse), 0);
   EXPECT(vesica_overlap(&apart, &capsule), 0);
   EXPECT(vesica_overlap(&apart, &round_rect), 0);
+  EXPECT(vesica_check(&capsule), 0);
+  EXPECT(vesica_check(&round_rect), 0);
 }
 
 static void test_float(void) {
@@ -92,6 +94,8 @@ static void test_float(void) {
   EXPECT(vesica_overlap(&apart, &ellipse), 0);
   EXPECT(vesica_overlap(&apart, &capsule), 0);
   EXPECT(vesica_overlap(&apart, &round_rect), 0);
+  EXPECT(vesica_check(&capsule), 0);
+  EXPECT(vesica_check(&round_rect), 0);
 }
 
 /* Each query of a kind, as first and as second shape, is the function called with kinds and numbers: the same answer
@@ -184,28 +188,26 @@ static void test_float(void) {
     EXPECT_PAIR(scalar, T, a, KIND_A, &probe, VESICA_ELLIPSE);                \
     EXPECT_PAIR(scalar, T, &probe, VESICA_ELLIPSE, a, KIND_A);                \
   } while (0)
-#define TEST_EVERY_QUERY(scalar, T)                                      \
-  static void test_every_query_##scalar(void) {                          \
-    const vesica_ellipse_##scalar probe = {4, 1, (T)0.6, (T)0.8, 3, 1};  \
-    const vesica_point_##scalar point = {4, 2};                          \
-    const vesica_segment_##scalar segment = {0, 0, 4, 2};                \
-    vesica_circle_##scalar circle = {1, 0, 2};                           \
-    vesica_aabb_##scalar aabb = {0, -1, 3, 1};                           \
-    const vesica_rect_##scalar rect = {1, 0, 1, 0, 2, 1};                \
-    const vesica_ellipse_##scalar ellipse = {1, 0, 1, 0, 2, 1};          \
-    const vesica_capsule_##scalar capsule = {0, 0, 2, 0, 1};             \
-    const vesica_round_rect_##scalar round_rect = {1, 0, 1, 0, 1, 1, 1}; \
-    const vesica_ellipse_##scalar invalid = {1, 0, 1, 0, 2, -1};         \
-    EXPECT_KIND(scalar, T, &point, VESICA_POINT);                        \
-    EXPECT_KIND(scalar, T, &segment, VESICA_SEGMENT);                    \
-    EXPECT_KIND(scalar, T, &circle, VESICA_CIRCLE);                      \
-    EXPECT_KIND(scalar, T, &aabb, VESICA_AABB);                          \
-    EXPECT_KIND(scalar, T, &rect, VESICA_RECT);                          \
-    EXPECT_KIND(scalar, T, &ellipse, VESICA_ELLIPSE);                    \
-    EXPECT_KIND(scalar, T, &capsule, VESICA_CAPSULE);                    \
-    EXPECT_KIND(scalar, T, &round_rect, VESICA_ROUND_RECT);              \
-    EXPECT(vesica_check(&ellipse), 0);                                   \
-    EXPECT(vesica_check(&invalid), VESICA_E_NEGATIVE_SIZE);              \
+#define TEST_EVERY_QUERY(scalar, T)                                     \
+  static void test_every_query_##scalar(void) {                         \
+    const vesica_ellipse_##scalar probe = {4, 1, (T)0.6, (T)0.8, 3, 1}; \
+    const vesica_point_##scalar point = {4, 2};                         \
+    const vesica_segment_##scalar segment = {0, 0, 4, 2};               \
+    vesica_circle_##scalar circle = {1, 0, 2};                          \
+    vesica_aabb_##scalar aabb = {0, -1, 3, 1};                          \
+    const vesica_rect_##scalar rect = {1, 0, 1, 0, 2, 1};               \
+    const vesica_ellipse_##scalar ellipse = {1, 0, 1, 0, 2, 1};         \
+    const vesica_ellipse_##scalar invalid = {1, 0, 1, 0, 2, -1};        \
+    EXPECT_KIND(scalar, T, &point, VESICA_POINT);                       \
+    EXPECT_KIND(scalar, T, &segment, VESICA_SEGMENT);                   \
+    EXPECT_KIND(scalar, T, &circle, VESICA_CIRCLE);                     \
+    EXPECT_KIND(scalar, T, &aabb, VESICA_AABB);                         \
+    EXPECT_KIND(scalar, T, &rect, VESICA_RECT);                         \
+    EXPECT_KIND(scalar, T, &ellipse, VESICA_ELLIPSE);                   \
+    EXPECT_KIND(scalar, T, &capsule, VESICA_CAPSULE);                   \
+    EXPECT_KIND(scalar, T, &round_rect, VESICA_ROUND_RECT);             \
+    EXPECT(vesica_check(&ellipse), 0);                                  \
+    EXPECT(vesica_check(&invalid), VESICA_E_NEGATIVE_SIZE);             \
   }
 TEST_EVERY_QUERY(f64, double)
 TEST_EVERY_QUERY(f32, float)

@@ -47,28 +47,6 @@ def of_vectors(path):
                 yield f'vectors.txt:{place}', 'double' if words[0] == 'f64' else 'float', operands, int(words[1])
 
 
-def is_ordinary(operands):
-    """No sum or product of a filter overflows then, which a constant must not."""
-    return all(x == 0 or 2.0**-20 <= abs(x) <= 2.0**20 for _, numbers in operands for x in numbers)
-
-
-def print_filters(cases):
-    """Filters as constants: each decides rightly or leaves the pair open, and most decide."""
-    verdicts = []
-    for _, scalar, operands, expected in cases:
-        if expected in (0, 1) and is_ordinary(operands):
-            ordered = sorted(operands, key=lambda operand: KINDS.index(operand[0]))
-            a, b = (shape(kind, numbers, scalar) for kind, numbers in ordered)
-            verdicts.append(f'{{vesica::detail::decide_by_filter({a}, {b}), {expected}}}')
-    print('struct Verdict { int by_filter, expected; };')
-    print(f'constexpr Verdict verdicts[] = {{{", ".join(verdicts)}}};')
-    print('constexpr int count(bool (*what)(const Verdict&)) {\n  int n = 0;')
-    print('  for (const Verdict& v : verdicts) n += what(v) ? 1 : 0;\n  return n;\n}')
-    print('static_assert(count([](const Verdict& v) { return v.by_filter >= 0 && v.by_filter != v.expected; }) == 0);')
-    print('static_assert(count([](const Verdict& v) { return v.by_filter >= 0; }) >= 40);')
-    print(f'static_assert({len(verdicts)} >= 100);')
-
-
 def main(corpus, vectors, spoil):
     print('#include <limits>\n#include <vesica/overlap.hpp>\n')
     print('constexpr double infinity = std::numeric_limits<double>::infinity();')
@@ -81,7 +59,6 @@ def main(corpus, vectors, spoil):
     if spoil:
         return
     print(f'static_assert({len(cases)} >= 250);')
-    print_filters(cases)
 
 
 if __name__ == '__main__':

@@ -17,9 +17,9 @@
 /// unseen, so the guard of each filter looks at those. What is undecided goes to the exact stage, which first checks.
 #pragma once
 
-#include <vesica/filter/two_doubles.hpp>
 #include <vesica/scalar.hpp>
 #include <vesica/shapes.hpp>
+#include <vesica/two_doubles.hpp>
 
 namespace vesica::filter {
 
