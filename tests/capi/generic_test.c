@@ -204,8 +204,6 @@ static void test_float(void) {
     EXPECT_KIND(scalar, T, &aabb, VESICA_AABB);                         \
     EXPECT_KIND(scalar, T, &rect, VESICA_RECT);                         \
     EXPECT_KIND(scalar, T, &ellipse, VESICA_ELLIPSE);                   \
-    EXPECT_KIND(scalar, T, &capsule, VESICA_CAPSULE);                   \
-    EXPECT_KIND(scalar, T, &round_rect, VESICA_ROUND_RECT);             \
     EXPECT(vesica_check(&ellipse), 0);                                  \
     EXPECT(vesica_check(&invalid), VESICA_E_NEGATIVE_SIZE);             \
   }
