@@ -14,6 +14,13 @@ using vesica::detail::form::CoreAndRadius;
 template <class Shape>
 inline constexpr bool is_point = ShapeTraits<Shape>::kind == Kind::point;
 
+/// Two boxes, not inlined: many pairs ask, and the code is long.
+template <class V>
+VESICA_CALLED constexpr auto called_box_box_within(const Box<V>& a, const Box<V>& b, const Centre<V>& d,
+                                                   V reach) noexcept {
+  return box_box_within(a, b, d, reach);
+}
+
 /// Two cores without a curve: `overlap` stands for at most `reach` apart, `disjoint` for farther. The reach has a
 /// relative error of at most 2u.
 template <class A, class B, class V>
@@ -27,7 +34,7 @@ VESICA_INLINE constexpr auto cores_within(const A& a, const B& b, V reach) noexc
   } else if constexpr (is_point<B>) {
     return point_box_within(box(a), d, reach);
   } else {
-    return box_box_within(box(a), box(b), d, reach);
+    return called_box_box_within(box(a), box(b), d, reach);
   }
 }
 
@@ -107,8 +114,10 @@ VESICA_INLINE constexpr V roughness() noexcept {
 ///   - k, the root and the quotient k / m have relative errors of at most 2^-12 each (double: 2^-25), to which
 ///     roughness() leaves room. m is at least 2^-20 k (double: 2^-160 k), and half lengths at least 2^-10: what
 ///     underflows is beneath that room.
+///
+/// Not inlined, as above.
 template <class V>
-VESICA_INLINE constexpr auto inflated_box_ellipse(const Box<V>& box, V radius, const Ellipse<V>& e,
+VESICA_CALLED constexpr auto inflated_box_ellipse(const Box<V>& box, V radius, const Ellipse<V>& e,
                                                   const Centre<V>& d) noexcept {
   const BoxFrame<V> f = box_frame(box, e, d);
   const V one(1.0f), room = roughness<V>(), tiny = guard_power<V, -20>();
