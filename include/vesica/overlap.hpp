@@ -41,8 +41,10 @@ namespace detail {
 
 namespace overlap {
 /// Some pairs have overloads of these, for two shapes.
-void first_filter() = delete;
-void second_filter() = delete;
+template <class A, class B>
+filter::DecidedVerdict<bool> first_filter(const A&, const B&) = delete;
+template <class A, class B>
+filter::DecidedVerdict<bool> second_filter(const A&, const B&) = delete;
 }  // namespace overlap
 
 /// 1, 0, or -1 for undecided. Computed by arithmetic, because a branch on the answer would be mispredicted.
