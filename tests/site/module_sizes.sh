@@ -14,9 +14,9 @@ limit() {
 }
 
 modules=$1
-limit "$modules/vesica.wasm" 1266 431
-limit "$modules/simd/vesica.wasm" 1460 489
-limit "$modules/vesica-overlap.wasm" 457 150
-limit "$modules/simd/vesica-overlap.wasm" 600 180
+limit "$modules/vesica.wasm" 1570 490
+limit "$modules/simd/vesica.wasm" 1740 540
+limit "$modules/vesica-overlap.wasm" 775 238
+limit "$modules/simd/vesica-overlap.wasm" 855 252
 limit "$modules/vesica-methods.wasm" 126 59
 [ $failures = 0 ]

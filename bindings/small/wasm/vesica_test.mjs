@@ -62,7 +62,7 @@ assert.equal(vesica.overlap(kinds.circle, [2 + 2 ** -51, 0, 1], kinds.rect, unit
 const invalid = { name: 'VesicaError', code: -2, message: /^a shape is invalid/ };
 assert.throws(() => vesica.overlap(kinds.rect, noSquare, kinds.circle, disc), invalid);
 const isKindError = (error) => error instanceof VesicaError && error.code === -3;
-assert.throws(() => vesica.overlap(6, [], kinds.circle, disc), isKindError);
+assert.throws(() => vesica.overlap(8, [], kinds.circle, disc), isKindError);
 assert.throws(() => vesica.overlap(kinds.rect, disc, kinds.circle, disc), RangeError);
 assert.equal(vesica.c.vesica_overlap_f64(kinds.rect, 0, kinds.circle, 0), -1);
 
