@@ -29,6 +29,7 @@ struct TwoDoubles {
 
   VESICA_INLINE TwoDoubles(Numbers numbers) noexcept : v(numbers) {}
   VESICA_INLINE explicit TwoDoubles(double both) noexcept : v{both, both} {}
+  VESICA_INLINE explicit TwoDoubles(float both) noexcept : TwoDoubles(static_cast<double>(both)) {}
   VESICA_INLINE TwoDoubles(double first, double second) noexcept : v{first, second} {}
   VESICA_INLINE double first() const noexcept { return v[0]; }
   VESICA_INLINE double second() const noexcept { return v[1]; }

@@ -55,7 +55,7 @@ VESICA_INLINE constexpr Verdict<Mask> circles_meet(const Centre<V>& d, V p, V q,
 template <class V, class Mask>
 VESICA_INLINE constexpr DecidedVerdict<Mask> by_ellipses(V distance, V det, V room, V error, V most,
                                                          Mask usable) noexcept {
-  const V zero(0.0f), inside = (det + room) - (distance + error), outside = distance - (V(2.0f) * det + error);
+  const V zero = V(0.0f), inside = (det + room) - (distance + error), outside = distance - (V(2.0f) * det + error);
   // Is one of them 0 or more? In one comparison, so that compilers make one jump of it: which of the two it is could
   // not be predicted.
   return {inside >= zero, both(both(usable, error <= most), abs(inside - outside) >= -(inside + outside))};

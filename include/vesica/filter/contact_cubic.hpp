@@ -54,7 +54,7 @@ VESICA_INLINE double greater_zero(double l1, double l2, double d2, double root) 
 ///     for double's 2^-26. 39u h in all.
 template <class V>
 VESICA_INLINE constexpr Estimate<V> least_value(const ContactCubic<V>& p) noexcept {
-  const V three(3.0f), shift = roundoffs<V>(16);
+  const V three = V(3.0f), shift = roundoffs<V>(16);
   const V l1 = p.c1 - shift * p.total1, l2 = p.c2 - shift * p.total2;
   const V root = rough_sqrt(positive_part(l2 * l2 - three * (p.d2 * l1)));
   const V t = positive_part(greater_zero(l1, l2, p.d2, root));
