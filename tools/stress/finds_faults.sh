@@ -15,7 +15,7 @@ fail() {
 finds() {
   local fault=$1 law=$2 length=$3 found status=0 replay
   shift 3
-  found=$("$stress" 0 --seed 7 --seconds 60 --query "${law%%.*}" --fault "$fault" --stop-at "$law" "$@") || status=$?
+  found=$("$stress" 0 --seed 7 --seconds 240 --query "${law%%.*}" --fault "$fault" --stop-at "$law" "$@") || status=$?
   [ $status = 1 ] || fail "$fault: exit status $status, not 1"
   replay=$(grep -A1 "^FAULT $law: " <<<"$found" | sed -n "s/^  --replay '\(.*\)'$/\1/p" | head -n 1)
   [ -n "$replay" ] || fail "$fault: no fault of $law in: $found"
