@@ -100,7 +100,7 @@ VESICA_CALLED constexpr std::int32_t decide_undecided(const A& a, const B& b) no
       if (answer >= 0) return answer;
     }
   }
-  if constexpr (detail::overlap::HasEstimate<A, B>) {
+  if constexpr (form::Inflated<B>) {
     if (!std::is_constant_evaluated()) {
       const std::int32_t answer = detail::overlap::estimate_within(a, b, 0);
       if (answer >= 0) return answer;

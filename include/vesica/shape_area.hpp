@@ -173,7 +173,7 @@ std::int32_t store(const Measure& m, T& out) noexcept {
 
 /// The checked form: writes the area of a shape, 4 hx hy u.u of a rectangle, pi a b u.u of an ellipse, 0 of a point or
 /// a segment; the nearest double to the true area (a float: that double rounded), also among the subnormal ones. A
-/// radius r adds r times the perimeter and pi r^2; the sum is the nearest double but for one in 2^40, then the next.
+/// radius r adds r times the perimeter and pi r^2: rarely the sum is the double beside the nearest.
 /// Returns 0, error_shape, or error_range when the area would be beyond the finite numbers; on error `out` is
 /// untouched.
 template <template <class> class Shape, class T>

@@ -38,10 +38,11 @@ VESICA_INLINE constexpr auto cores_within(const A& a, const B& b, V reach) noexc
   }
 }
 
-/// Two shapes that are a core with a radius, or a core alone.
+/// Two shapes that are a core with a radius, or a core alone: `overlap` stands for at most `distance` apart.
 template <template <class> class A, template <class> class B, class V>
-VESICA_INLINE constexpr auto inflated_pair(const CoreAndRadius<A, V>& a, const CoreAndRadius<B, V>& b) noexcept {
-  const auto within = cores_within(a.core, b.core, a.radius + b.radius);
+VESICA_INLINE constexpr auto inflated_pair(const CoreAndRadius<A, V>& a, const CoreAndRadius<B, V>& b,
+                                           V distance) noexcept {
+  const auto within = cores_within(a.core, b.core, (a.radius + b.radius) + distance);
   return guarded(at_least(V(0.0f), a.radius, b.radius), within.overlap, within.disjoint);
 }
 
@@ -83,7 +84,7 @@ VESICA_INLINE constexpr auto corners_in_box(const Box<V>& a, const Box<V>& b, co
 template <template <class> class A, template <class> class B, class V>
 VESICA_INLINE constexpr auto inflated_certain_facts(const CoreAndRadius<A, V>& a,
                                                     const CoreAndRadius<B, V>& b) noexcept {
-  const auto verdict = inflated_pair(a, b);
+  const auto verdict = inflated_pair(a, b, V(0.0f));
   const Centre<V> d = offset(place(a.core), place(b.core));
   const auto valid = at_least(V(0.0f), a.radius, b.radius);
   const auto in_b = corners_in_box(box(a.core), box(b.core), {-d.x, -d.y}, b.radius - a.radius);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Capsules and rounded rectangles against every shape: are two cores at most the sum of the radii apart?
+/// Capsules and rounded rectangles against every shape: are two cores at most the sum of the radii apart? This is
+/// within() at a distance of 0, which takes the stages below for every pair but two ellipses.
 #pragma once
 
 #include <vesica/check.hpp>
@@ -14,21 +15,25 @@ inline constexpr bool is_ellipse = false;
 template <class V>
 inline constexpr bool is_ellipse<Ellipse<V>> = true;
 
-/// True if the second shape, grown by `distance`, meets the first. The distance is a double or a lane of zeros.
-template <class A, form::Inflated B, class V>
+/// An ellipse and a core with a radius, `distance` farther each way.
+template <class V, class B>
+VESICA_INLINE constexpr auto ellipse_filter_within(const Ellipse<V>& a, const B& b, V distance) noexcept {
+  const auto [core, radius] = form::inflated(b);
+  const auto verdict = filter::inflated_box_ellipse(filter::box(core), radius + distance, a,
+                                                    filter::offset(filter::place(core), filter::place(a)));
+  return filter::guarded(radius >= V(0.0f), verdict.overlap, verdict.disjoint);
+}
+
+/// `overlap` stands for at most `distance` apart. Not for two ellipses.
+template <class A, class B, class V>
 VESICA_INLINE constexpr auto filter_within(const A& a, const B& b, V distance) noexcept {
-  auto q = form::inflated(b);
-  const auto valid = q.radius >= V(0.0f);
-  q.radius = q.radius + distance;
-  const auto verdict = [&] {
-    if constexpr (is_ellipse<A>) {
-      return filter::inflated_box_ellipse(filter::box(q.core), q.radius, a,
-                                          filter::offset(filter::place(q.core), filter::place(a)));
-    } else {
-      return filter::inflated_pair(form::inflated(a), q);
-    }
-  }();
-  return filter::guarded(valid, verdict.overlap, verdict.disjoint);
+  if constexpr (is_ellipse<A>) {
+    return ellipse_filter_within(a, b, distance);
+  } else if constexpr (is_ellipse<B>) {
+    return ellipse_filter_within(b, a, distance);
+  } else {
+    return filter::inflated_pair(form::inflated(a), form::inflated(b), distance);
+  }
 }
 
 template <class A, form::Inflated B>
@@ -36,24 +41,24 @@ VESICA_INLINE constexpr auto filter(const A& a, const B& b) noexcept {
   return filter_within(a, b, decltype(form::inflated(b).radius)(0.0f));
 }
 
-/// Valid shapes: are they at most `distance` apart?
-template <class A, form::Inflated B>
+/// Valid shapes, not two ellipses: are they at most `distance` apart?
+template <class A, class B>
 constexpr bool exactly_within(const A& a, const B& b, double distance) noexcept {
-  const auto p = form::inflated(a);
-  const auto q = form::inflated(b);
-  const exact::Length reach =
-      exact::from_double(p.radius) + exact::from_double(q.radius) + exact::from_double(distance);
-  return exact::within(exact::form(q.core), exact::form(p.core), reach);
+  if constexpr (is_ellipse<A>) {
+    return exactly_within(b, a, distance);
+  } else {
+    const auto p = form::inflated(a);
+    const auto q = form::inflated(b);
+    const exact::Length reach =
+        exact::from_double(p.radius) + exact::from_double(q.radius) + exact::from_double(distance);
+    return exact::within(exact::form(p.core), exact::form(q.core), reach);
+  }
 }
 
 template <class A, form::Inflated B>
 constexpr bool exact(const A& a, const B& b) noexcept {
   return exactly_within(a, b, 0);
 }
-
-/// Pairs that have an estimate between the filter and exact arithmetic.
-template <class A, class B>
-concept HasEstimate = is_ellipse<A> && form::Inflated<B>;
 
 /// 1 if the shapes are at most `distance` apart, 0 if not, -1 if that is not certain. By the distance of nearest(),
 /// which is right to 4u of the scale; 16u are taken.
@@ -69,6 +74,15 @@ VESICA_COLD std::int32_t estimate_within(const Ellipse<double>& a, const B& b, d
   const double gap = nearest::scaled_distance(c.distance - c.radii, c.exponent) - distance;
   const double error = 0x1p-49 * (arithmetic::scale_far(c.size, c.exponent) + distance);
   return gap < -error ? 1 : gap > error ? 0 : -1;
+}
+/// Other pairs go from the filter to exact arithmetic.
+template <class A, class B>
+constexpr std::int32_t estimate_within(const A& a, const B& b, double distance) noexcept {
+  if constexpr (is_ellipse<B>) {
+    return estimate_within(b, a, distance);
+  } else {
+    return -1;
+  }
 }
 
 }  // namespace vesica::detail::overlap
