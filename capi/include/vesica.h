@@ -214,7 +214,7 @@ VESICA_API int32_t vesica_relation_f64(int32_t kind_a, const void *a, int32_t ki
  * Accuracy: the distance is right to 4 u scale at any aspect ratio; the largest error seen was 1 u scale, and 3.3 u
  * beside the ends of the thinnest ellipses. Its relative error is at most 2 u above 1e-10 scale (aspect ratios up to
  * 1e6) or 1e-14 scale (up to 1000). Closest points are right to 4 u scale, and a common point to 8 u scale, before they
- * are rounded.
+ * are rounded. Points of capsules and rounded rectangles are rounded twice.
  * Cost: ten to thirty times vesica_overlap_f64; more for shapes that cross and near-ties.
  */
 VESICA_API int32_t vesica_nearest_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b,
@@ -335,10 +335,13 @@ VESICA_API int32_t vesica_boundary_distance_f64(int32_t kind_a, const void *a, i
                                                 vesica_closest_points_f64 *out);
 
 /**
- * Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
+ * Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment. A radius r
+ * adds r times the core's perimeter, and pi r r; the perimeter of a segment is twice its length.
  * Returns: 0.
  * Accuracy: the double nearest to the true area; a tiny area becomes subnormal or 0. So a shape inside another never
- * has the greater area, and equal shapes have equal areas, whatever kinds and numbers describe them.
+ * has the greater area, and equal shapes have equal areas, whatever kinds and numbers describe them. Capsules and
+ * rounded rectangles that have both a size and a radius are excepted: their area is computed with a relative error of
+ * 2^-96 and rounded once, so it may rarely be the double beside the nearest.
  */
 VESICA_API int32_t vesica_shape_area_f64(int32_t kind, const void *shape, double *out);
 

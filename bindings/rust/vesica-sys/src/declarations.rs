@@ -380,9 +380,10 @@ extern "C" {
     /// Accuracy: the distance is right to 4 u scale at any aspect ratio; the largest error seen was 1 u scale, and 3.3
     /// u beside the ends of the thinnest ellipses. Its relative error is at most 2 u above 1e-10 scale (aspect ratios
     /// up to 1e6) or 1e-14 scale (up to 1000). Closest points are right to 4 u scale, and a common point to 8 u scale,
-    /// before they are rounded. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two
-    /// shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
-    /// means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
+    /// before they are rounded. Points of capsules and rounded rectangles are rounded twice. In bounds on errors u is
+    /// 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their
+    /// centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect
+    /// ratio is longer over shorter size.
     ///
     /// Cost: ten to thirty times vesica_overlap_f64; more for shapes that cross and near-ties.
     ///
@@ -531,7 +532,8 @@ extern "C" {
     /// Since: 0.1.
     pub fn vesica_boundary_distance_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
         out: *mut ClosestPoints<f64>) -> i32;
-    /// Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
+    /// Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment. A radius
+    /// r adds r times the core's perimeter, and pi r r; the perimeter of a segment is twice its length.
     ///
     /// Returns: 0.
     ///
@@ -539,6 +541,8 @@ extern "C" {
     ///
     /// Accuracy: the double nearest to the true area; a tiny area becomes subnormal or 0. So a shape inside another
     /// never has the greater area, and equal shapes have equal areas, whatever kinds and numbers describe them.
+    /// Capsules and rounded rectangles that have both a size and a radius are excepted: their area is computed with a
+    /// relative error of 2^-96 and rounded once, so it may rarely be the double beside the nearest.
     ///
     /// Since: 0.1.
     pub fn vesica_shape_area_f64(kind: i32, shape: *const c_void, out: *mut f64) -> i32;
@@ -1401,10 +1405,11 @@ extern "C" {
     /// Accuracy: the distance is right to 4 u scale at any aspect ratio; the largest error seen was 1 u scale, and 3.3
     /// u beside the ends of the thinnest ellipses. Its relative error is at most 2 u above 1e-10 scale (aspect ratios
     /// up to 1e6) or 1e-14 scale (up to 1000). Closest points are right to 4 u scale, and a common point to 8 u scale,
-    /// before they are rounded. Each number is computed in double, within these bounds, and then rounded to float once.
-    /// In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of
-    /// |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4
-    /// u times the scale. An aspect ratio is longer over shorter size.
+    /// before they are rounded. Points of capsules and rounded rectangles are rounded twice. Each number is computed in
+    /// double, within these bounds, and then rounded to float once. In bounds on errors u is 2^-53, half a unit in the
+    /// last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
+    /// lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over
+    /// shorter size.
     ///
     /// Cost: ten to thirty times vesica_overlap_f32; more for shapes that cross and near-ties.
     ///
@@ -1461,15 +1466,18 @@ extern "C" {
     /// Since: 0.1.
     pub fn vesica_depth_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
         out: *mut Penetration<f32>) -> i32;
-    /// Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
+    /// Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment. A radius
+    /// r adds r times the core's perimeter, and pi r r; the perimeter of a segment is twice its length.
     ///
     /// Returns: 0.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
     ///
     /// Accuracy: the double nearest to the true area; a tiny area becomes subnormal or 0. So a shape inside another
-    /// never has the greater area, and equal shapes have equal areas, whatever kinds and numbers describe them. Each
-    /// number is computed in double, within these bounds, and then rounded to float once.
+    /// never has the greater area, and equal shapes have equal areas, whatever kinds and numbers describe them.
+    /// Capsules and rounded rectangles that have both a size and a radius are excepted: their area is computed with a
+    /// relative error of 2^-96 and rounded once, so it may rarely be the double beside the nearest. Each number is
+    /// computed in double, within these bounds, and then rounded to float once.
     ///
     /// Since: 0.1.
     pub fn vesica_shape_area_f32(kind: i32, shape: *const c_void, out: *mut f32) -> i32;
