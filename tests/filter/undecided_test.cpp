@@ -180,7 +180,7 @@ Left left() {
     left.guard_f32 += in_floats(of_any_magnitude(contact, Scalar::f32, random));
     if constexpr (is_straight(kind_a) && is_straight(kind_b)) {
       const auto by_reach = [&](const Apart& p) {
-        return is_open(detail::within::filter(first(p.pair.a), second(p.pair.b), p.reach));
+        return is_open(detail::overlap::filter_within(first(p.pair.a), second(p.pair.b), p.reach));
       };
       const Apart at_reach = apart(kind_a, kind_b, of_apart);
       left.within += by_reach(at_reach);

@@ -40,7 +40,7 @@ VESICA_INLINE constexpr V greatest(V a, V b, V c, V d) noexcept {
 /// have no width: left undecided.
 template <class V>
 VESICA_INLINE constexpr auto aabb_aabb_certain_facts(const Aabb<V>& a, const Aabb<V>& b) noexcept {
-  const V zero(0.0f);
+  const V zero = V(0.0f);
   const V gap = greatest(a.min_x - b.max_x, b.min_x - a.max_x, a.min_y - b.max_y, b.min_y - a.max_y);
   const V left = b.min_x - a.min_x, right = a.max_x - b.max_x, low = b.min_y - a.min_y, high = a.max_y - b.max_y;
   const V farthest_out = greatest(left, right, low, high), least_room = least(left, right, low, high);
@@ -54,7 +54,7 @@ VESICA_INLINE constexpr auto aabb_aabb_certain_facts(const Aabb<V>& a, const Aab
 
 template <class V>
 VESICA_INLINE constexpr auto point_aabb_certain_facts(const Point<V>& p, const Aabb<V>& box) noexcept {
-  const V room = least(p.x - box.min_x, box.max_x - p.x, p.y - box.min_y, box.max_y - p.y), zero(0.0f);
+  const V room = least(p.x - box.min_x, box.max_x - p.x, p.y - box.min_y, box.max_y - p.y), zero = V(0.0f);
   return of_point(guarded(both(valid_aabb(box), all_finite(p.x, p.y)), room > zero, room < zero));
 }
 

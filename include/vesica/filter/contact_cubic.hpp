@@ -26,7 +26,7 @@ struct Pencil {
 /// The greater zero of l1 + 2 l2 x + 3 d2 x^2, by the form that adds like signs.
 template <class V>
 VESICA_INLINE constexpr V greater_zero(V l1, V l2, V d2, V root) noexcept {
-  const V zero(0.0f), three(3.0f);
+  const V zero = V(0.0f), three(3.0f);
   const auto rising = l2 > zero;
   return rough_quotient(select(rising, zero - l1, root - l2), select(rising, l2 + root, three * d2));
 }

@@ -52,7 +52,7 @@ VESICA_INLINE constexpr auto inflated_pair(const CoreAndRadius<A, V>& a, const C
 /// least_square(), and their room with less room where the length is negative.
 template <class V>
 VESICA_INLINE constexpr auto corners_in_box(const Box<V>& a, const Box<V>& b, const Centre<V>& d, V length) noexcept {
-  const V zero(0.0f), uu = b.ux * b.ux + b.uy * b.uy;
+  const V zero = V(0.0f), uu = b.ux * b.ux + b.uy * b.uy;
   const V c = b.ux * a.ux + b.uy * a.uy, s = b.ux * a.uy - b.uy * a.ux;
   const V p0 = b.ux * d.x + b.uy * d.y, p1 = b.ux * d.y - b.uy * d.x;
   const V g0 = a.hx * c, g1 = a.hx * s, h0 = -(a.hy * s), h1 = a.hy * c, e0 = b.hx * uu, e1 = b.hy * uu;
@@ -121,7 +121,7 @@ template <class V>
 VESICA_CALLED constexpr auto inflated_box_ellipse(const Box<V>& box, V radius, const Ellipse<V>& e,
                                                   const Centre<V>& d) noexcept {
   const BoxFrame<V> f = box_frame(box, e, d);
-  const V one(1.0f), room = roughness<V>(), tiny = guard_power<V, -20>();
+  const V one = V(1.0f), room = roughness<V>(), tiny = guard_power<V, -20>();
   const V k = rough_quotient(radius, rough_sqrt(f.vv));
   const V x = flip_sign(positive_part(abs(f.kx) - f.ex), f.kx), y = flip_sign(positive_part(abs(f.ky) - f.ey), f.ky);
   const V along = f.ac * x + f.as * y, across = f.bc * y - f.bs * x;
