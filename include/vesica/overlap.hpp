@@ -40,7 +40,7 @@ namespace vesica {
 namespace detail {
 
 namespace overlap {
-/// Some pairs have overloads of these, for two shapes.
+/// For HasTwoFilters to look up. Pairs that have two filters overload both names.
 template <class A, class B>
 filter::DecidedVerdict<bool> first_filter(const A&, const B&) = delete;
 template <class A, class B>
