@@ -11,7 +11,7 @@ import numpy
 
 KINDS = ("point", "segment", "circle", "aabb", "rect", "ellipse")
 FIELDS = (2, 4, 3, 4, 6, 6)
-RECORD = numpy.dtype([("kind", "<i8"), ("numbers", "<f8", 6)])
+RECORD = numpy.dtype([("kind", "<i8"), ("numbers", "<f8", 7)])
 AXES = numpy.array([(1, 0), (0, 1), (0.75, 0.5), (-1, 1), (0.6, 0.8), (-0.28, 0.96)])
 STEP = 1 / 8  # of all coordinates and sizes
 

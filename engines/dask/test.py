@@ -84,7 +84,7 @@ def bad_input(client):
         vesica_dask.overlap_join([dask.delayed(numpy.zeros(3))], left, work / "numbers")
         check("numbers alone", "an error", "none")
     except TypeError as error:
-        check("numbers alone", "a partition's records are [('kind', '<i8'), ('numbers', '<f8', (6,))], not float64", str(error))
+        check("numbers alone", "a partition's records are [('kind', '<i8'), ('numbers', '<f8', (7,))], not float64", str(error))
     try:
         vesica_dask.overlap_join(left, left, work / "numbers")
         check("a folder that was used", "an error", "none")

@@ -16,7 +16,7 @@ import distributed
 import numpy
 import vesica
 
-RECORD = numpy.dtype([("kind", "<i8"), ("numbers", "<f8", 6)])
+RECORD = numpy.dtype([("kind", "<i8"), ("numbers", "<f8", 7)])
 _NUMBERED = numpy.dtype([("id", "<i8"), *((name, RECORD.fields[name][0]) for name in RECORD.names)])
 _SAMPLE = 1024  # shapes a partition
 _WORK = "pieces"  # the folder in the folder

@@ -25,7 +25,7 @@ enum { file_record = sizeof(struct record) - sizeof(int64_t) };
 
 // Returns the offset of the first record.
 static long read_header(FILE* file, const char* path) {
-  static const char type[] = "'descr': [('kind', '<i8'), ('numbers', '<f8', (6,))], 'fortran_order': False";
+  static const char type[] = "'descr': [('kind', '<i8'), ('numbers', '<f8', (7,))], 'fortran_order': False";
   unsigned char start[10];
   static char text[65536];
   size_t length;
@@ -33,7 +33,7 @@ static long read_header(FILE* file, const char* path) {
     give_up(path, "not an array of numpy's, of version 1");
   length = start[8] + 256u * start[9];
   if (fread(text, 1, length, file) != length || !strstr(text, type))
-    give_up(path, "not an array of [('kind', '<i8'), ('numbers', '<f8', (6,))]");
+    give_up(path, "not an array of [('kind', '<i8'), ('numbers', '<f8', (7,))]");
   return 10 + (long)length;
 }
 

@@ -6,12 +6,12 @@
 #include <stdint.h>
 #include <vesica.h>
 
-enum { kind_count = 6 };
+enum { kind_count = 8 };
 
 /// A shape and its number in the file. What lies in a file is the part from `kind` on.
 struct record {
   int64_t id, kind;
-  double numbers[6];
+  double numbers[7];
 };
 
 struct piece {
@@ -28,7 +28,7 @@ void* memory(int64_t bytes);
 /// Says why, and ends the whole job.
 void give_up(const char* path, const char* reason);
 
-/// Reads run `rank` of `rank_count` of an array of numpy's, of dtype [('kind', '<i8'), ('numbers', '<f8', (6,))].
+/// Reads run `rank` of `rank_count` of an array of numpy's, of dtype [('kind', '<i8'), ('numbers', '<f8', (7,))].
 struct piece read_run(const char* path, int rank, int rank_count);
 
 /// Lays the records kind by kind and indexes them.

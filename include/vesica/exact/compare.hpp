@@ -22,10 +22,8 @@ constexpr int compare_products_by_size(const Number<A>& a, const Number<B>& b, c
 }
 
 /// Sign of |a b| - |c d|, none of them zero; `room` holds either product.
-constexpr int compare_magnitudes_of_products(const Span& a, const Span& b, const Span& c, const Span& d,
-                                             Limb* room) noexcept {
-  // A square is placed first: it is quicker than its rows are.
-  if (c.limb == d.limb && a.limb != b.limb) return -compare_magnitudes_of_products(c, d, a, b, room);
+constexpr int compare_magnitudes_in_order(const Span& a, const Span& b, const Span& c, const Span& d,
+                                          Limb* room) noexcept {
   const Grid grid(a, b, c, d);
   place_product(a, b, grid.low, grid.size, room);
   if (subtract_product(c, d, grid.low, grid.size, room)) return -1;
@@ -33,6 +31,14 @@ constexpr int compare_magnitudes_of_products(const Span& a, const Span& b, const
     if (room[i] != 0) return 1;
   }
   return 0;
+}
+
+/// The same, with a square placed first: it is quicker than its rows are.
+constexpr int compare_magnitudes_of_products(const Span& a, const Span& b, const Span& c, const Span& d,
+                                             Limb* room) noexcept {
+  const bool square_is_last = c.limb == d.limb && a.limb != b.limb;
+  return square_is_last ? -compare_magnitudes_in_order(c, d, a, b, room)
+                        : compare_magnitudes_in_order(a, b, c, d, room);
 }
 
 }  // namespace detail

@@ -98,9 +98,10 @@ inline void try_face(const Scene& s, const Pose& at, Kept kept, const PlaneVecto
   if (by.least > best.by.least) best = {{out, kept, back ? -in_frame : in_frame}, by};
 }
 
-/// The best face of either box. Boxes are apart iff the normal of a face separates them; the best one does so by at least
-/// 0.7 of the distance: where vertices are closest, the direction between them lies between two neighbouring normals,
-/// at most 45 degrees from one of them.
+/// The best face of either box. Boxes are apart iff the normal of a face separates them.
+///
+/// The best one does so by at least 0.7 of the distance: where vertices are closest, the direction between them lies
+/// between two neighbouring normals, at most 45 degrees from one of them.
 inline void try_faces(const Scene& s, const Pose& at, Direction& best) noexcept {
   for (const Kept kept : {Kept::with_a, Kept::with_b}) {
     if ((kept == Kept::with_a ? s.a : s.b).round) continue;
