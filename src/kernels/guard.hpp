@@ -125,13 +125,6 @@ VESICA_INLINE Mask greater_where(Mask mask, V a, V b) noexcept {
   return both(mask, a > b);
 }
 
-/// Used instead of a mask if a check of the whole block has shown that all lanes are usable.
-struct Everywhere {};
-template <class V>
-VESICA_INLINE auto greater_where(Everywhere, V a, V b) noexcept {
-  return a > b;
-}
-
 }  // namespace
 
 namespace filter {

@@ -62,35 +62,20 @@ VESICA_INLINE void require_moderate(Guard<V>& guard, const Ellipse<V>& e) noexce
   guard.within(guard_power<T, -6>(), guard_power<T, 10>(), e.a).near_in_size(e.a, e.b);
 }
 
-/// An ellipse with the squares of its half lengths.
 template <class V>
-struct SquaredEllipse {
-  V cx, cy, ux, uy, aa, bb;
-};
-template <class V>
-VESICA_INLINE SquaredEllipse<V> squared(const Ellipse<V>& e) noexcept {
-  return {e.cx, e.cy, e.ux, e.uy, e.a * e.a, e.b * e.b};
-}
-
-/// The cubic of two ellipses that both pass require_moderate() and require_unit_axes().
-template <class V, class Usable>
-VESICA_INLINE UnitCubic<V, Usable> unit_contact_cubic(const SquaredEllipse<V>& e, const SquaredEllipse<V>& f,
-                                                      Usable usable) noexcept {
+VESICA_INLINE auto unit_contact_cubic(const Ellipse<V>& e, const Ellipse<V>& f) noexcept {
   const V dx = f.cx - e.cx, dy = f.cy - e.cy;
   const V c = e.ux * f.ux + e.uy * f.uy, s = e.ux * f.uy - e.uy * f.ux;
   const V x0 = e.ux * dx + e.uy * dy, x1 = e.ux * dy - e.uy * dx;
   const V y0 = f.ux * dx + f.uy * dy, y1 = f.ux * dy - f.uy * dx;
-  const V mu = (c * c) * (e.aa * f.bb + e.bb * f.aa) + (s * s) * (e.aa * f.aa + e.bb * f.bb);
-  const V al = e.bb * (x0 * x0) + e.aa * (x1 * x1), be = f.bb * (y0 * y0) + f.aa * (y1 * y1);
-  return {V(1.0f), e.aa * e.bb, mu, f.aa * f.bb, al, be, usable};
-}
-template <class V>
-VESICA_INLINE auto unit_contact_cubic(const Ellipse<V>& e, const Ellipse<V>& f) noexcept {
+  const V e_aa = e.a * e.a, e_bb = e.b * e.b, f_aa = f.a * f.a, f_bb = f.b * f.b;
+  const V mu = (c * c) * (e_aa * f_bb + e_bb * f_aa) + (s * s) * (e_aa * f_aa + e_bb * f_bb);
+  const V al = e_bb * (x0 * x0) + e_aa * (x1 * x1), be = f_bb * (y0 * y0) + f_aa * (y1 * y1);
   Guard<V> guard;
   require_unit_axes(guard, e, f);
   require_moderate(guard, e);
   require_moderate(guard, f);
-  return unit_contact_cubic(squared(e), squared(f), guard.holds());
+  return UnitCubic<V, decltype(guard.holds())>{V(1.0f), e_aa * e_bb, mu, f_aa * f_bb, al, be, guard.holds()};
 }
 
 /// With x = t / r^2, times r^2: g = r^2, d1 = P Q, mu = P + Q, d2 = 1, be = |D|^2. Radii from 2^-6 to 2^10.

@@ -105,7 +105,7 @@ TYPED_TEST(GivenUp, ACheckedKernelForTheRestOfABlock) {
       touching(rect, squares<T>(columns, 1), Layout::columns), apart(rect, squares<T>(columns, 2), Layout::columns);
   for (const InstructionSet& set : instruction_sets()) {
     KernelTable table = *set.table;
-    vesica::BlockKernel<T>& kernel = checked_of<T>(table).of[0][0].answer;
+    vesica::BlockKernel<T>& kernel = checked_of<T>(table).of[rect][rect].answer;
     if (!set.usable || kernel == nullptr) continue;
     original<T> = kernel;
     kernel = counting<T>;

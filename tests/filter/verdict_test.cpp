@@ -253,7 +253,6 @@ std::vector<Tested<V>> all_tested() {
       VESICA_EACH_PAIR_OF_FORMS(VESICA_TESTED)
 #undef VESICA_TESTED
           tested<Rect<V>, Rect<V>, UnitAxesFilter>(),
-      tested<Rect<V>, Ellipse<V>, UnitAxesFilter>(),
       tested<Circle<V>, Ellipse<V>, UnitAxesFilter>(),
       tested<Ellipse<V>, Ellipse<V>, UnitAxesFilter>(),
   };
