@@ -37,6 +37,17 @@ int32_t rect_from_corners(const T* corners, CShape* out) noexcept {
   return construct<vesica::Rect<T>>(out, [&](auto& rect) { return vesica::rect_from_corners(aligned, rect); });
 }
 
+template <class T, class CShape>
+int32_t rect_corners_misfit(const T* corners, const CShape* r, T* misfit) noexcept {
+  static_assert(sizeof(vesica::Rect<T>) == sizeof *r);
+  if (corners == nullptr || r == nullptr) return VESICA_E_NULL;
+  T aligned[8];
+  std::memcpy(aligned, corners, sizeof aligned);
+  vesica::Rect<T> rect;
+  std::memcpy(&rect, r, sizeof rect);
+  return construct<T>(misfit, [&](T& result) { return vesica::rect_corners_misfit(aligned, rect, result); });
+}
+
 }  // namespace
 
 // X(suffix, T): the functions of one scalar type.
@@ -57,6 +68,10 @@ int32_t rect_from_corners(const T* corners, CShape* out) noexcept {
   int32_t vesica_rect_from_corners_##suffix(const T corners[8], vesica_rect_##suffix* out) {                           \
     VESICA_DEFAULT_ENVIRONMENT(vesica_rect_from_corners_##suffix, corners, out);                                       \
     return rect_from_corners(corners, out);                                                                            \
+  }                                                                                                                    \
+  int32_t vesica_rect_corners_misfit_##suffix(const T corners[8], const vesica_rect_##suffix* r, T* misfit) {          \
+    VESICA_DEFAULT_ENVIRONMENT(vesica_rect_corners_misfit_##suffix, corners, r, misfit);                               \
+    return rect_corners_misfit(corners, r, misfit);                                                                    \
   }                                                                                                                    \
   int32_t vesica_ellipse_from_angle_##suffix(T cx, T cy, T angle, T a, T b, vesica_ellipse_##suffix* out) {            \
     VESICA_DEFAULT_ENVIRONMENT(vesica_ellipse_from_angle_##suffix, cx, cy, angle, a, b, out);                          \

@@ -114,6 +114,7 @@ class ConstructAccuracy : public testing::Test {
   void check_covariance(const std::array<Scalar, 3>& c, Scalar k);
   void check_matrix(const std::array<Scalar, 3>& m);
   void check_corners(const Scalar (&p)[8]);
+  void check_misfit(const Scalar (&corners)[8], const typename Api::Rect& r);
 
   Random random_{seed()};
   double worst_ = 0;
@@ -238,7 +239,7 @@ MeanRect mean_rect(const std::array<Real, 8>& p, bool from_first, int turn) {
   return {cx, cy, turn * e.second_y / second, -turn * e.second_x / second, across / second, second / 4};
 }
 
-/// The largest error among a rectangle's numbers, in units of which vesica.h allows 8 (of the centre, 1).
+/// The largest error among a rectangle's numbers, in units: vesica.h allows 8 of them, and 1 for the centre.
 template <class T, class Rect>
 double worst_error(const Rect& r, const MeanRect& exact, double largest) {
   const Real& longer = exact.hx > exact.hy ? exact.hx : exact.hy;
@@ -251,19 +252,87 @@ double worst_error(const Rect& r, const MeanRect& exact, double largest) {
                    error(r.ux, exact.ux, longer, longer), error(r.uy, exact.uy, longer, longer)});
 }
 
+/// The least of the largest distances from corners to a rectangle's, over the eight ways in which they may correspond.
+template <class Rect>
+Real misfit(const std::array<Real, 8>& p, const Rect& r) {
+  const auto number = [](auto x) { return Real(static_cast<double>(x)); };
+  const Real cx = number(r.cx), cy = number(r.cy);
+  const Real px = number(r.hx) * number(r.ux), py = number(r.hx) * number(r.uy);
+  const Real qx = number(r.hy) * -number(r.uy), qy = number(r.hy) * number(r.ux);
+  const Real own[4][2] = {{cx - px - qx, cy - py - qy},
+                          {cx + px - qx, cy + py - qy},
+                          {cx + px + qx, cy + py + qy},
+                          {cx - px + qx, cy - py + qy}};
+  Real least = -1.0;
+  for (std::size_t way = 0; way < 8; ++way) {
+    Real most = 0.0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto& corner = own[(way + (way < 4 ? i : 4 - i)) % 4];
+      const Real distance = length(Real(corner[0] - p[2 * i]), Real(corner[1] - p[2 * i + 1]));
+      if (distance > most) most = distance;
+    }
+    if (least < 0 || most < least) least = most;
+  }
+  return least;
+}
+
+/// The cosine of the angle between the edges from corner i to j and from l to k: 1 if one of them is `noise` or shorter
+/// along both axes.
+double cosine(const std::array<Real, 8>& p, const Real& noise, std::size_t i, std::size_t j, std::size_t k,
+              std::size_t l) {
+  const Real ax = p[2 * j] - p[2 * i], ay = p[2 * j + 1] - p[2 * i + 1];
+  const Real bx = p[2 * k] - p[2 * l], by = p[2 * k + 1] - p[2 * l + 1];
+  if ((abs(ax) <= noise && abs(ay) <= noise) || (abs(bx) <= noise && abs(by) <= noise)) return 1;
+  return Real((ax * bx + ay * by) / (length(ax, ay) * length(bx, by))).get_d();
+}
+
+template <class Api>
+void ConstructAccuracy<Api>::check_misfit(const Scalar (&corners)[8], const typename Api::Rect& r) {
+  std::array<Real, 8> p;
+  const auto size = [](auto x) { return std::fabs(static_cast<double>(x)); };
+  double largest = std::max({size(r.cx), size(r.cy), size(r.hx) * size(r.ux), size(r.hx) * size(r.uy),
+                             size(r.hy) * size(r.ux), size(r.hy) * size(r.uy)});
+  for (std::size_t i = 0; i < 8; ++i) {
+    p[i] = static_cast<double>(corners[i]);
+    largest = std::max(largest, size(corners[i]));
+  }
+  Scalar found = -1;
+  errno = 0;
+  const std::int32_t code = Api::rect_corners_misfit(corners, &r, &found);
+  EXPECT_EQ(errno, 0);
+  const Real exact = misfit(p, r);
+  if (code == VESICA_E_RANGE) {
+    EXPECT_GT(exact, static_cast<double>(Limits::max()) * (1 - 8 * static_cast<double>(Limits::epsilon())));
+    return;
+  }
+  ASSERT_EQ(code, 0);
+  const Real off = abs(static_cast<double>(found) - exact);
+  expect_at_most(3, Real(off / (last_place<Scalar>(exact) + 0x1p-96 / 3 * Real(largest))).get_d());
+}
+
 template <class Api>
 void ConstructAccuracy<Api>::check_corners(const Scalar (&corners)[8]) {
-  typename Api::Rect r{};
-  errno = 0;
-  ASSERT_EQ(Api::rect_from_corners(corners, &r), 0);
-  EXPECT_EQ(errno, 0);
-  EXPECT_EQ(Api::check(VESICA_RECT, &r), 0);
   std::array<Real, 8> p;
   double largest = 0;
   for (std::size_t i = 0; i < 8; ++i) {
     p[i] = static_cast<double>(corners[i]);
     largest = std::max(largest, std::fabs(static_cast<double>(corners[i])));
   }
+  typename Api::Rect r{};
+  errno = 0;
+  const std::int32_t code = Api::rect_from_corners(corners, &r);
+  EXPECT_EQ(errno, 0);
+  const Real noise = 8 * static_cast<double>(Limits::epsilon()) * Real(largest);
+  const double least = std::min(cosine(p, noise, 0, 1, 2, 3), cosine(p, noise, 1, 2, 3, 0));
+  if (code == VESICA_E_ARGUMENT) {
+    ++refused_;
+    EXPECT_LT(least, 0x1p-50);
+    return;
+  }
+  ASSERT_EQ(code, 0);
+  EXPECT_GT(least, -0x1p-50);
+  EXPECT_EQ(Api::check(VESICA_RECT, &r), 0);
+  check_misfit(corners, r);
   const Edges e = edges(p);
   const Real first = length(e.first_x, e.first_y), second = length(e.second_x, e.second_y);
   if (first == 0 && second == 0) return;
@@ -280,11 +349,13 @@ void ConstructAccuracy<Api>::check_corners(const Scalar (&corners)[8]) {
   ++made_;
 }
 
+// However thin a rectangle is and however its corners were rounded, they are in order.
 TYPED_TEST(ConstructAccuracy, CornersOfRectangles) {
   using T = typename TypeParam::Scalar;
   Random& random = this->random_;
   for (int i = 0; i < 4000 * repeat(); ++i) {
-    const double angle = random.between(-4, 4), hx = this->any(-12, 12), hy = this->any(-12, 12);
+    const int thin = random.chance(0.3) ? -40 : 0;
+    const double angle = random.between(-4, 4), hx = this->any(-12 + thin, 12 + thin), hy = this->any(-12, 12);
     const double px = hx * std::cos(angle), py = hx * std::sin(angle);
     const double qx = -hy * std::sin(angle), qy = hy * std::cos(angle), turn = random.sign();
     const int far = random.chance(0.5) ? 0 : 30;
@@ -299,6 +370,7 @@ TYPED_TEST(ConstructAccuracy, CornersOfRectangles) {
     this->check_corners(p);
   }
   EXPECT_GT(this->made_, 3000 * repeat());
+  EXPECT_EQ(this->refused_, 0);
 }
 
 // Any four points, in any order, at one scale or at one each.
@@ -312,8 +384,11 @@ TYPED_TEST(ConstructAccuracy, CornersOfNothingInParticular) {
       number = static_cast<T>(random.sign()) * (mixed ? this->any(this->lowest, this->highest - 2) : this->any(-1, 1));
     }
     this->check_corners(p);
+    const auto x = [&] { return static_cast<T>(random.sign()) * this->any(mixed ? -30 : -1, mixed ? 30 : 1); };
+    this->check_misfit(p, {x(), x(), x(), x(), std::fabs(x()), std::fabs(x())});
   }
-  EXPECT_GT(this->made_, 3500 * repeat());
+  EXPECT_GT(this->made_, 500 * repeat());
+  EXPECT_GT(this->refused_, 500 * repeat());
 }
 
 // A rectangle whose centre and half extents are representable comes back exactly from its corners.

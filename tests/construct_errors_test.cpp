@@ -151,6 +151,40 @@ TYPED_TEST(ConstructErrors, NotACovariance) {
   this->expect(this->ellipse_from_covariance, {1, 2, 3, 0, 4, max}, VESICA_E_RANGE);
 }
 
+TYPED_TEST(ConstructErrors, Misfit) {
+  using T = typename TypeParam::Scalar;
+  using Limits = std::numeric_limits<T>;
+  using Made = typename TypeParam::Rect;
+  const T square[] = {-1, -1, 1, -1, 1, 1, -1, 1}, nan = Limits::quiet_NaN(), max = Limits::max();
+  const Made unit{0, 0, 1, 0, 1, 1};
+  T out = 7;
+  EXPECT_EQ(TypeParam::rect_corners_misfit(nullptr, &unit, &out), VESICA_E_NULL);
+  EXPECT_EQ(TypeParam::rect_corners_misfit(square, nullptr, &out), VESICA_E_NULL);
+  EXPECT_EQ(TypeParam::rect_corners_misfit(square, &unit, nullptr), VESICA_E_NULL);
+  const auto refused = [&](const Made& rect, std::int32_t error) {
+    EXPECT_EQ(TypeParam::rect_corners_misfit(square, &rect, &out), error);
+  };
+  refused({nan, 0, 1, 0, 1, 1}, VESICA_E_NOT_FINITE);
+  refused({0, 0, 1, 0, 1, Limits::infinity()}, VESICA_E_NOT_FINITE);
+  refused({0, 0, 1, 0, -1, 1}, VESICA_E_NEGATIVE_SIZE);
+  refused({0, 0, 0, 0, 1, 1}, VESICA_E_ZERO_AXIS);
+  refused({0, 0, max, 0, max, 1}, VESICA_E_RANGE);
+  for (int i = 0; i < 8; ++i) {
+    for (const T bad : {nan, Limits::infinity(), -Limits::infinity()}) {
+      T corners[8];
+      std::memcpy(corners, square, sizeof corners);
+      corners[i] = bad;
+      EXPECT_EQ(TypeParam::rect_corners_misfit(corners, &unit, &out), VESICA_E_NOT_FINITE);
+    }
+  }
+  const T far[] = {max, max, max, max, max, max, max, max};
+  const Made opposite{-max, -max, 1, 0, 0, 0};
+  EXPECT_EQ(TypeParam::rect_corners_misfit(far, &opposite, &out), VESICA_E_RANGE);
+  EXPECT_EQ(out, 7);
+  EXPECT_EQ(TypeParam::rect_corners_misfit(square, &unit, &out), 0);
+  EXPECT_EQ(out, 0);
+}
+
 // Negative zero is no negative size, and zero sizes are legal.
 TYPED_TEST(ConstructErrors, ZeroSizesAreLegal) {
   using T = typename TypeParam::Scalar;

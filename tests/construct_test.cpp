@@ -2,6 +2,7 @@
 // Constructors by literal expectations: exact results, degenerate input, and every documented error.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -18,7 +19,7 @@ class Construct : public testing::Test {
   using Ellipse = typename Api::Ellipse;
   using Limits = std::numeric_limits<Scalar>;
 
-  /// Each number equal to the wanted one, or within so many units in the wanted number's last place.
+  /// Each number equal to the wanted one, or within `ulps` units in the wanted number's last place.
   template <class Shape, std::size_t n>
   static void expect(const Shape& found, const Scalar (&wanted)[n], int ulps = 0) {
     Scalar numbers[n];
@@ -34,6 +35,12 @@ class Construct : public testing::Test {
   static Rect rect_from_corners(const Scalar (&corners)[8], std::int32_t result = 0) {
     Rect out{1, 2, 3, 4, 5, 6};
     EXPECT_EQ(Api::rect_from_corners(corners, &out), result);
+    return out;
+  }
+
+  static Scalar misfit(const Scalar (&corners)[8], const Rect& rect) {
+    Scalar out = -1;
+    EXPECT_EQ(Api::rect_corners_misfit(corners, &rect, &out), 0);
     return out;
   }
 
@@ -131,6 +138,84 @@ TYPED_TEST(Construct, RectFromCornersOfNoRectangle) {
   this->expect(this->rect_from_corners({0, 0, 4, 0, 5, 1, 1, 1}), {2.5, 0.5, 1, 0, 2, 0.5});
   // A trapezoid with parallel edges 6 and 2 has the mean edge 4.
   this->expect(this->rect_from_corners({0, 0, 6, 0, 4, 2, 2, 2}), {3, 1, 1, 0, 2, 1});
+}
+
+// The order of a table's rows gave a segment. Of 24 orders 8 go round the outline: 4 starts, 2 senses.
+TYPED_TEST(Construct, CrossedCornersAreRefused) {
+  using T = typename TypeParam::Scalar;
+  this->expect(this->rect_from_corners({355, 853, 491, 853, 355, 904, 491, 904}, VESICA_E_ARGUMENT),
+               {1, 2, 3, 4, 5, 6});
+  this->rect_from_corners({1, 1, 5, 1, 1, 1, 5, 1}, VESICA_E_ARGUMENT);  // a segment walked to and fro twice
+  const T max = std::numeric_limits<T>::max(), tiny = std::numeric_limits<T>::denorm_min();
+  const T outlines[][8] = {{355, 853, 491, 853, 491, 904, 355, 904},
+                           {0, 0, 3, 4, -5, 10, -8, 6},
+                           {1, 1, 1, 2, 1001, 2, 1001, 1},
+                           {-max, -max, max, -max, max, max, -max, max},
+                           {0, 0, 8 * tiny, 0, 8 * tiny, 2 * tiny, 0, 2 * tiny}};
+  for (const auto& outline : outlines) {
+    int order[] = {0, 1, 2, 3}, in_order = 0, refused = 0;
+    do {
+      T p[8];
+      for (int i = 0; i < 4; ++i) {
+        p[2 * i] = outline[2 * order[i]];
+        p[2 * i + 1] = outline[2 * order[i] + 1];
+      }
+      const bool goes_round = (order[0] - order[2]) % 2 == 0;
+      this->rect_from_corners(p, goes_round ? 0 : VESICA_E_ARGUMENT);
+      ++(goes_round ? in_order : refused);
+    } while (std::next_permutation(order, order + 4));
+    EXPECT_EQ(in_order, 8);
+    EXPECT_EQ(refused, 16);
+  }
+}
+
+// Edges of 8 roundoffs of the largest coordinate may be rounding; a longer pair that crosses is refused.
+TYPED_TEST(Construct, EdgesOfAFewRoundoffsMayCross) {
+  using T = typename TypeParam::Scalar;
+  const T least = 512 * 8 * std::numeric_limits<T>::epsilon();
+  this->rect_from_corners({-512, 0, 512, 0, 512, -least, -512, least});
+  this->rect_from_corners({-512, 0, 512, 0, 512, -2 * least, -512, 2 * least}, VESICA_E_ARGUMENT);
+  this->rect_from_corners({-512, 0, 512, 0, 512, 2 * least, -512, 2 * least});
+}
+
+TYPED_TEST(Construct, MisfitOfCorners) {
+  using T = typename TypeParam::Scalar;
+  using Made = typename TypeParam::Rect;
+  const T parallelogram[] = {0, 0, 4, 0, 5, 1, 1, 1};
+  EXPECT_EQ(this->misfit(parallelogram, this->rect_from_corners(parallelogram)), T{0.5f});
+  const T trapezoid[] = {0, 0, 6, 0, 4, 2, 2, 2};
+  EXPECT_EQ(this->misfit(trapezoid, this->rect_from_corners(trapezoid)), 1);
+  // Crossed corners of a rectangle 6 wide and 2 high: two of them stand at each other's places.
+  const Made rect{4, 3, 1, 0, 3, 1};
+  EXPECT_EQ(this->misfit({1, 2, 7, 2, 1, 4, 7, 4}, rect), 6);
+  EXPECT_EQ(this->misfit({1, 2, 7, 4, 7, 2, 1, 4}, rect), 2);
+  // One corner is (3, 4) off. The axis need not be a unit, and the centre may be anywhere.
+  EXPECT_EQ(this->misfit({1, 2, 7, 2, 10, 8, 1, 4}, rect), 5);
+  EXPECT_EQ(this->misfit({-1, -3, 3, 3, 1, 3, -3, -3}, Made{0, 0, 2, 3, 1, 0}), 1);
+  EXPECT_EQ(this->misfit({0, 0, 0, 0, 0, 0, 0, 0}, Made{3, 4, 1, 0, 0, 0}), 5);
+  const T max = std::numeric_limits<T>::max();
+  EXPECT_EQ(this->misfit({-max, -max, max, -max, max, max, -max, max}, Made{0, 0, 1, 0, max, max}), 0);
+  EXPECT_EQ(this->misfit({max, 0, max, 0, max, 0, max, 0}, Made{max / 2, 0, 1, 0, 0, 0}), max / 2);
+}
+
+// Which corner comes first, and the sense, make no difference.
+TYPED_TEST(Construct, MisfitOfEveryCyclicOrder) {
+  using T = typename TypeParam::Scalar;
+  const T corners[] = {1, 2, 7, 2, T{6.5f}, 5, 1, 4};
+  const auto rect = this->rect_from_corners(corners);
+  const T expected = this->misfit(corners, rect);
+  EXPECT_GT(expected, 0);
+  for (int start = 0; start < 4; ++start) {
+    for (const int step : {1, 3}) {
+      T p[8];
+      for (int i = 0; i < 4; ++i) {
+        const int from = (start + step * i) % 4;
+        p[2 * i] = corners[2 * from];
+        p[2 * i + 1] = corners[2 * from + 1];
+      }
+      EXPECT_EQ(this->misfit(p, rect), expected);
+    }
+  }
 }
 
 TYPED_TEST(Construct, RectFromEqualCorners) {

@@ -448,6 +448,13 @@ func cRectFromCorners(wide bool, corners *C.char, out *C.char) C.int32_t {
 	return C.go_rect_from_corners_f32(corners, out)
 }
 
+func cRectCornersMisfit(wide bool, corners *C.char, r *C.char, misfit *C.char) C.int32_t {
+	if wide {
+		return C.go_rect_corners_misfit_f64(corners, r, misfit)
+	}
+	return C.go_rect_corners_misfit_f32(corners, r, misfit)
+}
+
 func cEllipseFromAngle(wide bool, cx float64, cy float64, angle float64, a float64, b float64, out *C.char) C.int32_t {
 	if wide {
 		return C.go_ellipse_from_angle_f64(C.double(cx), C.double(cy), C.double(angle), C.double(a), C.double(b), out)

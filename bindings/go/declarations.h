@@ -239,6 +239,14 @@ static inline int32_t go_rect_from_corners_f32(const char *corners, char *out) {
     return vesica_rect_from_corners_f32((const void *)corners, (void *)out);
 }
 
+static inline int32_t go_rect_corners_misfit_f64(const char *corners, const char *r, char *misfit) {
+    return vesica_rect_corners_misfit_f64((const void *)corners, (const void *)r, (void *)misfit);
+}
+
+static inline int32_t go_rect_corners_misfit_f32(const char *corners, const char *r, char *misfit) {
+    return vesica_rect_corners_misfit_f32((const void *)corners, (const void *)r, (void *)misfit);
+}
+
 static inline int32_t go_ellipse_from_angle_f64(double cx, double cy, double angle, double a, double b, char *out) {
     return vesica_ellipse_from_angle_f64(cx, cy, angle, a, b, (void *)out);
 }

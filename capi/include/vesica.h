@@ -427,12 +427,27 @@ VESICA_API int32_t vesica_rect_from_angle_f64(double cx, double cy, double angle
  * mean of the corners. The axis is a unit vector along the edge from corner 0 to corner 1, and hx belongs to that edge.
  * Opposite edges are averaged; the longer pair gives the direction, and the shorter pair counts by its part across it.
  * Two or four equal corners are legal: they give a segment, or a point with axis (1, 0).
- * Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_RANGE (a half extent overflows).
+ * vesica_rect_corners_misfit_f64 says how far the corners are off.
+ * Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_ARGUMENT (opposite edges are more than 90 degrees apart, as with
+ * corners in another order), VESICA_E_RANGE (a half extent overflows). Edges that are no longer along x and y than 8
+ * epsilon times the largest coordinate may be rounding, and are not an error. Epsilon is 2^-52, or 2^-23 in float.
  * Accuracy: half extents, and the axis times the longer one, are right to 8 units in the last place of the longer one;
  * the centre is right to 1 unit in its own. Both errors may grow by 2^-98 times the largest coordinate. A rectangle
  * along the coordinate axes is found exactly if its centre and half extents are representable.
  */
 VESICA_API int32_t vesica_rect_from_corners_f64(const double corners[8], vesica_rect_f64 *out);
+
+/**
+ * The largest distance from a given corner to the rectangle's corner that corresponds to it.
+ *
+ * The four corners may start at any corner of the rectangle and run in either sense: the least result of the eight
+ * ways counts. So 0 means that they are exactly the rectangle's corners, in order round the outline. The rectangle may
+ * come from vesica_rect_from_corners_f64, or be any other.
+ * Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, errors of the rectangle as vesica_check_f64, VESICA_E_RANGE (the result
+ * overflows).
+ * Accuracy: 3 units in the last place, plus 2^-96 times the largest coordinate of corners, centre and half axes.
+ */
+VESICA_API int32_t vesica_rect_corners_misfit_f64(const double corners[8], const vesica_rect_f64 *r, double *misfit);
 
 /**
  * Ellipse from centre, angle and half lengths: a along the angle, b across it.
@@ -807,6 +822,8 @@ VESICA_API int32_t vesica_rect_from_angle_f32(float cx, float cy, float angle, f
                                               vesica_rect_f32 *out);
 /** As vesica_rect_from_corners_f64. */
 VESICA_API int32_t vesica_rect_from_corners_f32(const float corners[8], vesica_rect_f32 *out);
+/** As vesica_rect_corners_misfit_f64. */
+VESICA_API int32_t vesica_rect_corners_misfit_f32(const float corners[8], const vesica_rect_f32 *r, float *misfit);
 /** As vesica_ellipse_from_angle_f64. */
 VESICA_API int32_t vesica_ellipse_from_angle_f32(float cx, float cy, float angle, float a, float b,
                                                  vesica_ellipse_f32 *out);

@@ -5,6 +5,8 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
+#include <vesica/arithmetic/length.hpp>
 #include <vesica/arithmetic/rounding.hpp>
 #include <vesica/arithmetic/spectrum.hpp>
 #include <vesica/arithmetic/turn.hpp>
@@ -77,6 +79,58 @@ inline MeanRect mean_rect(const double (&p)[8]) noexcept {
   return {cx, cy, 0 + turn * second.y, 0 - turn * second.x, {hx.value * across, hx.exponent}, hy};
 }
 
+/// True if the edges from p to q and from r to s are more than 90 degrees apart, and both are longer than `noise` along
+/// x or y. The differences are rounded once, which keeps their signs.
+inline bool are_opposed(const double* p, const double* q, const double* r, const double* s, double noise) noexcept {
+  const double ax = q[0] - p[0], ay = q[1] - p[1], bx = s[0] - r[0], by = s[1] - r[1];
+  const double a = std::fmax(std::fabs(ax), std::fabs(ay)), b = std::fmax(std::fabs(bx), std::fabs(by));
+  if (a <= noise || b <= noise) return false;
+  const int i = -arithmetic::exponent_of(a), j = -arithmetic::exponent_of(b);
+  const double x = arithmetic::scale_far(ax, i), y = arithmetic::scale_far(ay, i);
+  const double z = arithmetic::scale_far(bx, j), w = arithmetic::scale_far(by, j);
+  // The sign of x z + y w: Kahan's sum of two products is right to 2 roundoffs.
+  const double product = x * z;
+  return std::fma(y, w, product) + std::fma(x, z, -product) < 0;
+}
+
+/// True if corners x0 y0 ... x3 y3 are in another order than the outline's: then two opposite edges, both walked from
+/// the same side, are opposed.
+///
+/// Rounding the corners of a rectangle never does that: it keeps the order of coordinates, so that opposite edges have
+/// no components of opposite signs. Formulas that round more than once may do it to edges of a few roundoffs of the
+/// largest coordinate: edges of up to `noise` are not looked at.
+inline bool are_crossed(const double (&p)[8], double noise) noexcept {
+  return are_opposed(p, p + 2, p + 6, p + 4, noise) || are_opposed(p + 2, p + 4, p, p + 6, noise);
+}
+
+/// c + s x + t y - p, right to 2 roundoffs of the sum plus 2^-98 of its largest term.
+inline double offset(double c, double s, double x, double t, double y, double p) noexcept {
+  const auto d = arithmetic::two_sum(c, -p);
+  const auto along = arithmetic::two_product_fused(s, x), across = arithmetic::two_product_fused(t, y);
+  return sum_of_four(d.high, along.high, across.high, d.low + (along.low + across.low));
+}
+
+/// The misfit of corners and a rectangle whose terms are below 2^1020: see rect_corners_misfit().
+inline double misfit(const double (&p)[8], const Rect<double>& r) noexcept {
+  double distance[4][4];  // from given corner i to the rectangle's corner k
+  for (int i = 0; i < 4; ++i) {
+    for (int k = 0; k < 4; ++k) {
+      const double s = k == 1 || k == 2 ? r.hx : -r.hx, t = k >= 2 ? r.hy : -r.hy;
+      distance[i][k] =
+          arithmetic::length(offset(r.cx, s, r.ux, -t, r.uy, p[2 * i]), offset(r.cy, s, r.uy, t, r.ux, p[2 * i + 1]));
+    }
+  }
+  double least = std::numeric_limits<double>::infinity();
+  for (int start = 0; start < 4; ++start) {
+    for (int step = 1; step <= 3; step += 2) {
+      double most = 0;
+      for (int i = 0; i < 4; ++i) most = std::fmax(most, distance[i][(start + step * i) % 4]);
+      least = std::fmin(least, most);
+    }
+  }
+  return least;
+}
+
 }  // namespace detail
 
 /// Box with two opposite corners, in any order. Exact. Errors: error_not_finite.
@@ -118,7 +172,8 @@ int rect_from_angle(T cx, T cy, T angle, T width, T height, Rect<T>& out) noexce
 /// The centre is the mean of the corners. The unit axis runs from corner 0 towards corner 1 and hx belongs to that
 /// edge; opposite edges are averaged, the longer pair gives the direction, and the shorter pair's extent is measured
 /// across it. Equal corners: a segment; four times the same: a point with axis (1, 0).
-/// Errors: error_not_finite, error_range (a half extent overflows).
+/// Errors: error_not_finite, error_argument (opposite edges more than 90 degrees apart, both longer along x or y than 8
+/// epsilon of T times the largest coordinate: corners in another order), error_range (a half extent overflows).
 template <class T>
 int rect_from_corners(const T (&corners)[8], Rect<T>& out) noexcept {
   double p[8], largest = 0;
@@ -129,12 +184,46 @@ int rect_from_corners(const T (&corners)[8], Rect<T>& out) noexcept {
   }
   const int lift = largest > 0x1p1020 ? 3 : 0;  // room for sums of four
   for (double& number : p) number = detail::arithmetic::scale(number, -lift);
+  constexpr auto epsilon = static_cast<double>(std::numeric_limits<T>::epsilon());
+  if (detail::are_crossed(p, 8 * epsilon * detail::arithmetic::scale(largest, -lift))) return error_argument;
   const detail::MeanRect r = detail::mean_rect(p);
   const detail::arithmetic::Scaled unit{1, lift};
   return detail::store(Rect<T>{static_cast<T>(detail::arithmetic::scale(r.cx, lift)),
                                static_cast<T>(detail::arithmetic::scale(r.cy, lift)), static_cast<T>(r.ux),
                                static_cast<T>(r.uy), detail::multiply<T>(r.hx, unit), detail::multiply<T>(r.hy, unit)},
                        out);
+}
+
+/// The largest distance of a given corner from the rectangle's corner that corresponds to it. The four may start at any
+/// corner and run in either sense: the least result of the eight ways counts.
+///
+/// It is right to 3 units in its last place plus 2^-96 of the largest coordinate, those of the rectangle's corners and
+/// half axes among them. Errors: error_not_finite, those of check(), error_range (the result overflows).
+template <class T>
+int rect_corners_misfit(const T (&corners)[8], const Rect<T>& rect, T& out) noexcept {
+  for (const T number : corners) {
+    if (!detail::all_finite(number)) return error_not_finite;
+  }
+  if (const int error = check(rect); error != 0) return error;
+  double p[8];
+  Rect<double> r{static_cast<double>(rect.cx), static_cast<double>(rect.cy), static_cast<double>(rect.ux),
+                 static_cast<double>(rect.uy), static_cast<double>(rect.hx), static_cast<double>(rect.hy)};
+  const double axis = std::fmax(std::fabs(r.ux), std::fabs(r.uy));
+  double largest = std::fmax(std::fmax(std::fabs(r.cx), std::fabs(r.cy)), std::fmax(r.hx, r.hy) * axis);
+  for (int i = 0; i < 8; ++i) {
+    p[i] = static_cast<double>(corners[i]);
+    largest = std::fmax(largest, std::fabs(p[i]));
+  }
+  const int lift = largest > 0x1p1018 ? 8 : 0;  // room for sums
+  const auto lower = [lift](double& number) { number = detail::arithmetic::scale(number, -lift); };
+  for (double& number : p) lower(number);
+  lower(r.cx), lower(r.cy), lower(r.hx), lower(r.hy);
+  // A half axis of 2^1026 is that far from some corner of finite numbers.
+  if (!(std::fmax(r.hx, r.hy) * axis < 0x1p1018)) return error_range;
+  const T result = static_cast<T>(detail::arithmetic::scale(detail::misfit(p, r), lift));
+  if (!detail::all_finite(result)) return error_range;
+  out = result;
+  return 0;
 }
 
 /// Ellipse from centre, angle as rect_from_angle, and half lengths a along the angle and b across it.

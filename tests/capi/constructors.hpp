@@ -16,6 +16,7 @@ struct F64 {
   static constexpr auto* aabb_from_corners = vesica_aabb_from_corners_f64;
   static constexpr auto* rect_from_angle = vesica_rect_from_angle_f64;
   static constexpr auto* rect_from_corners = vesica_rect_from_corners_f64;
+  static constexpr auto* rect_corners_misfit = vesica_rect_corners_misfit_f64;
   static constexpr auto* ellipse_from_angle = vesica_ellipse_from_angle_f64;
   static constexpr auto* ellipse_from_radius_vector = vesica_ellipse_from_radius_vector_f64;
   static constexpr auto* ellipse_from_covariance = vesica_ellipse_from_covariance_f64;
@@ -32,6 +33,7 @@ struct F32 {
   static constexpr auto* aabb_from_corners = vesica_aabb_from_corners_f32;
   static constexpr auto* rect_from_angle = vesica_rect_from_angle_f32;
   static constexpr auto* rect_from_corners = vesica_rect_from_corners_f32;
+  static constexpr auto* rect_corners_misfit = vesica_rect_corners_misfit_f32;
   static constexpr auto* ellipse_from_angle = vesica_ellipse_from_angle_f32;
   static constexpr auto* ellipse_from_radius_vector = vesica_ellipse_from_radius_vector_f32;
   static constexpr auto* ellipse_from_covariance = vesica_ellipse_from_covariance_f32;

@@ -143,6 +143,17 @@ Bytes ask_corners(const Input& p) {
   append(bytes, out);
   return bytes;
 }
+template <class T, class Rect, auto function>
+Bytes ask_misfit(const Input& p) {
+  const auto a = first(p, T{}), b = second(p, T{});
+  const T corners[8] = {a[0], a[1], a[2], a[3], b[0], b[1], b[2], b[3]};
+  const Rect rect{b[0], b[1], b[2], b[3], a[4], a[5]};
+  Bytes bytes;
+  T misfit = 0;
+  append(bytes, function(corners, &rect, &misfit));
+  append(bytes, misfit);
+  return bytes;
+}
 
 /// Both sides of a list of pairs as arrays. Odd places are not aligned for any number.
 template <class T, class Shapes>
@@ -535,6 +546,7 @@ Bytes ask_soft(const Inputs& inputs) {
         {"aabb_from_corners", ask_constructor<T, vesica_aabb_##s, vesica_aabb_from_corners_##s, 4>},                 \
         {"rect_from_angle", ask_constructor<T, vesica_rect_##s, vesica_rect_from_angle_##s, 5>},                     \
         {"rect_from_corners", ask_corners<T, vesica_rect_##s, vesica_rect_from_corners_##s>},                        \
+        {"rect_corners_misfit", ask_misfit<T, vesica_rect_##s, vesica_rect_corners_misfit_##s>},                     \
         {"ellipse_from_angle", ask_constructor<T, vesica_ellipse_##s, vesica_ellipse_from_angle_##s, 5>},            \
         {"ellipse_from_radius_vector",                                                                               \
          ask_constructor<T, vesica_ellipse_##s, vesica_ellipse_from_radius_vector_##s, 5>},                          \

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <limits>
+
 #include "fuzz/bytes.hpp"
 
 namespace fuzz {
 namespace {
 
-/// Where a constructor succeeds its shape is valid.
+/// If a constructor succeeds, its shape is valid.
 template <class Shape>
 void demand_valid(std::int32_t error, std::int32_t kind, const Output<Shape>& out) {
   demand(error <= 0);
@@ -44,6 +46,18 @@ void call(Bytes& bytes, Memory& memory) {
   demand_valid(error, VESICA_ELLIPSE, out);
 }
 
+template <class T, class Rect, auto Misfit>
+void call_misfit(Bytes& bytes, Memory& memory) {
+  const Output<T> out(memory.out);
+  T corners[8];
+  for (T& x : corners) x = bytes.number<T>();
+  Rect rect;
+  T* const number[] = {&rect.cx, &rect.cy, &rect.ux, &rect.uy, &rect.hx, &rect.hy};
+  for (T* x : number) *x = bytes.number<T>();
+  const std::int32_t error = Misfit(corners, &rect, out.get());
+  demand(error == 0 ? *out.get() >= 0 && *out.get() <= std::numeric_limits<T>::max() : out.untouched());
+}
+
 template <class T, class Aabb, auto FromCorners>
 void call_aabb(Bytes& bytes, Memory& memory) {
   const Output<Aabb> out(memory.out);
@@ -56,7 +70,7 @@ void call_aabb(Bytes& bytes, Memory& memory) {
 }  // namespace
 
 void call_constructor(Bytes& bytes, Memory& memory) {
-  switch (bytes.below(4)) {
+  switch (bytes.below(6)) {
     case 0:
       return call<double, vesica_rect_f64, vesica_ellipse_f64, vesica_rect_from_angle_f64, vesica_rect_from_corners_f64,
                   vesica_ellipse_from_angle_f64, vesica_ellipse_from_radius_vector_f64,
@@ -67,6 +81,10 @@ void call_constructor(Bytes& bytes, Memory& memory) {
                   vesica_ellipse_from_covariance_f32, vesica_ellipse_from_matrix_f32>(bytes, memory);
     case 2:
       return call_aabb<double, vesica_aabb_f64, vesica_aabb_from_corners_f64>(bytes, memory);
+    case 3:
+      return call_misfit<double, vesica_rect_f64, vesica_rect_corners_misfit_f64>(bytes, memory);
+    case 4:
+      return call_misfit<float, vesica_rect_f32, vesica_rect_corners_misfit_f32>(bytes, memory);
     default:
       return call_aabb<float, vesica_aabb_f32, vesica_aabb_from_corners_f32>(bytes, memory);
   }

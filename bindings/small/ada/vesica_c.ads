@@ -460,6 +460,11 @@ package Vesica_C is
    function Vesica_Rect_From_Corners_F64 (Corners : System.Address; Output : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_rect_from_corners_f64";
 
+   --  The largest distance from a given corner to the rectangle's corner that corresponds to it.
+   function Vesica_Rect_Corners_Misfit_F64 (Corners : System.Address; R : System.Address; Misfit :
+      System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_rect_corners_misfit_f64";
+
    --  Ellipse from centre, angle and half lengths: a along the angle, b across it.
    function Vesica_Ellipse_From_Angle_F64 (Cx : IEEE_Float_64; Cy : IEEE_Float_64; Angle : IEEE_Float_64; A :
       IEEE_Float_64; B : IEEE_Float_64; Output : System.Address) return Integer_32
@@ -753,6 +758,11 @@ package Vesica_C is
    --  Rectangle from its four corners x0 y0 ... x3 y3, in order round the outline in either sense.
    function Vesica_Rect_From_Corners_F32 (Corners : System.Address; Output : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_rect_from_corners_f32";
+
+   --  The largest distance from a given corner to the rectangle's corner that corresponds to it.
+   function Vesica_Rect_Corners_Misfit_F32 (Corners : System.Address; R : System.Address; Misfit :
+      System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_rect_corners_misfit_f32";
 
    --  Ellipse from centre, angle and half lengths: a along the angle, b across it.
    function Vesica_Ellipse_From_Angle_F32 (Cx : IEEE_Float_32; Cy : IEEE_Float_32; Angle : IEEE_Float_32; A :

@@ -588,6 +588,14 @@ module vesica_c
       type(vesica_rect_f64), intent(out) :: out
     end function
 
+    !> The largest distance from a given corner to the rectangle's corner that corresponds to it.
+    integer(c_int32_t) function vesica_rect_corners_misfit_f64(corners, r, misfit) bind(c)
+      import
+      real(c_double), intent(in) :: corners(*)
+      type(vesica_rect_f64), intent(in) :: r
+      type(c_ptr), value :: misfit
+    end function
+
     !> Ellipse from centre, angle and half lengths: a along the angle, b across it.
     integer(c_int32_t) function vesica_ellipse_from_angle_f64(cx, cy, angle, a, b, out) bind(c)
       import
@@ -1114,6 +1122,14 @@ module vesica_c
       import
       real(c_float), intent(in) :: corners(*)
       type(vesica_rect_f32), intent(out) :: out
+    end function
+
+    !> The largest distance from a given corner to the rectangle's corner that corresponds to it.
+    integer(c_int32_t) function vesica_rect_corners_misfit_f32(corners, r, misfit) bind(c)
+      import
+      real(c_float), intent(in) :: corners(*)
+      type(vesica_rect_f32), intent(in) :: r
+      type(c_ptr), value :: misfit
     end function
 
     !> Ellipse from centre, angle and half lengths: a along the angle, b across it.

@@ -147,6 +147,8 @@
 (c vesica_rect_from_angle_f64 int32 double double double double double '*)
 ;; Rectangle from its four corners x0 y0 ... x3 y3, in order round the outline in either sense.
 (c vesica_rect_from_corners_f64 int32 '* '*)
+;; The largest distance from a given corner to the rectangle's corner that corresponds to it.
+(c vesica_rect_corners_misfit_f64 int32 '* '* '*)
 ;; Ellipse from centre, angle and half lengths: a along the angle, b across it.
 (c vesica_ellipse_from_angle_f64 int32 double double double double double '*)
 ;; Ellipse from centre, radius vector and ratio: one half axis is (wx, wy), the other is ratio times perp(wx, wy).
@@ -276,6 +278,8 @@
 (c vesica_rect_from_angle_f32 int32 float float float float float '*)
 ;; Rectangle from its four corners x0 y0 ... x3 y3, in order round the outline in either sense.
 (c vesica_rect_from_corners_f32 int32 '* '*)
+;; The largest distance from a given corner to the rectangle's corner that corresponds to it.
+(c vesica_rect_corners_misfit_f32 int32 '* '* '*)
 ;; Ellipse from centre, angle and half lengths: a along the angle, b across it.
 (c vesica_ellipse_from_angle_f32 int32 float float float float float '*)
 ;; Ellipse from centre, radius vector and ratio: one half axis is (wx, wy), the other is ratio times perp(wx, wy).

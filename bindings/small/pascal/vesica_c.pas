@@ -402,6 +402,9 @@ function vesica_rect_from_angle_f64(cx: Double; cy: Double; angle: Double; width
 // Rectangle from its four corners x0 y0 ... x3 y3, in order round the outline in either sense.
 function vesica_rect_from_corners_f64(corners: PDouble; output: PVesicaRectF64): Int32; cdecl; external
   vesica_library;
+// The largest distance from a given corner to the rectangle's corner that corresponds to it.
+function vesica_rect_corners_misfit_f64(corners: PDouble; r: PVesicaRectF64; misfit: PDouble): Int32; cdecl;
+  external vesica_library;
 // Ellipse from centre, angle and half lengths: a along the angle, b across it.
 function vesica_ellipse_from_angle_f64(cx: Double; cy: Double; angle: Double; a: Double; b: Double; output:
   PVesicaEllipseF64): Int32; cdecl; external vesica_library;
@@ -582,6 +585,9 @@ function vesica_rect_from_angle_f32(cx: Single; cy: Single; angle: Single; width
 // Rectangle from its four corners x0 y0 ... x3 y3, in order round the outline in either sense.
 function vesica_rect_from_corners_f32(corners: PSingle; output: PVesicaRectF32): Int32; cdecl; external
   vesica_library;
+// The largest distance from a given corner to the rectangle's corner that corresponds to it.
+function vesica_rect_corners_misfit_f32(corners: PSingle; r: PVesicaRectF32; misfit: PSingle): Int32; cdecl;
+  external vesica_library;
 // Ellipse from centre, angle and half lengths: a along the angle, b across it.
 function vesica_ellipse_from_angle_f32(cx: Single; cy: Single; angle: Single; a: Single; b: Single; output:
   PVesicaEllipseF32): Int32; cdecl; external vesica_library;

@@ -140,6 +140,8 @@ our @FUNCTIONS = (
     [vesica_rect_from_angle_f64 => ['double', 'double', 'double', 'double', 'double', 'opaque'] => 'sint32'],
     # Rectangle from its four corners x0 y0 ... x3 y3, in order round the outline in either sense.
     [vesica_rect_from_corners_f64 => ['double[]', 'opaque'] => 'sint32'],
+    # The largest distance from a given corner to the rectangle's corner that corresponds to it.
+    [vesica_rect_corners_misfit_f64 => ['double[]', 'opaque', 'opaque'] => 'sint32'],
     # Ellipse from centre, angle and half lengths: a along the angle, b across it.
     [vesica_ellipse_from_angle_f64 => ['double', 'double', 'double', 'double', 'double', 'opaque'] => 'sint32'],
     # Ellipse from centre, radius vector and ratio: one half axis is (wx, wy), the other is ratio times perp(wx, wy).
@@ -271,6 +273,8 @@ our @FUNCTIONS = (
     [vesica_rect_from_angle_f32 => ['float', 'float', 'float', 'float', 'float', 'opaque'] => 'sint32'],
     # Rectangle from its four corners x0 y0 ... x3 y3, in order round the outline in either sense.
     [vesica_rect_from_corners_f32 => ['float[]', 'opaque'] => 'sint32'],
+    # The largest distance from a given corner to the rectangle's corner that corresponds to it.
+    [vesica_rect_corners_misfit_f32 => ['float[]', 'opaque', 'opaque'] => 'sint32'],
     # Ellipse from centre, angle and half lengths: a along the angle, b across it.
     [vesica_ellipse_from_angle_f32 => ['float', 'float', 'float', 'float', 'float', 'opaque'] => 'sint32'],
     # Ellipse from centre, radius vector and ratio: one half axis is (wx, wy), the other is ratio times perp(wx, wy).

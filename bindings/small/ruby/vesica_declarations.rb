@@ -137,6 +137,8 @@ module Vesica
     'int vesica_rect_from_angle_f64(double, double, double, double, double, void *)',
     # Rectangle from its four corners x0 y0 ... x3 y3, in order round the outline in either sense.
     'int vesica_rect_from_corners_f64(void *, void *)',
+    # The largest distance from a given corner to the rectangle's corner that corresponds to it.
+    'int vesica_rect_corners_misfit_f64(void *, void *, void *)',
     # Ellipse from centre, angle and half lengths: a along the angle, b across it.
     'int vesica_ellipse_from_angle_f64(double, double, double, double, double, void *)',
     # Ellipse from centre, radius vector and ratio: one half axis is (wx, wy), the other is ratio times perp(wx, wy).
@@ -266,6 +268,8 @@ module Vesica
     'int vesica_rect_from_angle_f32(float, float, float, float, float, void *)',
     # Rectangle from its four corners x0 y0 ... x3 y3, in order round the outline in either sense.
     'int vesica_rect_from_corners_f32(void *, void *)',
+    # The largest distance from a given corner to the rectangle's corner that corresponds to it.
+    'int vesica_rect_corners_misfit_f32(void *, void *, void *)',
     # Ellipse from centre, angle and half lengths: a along the angle, b across it.
     'int vesica_ellipse_from_angle_f32(float, float, float, float, float, void *)',
     # Ellipse from centre, radius vector and ratio: one half axis is (wx, wy), the other is ratio times perp(wx, wy).

@@ -851,10 +851,14 @@ extern "C" {
     /// is the mean of the corners. The axis is a unit vector along the edge from corner 0 to corner 1, and hx belongs
     /// to that edge. Opposite edges are averaged; the longer pair gives the direction, and the shorter pair counts by
     /// its part across it. Two or four equal corners are legal: they give a segment, or a point with axis (1, 0).
+    /// vesica_rect_corners_misfit_f64 says how far the corners are off.
     ///
     /// Returns: 0; the shape is valid.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_RANGE (a half extent overflows).
+    /// Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_ARGUMENT (opposite edges are more than 90 degrees apart, as
+    /// with corners in another order), VESICA_E_RANGE (a half extent overflows). Edges that are no longer along x and y
+    /// than 8 epsilon times the largest coordinate may be rounding, and are not an error. Epsilon is 2^-52, or 2^-23 in
+    /// float.
     ///
     /// Accuracy: half extents, and the axis times the longer one, are right to 8 units in the last place of the longer
     /// one; the centre is right to 1 unit in its own. Both errors may grow by 2^-98 times the largest coordinate. A
@@ -862,6 +866,21 @@ extern "C" {
     ///
     /// Since: 0.1.
     pub fn vesica_rect_from_corners_f64(corners: *const f64, out: *mut Rect<f64>) -> i32;
+    /// The largest distance from a given corner to the rectangle's corner that corresponds to it.
+    ///
+    /// The four corners may start at any corner of the rectangle and run in either sense: the least result of the eight
+    /// ways counts. So 0 means that they are exactly the rectangle's corners, in order round the outline. The rectangle
+    /// may come from vesica_rect_from_corners_f64, or be any other.
+    ///
+    /// Returns: 0; the shape is valid.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, errors of the rectangle as vesica_check_f64, VESICA_E_RANGE (the
+    /// result overflows).
+    ///
+    /// Accuracy: 3 units in the last place, plus 2^-96 times the largest coordinate of corners, centre and half axes.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_rect_corners_misfit_f64(corners: *const f64, r: *const Rect<f64>, misfit: *mut f64) -> i32;
     /// Ellipse from centre, angle and half lengths: a along the angle, b across it.
     ///
     /// Requires: the angle in radians, counter-clockwise from +x if y points up; a, b \>= 0.
@@ -1837,10 +1856,14 @@ extern "C" {
     /// is the mean of the corners. The axis is a unit vector along the edge from corner 0 to corner 1, and hx belongs
     /// to that edge. Opposite edges are averaged; the longer pair gives the direction, and the shorter pair counts by
     /// its part across it. Two or four equal corners are legal: they give a segment, or a point with axis (1, 0).
+    /// vesica_rect_corners_misfit_f32 says how far the corners are off.
     ///
     /// Returns: 0; the shape is valid.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_RANGE (a half extent overflows).
+    /// Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_ARGUMENT (opposite edges are more than 90 degrees apart, as
+    /// with corners in another order), VESICA_E_RANGE (a half extent overflows). Edges that are no longer along x and y
+    /// than 8 epsilon times the largest coordinate may be rounding, and are not an error. Epsilon is 2^-52, or 2^-23 in
+    /// float.
     ///
     /// Accuracy: half extents, and the axis times the longer one, are right to 8 units in the last place of the longer
     /// one; the centre is right to 1 unit in its own. Both errors may grow by 2^-98 times the largest coordinate. A
@@ -1848,6 +1871,21 @@ extern "C" {
     ///
     /// Since: 0.1.
     pub fn vesica_rect_from_corners_f32(corners: *const f32, out: *mut Rect<f32>) -> i32;
+    /// The largest distance from a given corner to the rectangle's corner that corresponds to it.
+    ///
+    /// The four corners may start at any corner of the rectangle and run in either sense: the least result of the eight
+    /// ways counts. So 0 means that they are exactly the rectangle's corners, in order round the outline. The rectangle
+    /// may come from vesica_rect_from_corners_f32, or be any other.
+    ///
+    /// Returns: 0; the shape is valid.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, errors of the rectangle as vesica_check_f32, VESICA_E_RANGE (the
+    /// result overflows).
+    ///
+    /// Accuracy: 3 units in the last place, plus 2^-96 times the largest coordinate of corners, centre and half axes.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_rect_corners_misfit_f32(corners: *const f32, r: *const Rect<f32>, misfit: *mut f32) -> i32;
     /// Ellipse from centre, angle and half lengths: a along the angle, b across it.
     ///
     /// Requires: the angle in radians, counter-clockwise from +x if y points up; a, b \>= 0.
@@ -3985,6 +4023,7 @@ pub unsafe trait Scalar: Copy + Default + PartialEq + PartialOrd + core::fmt::De
     unsafe fn aabb_from_corners(x0: Self, y0: Self, x1: Self, y1: Self, out: *mut Aabb<Self>) -> i32;
     unsafe fn rect_from_angle(cx: Self, cy: Self, angle: Self, width: Self, height: Self, out: *mut Rect<Self>) -> i32;
     unsafe fn rect_from_corners(corners: *const Self, out: *mut Rect<Self>) -> i32;
+    unsafe fn rect_corners_misfit(corners: *const Self, r: *const Rect<Self>, misfit: *mut Self) -> i32;
     unsafe fn ellipse_from_angle(cx: Self, cy: Self, angle: Self, a: Self, b: Self, out: *mut Ellipse<Self>) -> i32;
     unsafe fn ellipse_from_radius_vector(cx: Self, cy: Self, wx: Self, wy: Self, ratio: Self,
         out: *mut Ellipse<Self>) -> i32;
@@ -4239,6 +4278,10 @@ unsafe impl Scalar for f64 {
     #[inline]
     unsafe fn rect_from_corners(corners: *const f64, out: *mut Rect<f64>) -> i32 {
         vesica_rect_from_corners_f64(corners, out)
+    }
+    #[inline]
+    unsafe fn rect_corners_misfit(corners: *const f64, r: *const Rect<f64>, misfit: *mut f64) -> i32 {
+        vesica_rect_corners_misfit_f64(corners, r, misfit)
     }
     #[inline]
     unsafe fn ellipse_from_angle(cx: f64, cy: f64, angle: f64, a: f64, b: f64, out: *mut Ellipse<f64>) -> i32 {
@@ -4686,6 +4729,10 @@ unsafe impl Scalar for f32 {
     #[inline]
     unsafe fn rect_from_corners(corners: *const f32, out: *mut Rect<f32>) -> i32 {
         vesica_rect_from_corners_f32(corners, out)
+    }
+    #[inline]
+    unsafe fn rect_corners_misfit(corners: *const f32, r: *const Rect<f32>, misfit: *mut f32) -> i32 {
+        vesica_rect_corners_misfit_f32(corners, r, misfit)
     }
     #[inline]
     unsafe fn ellipse_from_angle(cx: f32, cy: f32, angle: f32, a: f32, b: f32, out: *mut Ellipse<f32>) -> i32 {
