@@ -133,6 +133,18 @@ void constructed(const char* name, Call call, const std::vector<T>& numbers) {
 }
 
 template <class T>
+void misfit(const std::vector<T>& corners, const Array<T>& rect) {
+  const std::vector<T>& n = rect.numbers;
+  const typename Structs<T>::Rect r{n[0], n[1], n[2], n[3], n[4], n[5]};
+  T out{};
+  begin<T>("rect_corners_misfit"), numbers_argument(corners), argument(rect);
+  const int code = call::rect_corners_misfit(T{}, corners.data(), &r, &out);
+  result(code);
+  if (code >= 0) values(std::vector<T>{out});
+  end();
+}
+
+template <class T>
 void constructors() {
   using Rect = typename Structs<T>::Rect;
   using Ellipse = typename Structs<T>::Ellipse;
@@ -162,6 +174,9 @@ void constructors() {
   constructed<T, Rect>("rect_from_angle", rect, {1, 2, T(0.3), -4, 3});
   constructed<T, Rect>("rect_from_corners", corners, {0, 0, 4, 3, 2.5, 5, -1.5, 2});
   constructed<T, Rect>("rect_from_corners", corners, {0, 0, 4, nan, 2.5, 5, -1.5, 2});
+  constructed<T, Rect>("rect_from_corners", corners, {0, 0, 4, 0, 0, 2, 4, 2});
+  misfit<T>({0, 0, 4, 0, 5, 1, 1, 1}, {VESICA_RECT, {2.5, 0.5, 1, 0, 2, 0.5}});
+  misfit<T>({0, 0, 4, 0, 5, 1, 1, 1}, {VESICA_RECT, {2.5, 0.5, 1, 0, 2, -0.5}});
   constructed<T, Ellipse>("ellipse_from_angle", ellipse, {1, 2, T(-0.75), 4, 3});
   constructed<T, Ellipse>("ellipse_from_angle", ellipse, {1, nan, T(-0.75), 4, 3});
   constructed<T, Ellipse>("ellipse_from_radius_vector", vector, {1, 2, 3, 4, 0.5});

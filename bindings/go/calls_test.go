@@ -177,6 +177,10 @@ func constructed[T Float](function string, arguments []string) outcome {
 		return rect(RectFromAngle(n[0], n[1], n[2], n[3], n[4]))
 	case "rect_from_corners":
 		return rect(RectFromCorners(*(*[8]T)(n)))
+	case "rect_corners_misfit":
+		r := numbers[T](arguments[1])
+		misfit, err := RectCornersMisfit(*(*[8]T)(n), Rect[T]{r[0], r[1], r[2], r[3], r[4], r[5]})
+		return whole(0, err, float64(misfit))
 	case "ellipse_from_angle":
 		return ellipse(EllipseFromAngle(n[0], n[1], n[2], n[3], n[4]))
 	case "ellipse_from_radius_vector":
@@ -505,7 +509,7 @@ func answer[T Float](function string, arguments []string) outcome {
 		return ofTopology[T](function, arguments)
 	case function == "suppress":
 		return suppressed[T](arguments)
-	case strings.Contains(function, "_from_"):
+	case strings.Contains(function, "_from_") || function == "rect_corners_misfit":
 		return constructed[T](function, arguments)
 	case function == "index_nearest":
 		return ofIndexes[T](function, arguments[:2], arguments[2:])

@@ -15,10 +15,17 @@ func RectFromAngle[T Float](cx, cy, angle, width, height T) (out Rect[T], err er
 	return out, status(code)
 }
 
-// RectFromCorners is a rectangle from its four corners x0 y0 ... x3 y3, in order round the outline.
+// RectFromCorners is a rectangle from its four corners x0 y0 ... x3 y3, in order round the outline. Crossed corners are
+// ErrArgument; RectCornersMisfit says how far the corners are off.
 func RectFromCorners[T Float](corners [8]T) (out Rect[T], err error) {
 	code := cRectFromCorners(isWide[T](), address(&corners), address(&out))
 	return out, status(code)
+}
+
+// RectCornersMisfit is the largest distance from a given corner to the rectangle's corner that corresponds to it.
+func RectCornersMisfit[T Float](corners [8]T, r Rect[T]) (misfit T, err error) {
+	code := cRectCornersMisfit(isWide[T](), address(&corners), address(&r), address(&misfit))
+	return misfit, status(code)
 }
 
 // EllipseFromAngle is an ellipse from centre, angle in radians, and half lengths: a along the angle, b across it.

@@ -192,13 +192,25 @@ namespace Vesica
             return made;
         }
 
-        /// <summary>Rectangle from its four corners x0 y0 ... x3 y3, in order round the outline.</summary>
+        /// <summary>Rectangle from its four corners x0 y0 ... x3 y3, in order round the outline. Crossed corners are
+        /// refused.</summary>
         public static Rect RectFromCorners(params double[] corners)
         {
             if (corners == null || corners.Length != 8) throw new ArgumentException("four corners have 8 numbers");
             Rect made;
             fixed (double* numbers = corners) Native.Checked(Native.vesica_rect_from_corners_f64(numbers, &made));
             return made;
+        }
+
+        /// <summary>The largest distance from a given corner to the rectangle's corner that corresponds to
+        /// it.</summary>
+        public static double RectCornersMisfit(double[] corners, Rect rect)
+        {
+            if (corners == null || corners.Length != 8) throw new ArgumentException("four corners have 8 numbers");
+            double misfit;
+            fixed (double* numbers = corners)
+                Native.Checked(Native.vesica_rect_corners_misfit_f64(numbers, &rect, &misfit));
+            return misfit;
         }
 
         /// <summary>Ellipse from centre, angle in radians, and half lengths: a along the angle, b across.</summary>

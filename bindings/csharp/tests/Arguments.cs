@@ -66,6 +66,7 @@ internal static unsafe class Arguments
             Measures.Suppress(Three, new double[3], new Suppression(0.5) { Labels = new int[1] }));
         Refused<ArgumentException>("3 shapes need as many scores, not 1", () => Query.Nms(Three, new double[1], 0.5));
         Refused<ArgumentException>("four corners have 8 numbers", () => Make.RectFromCorners(1, 2));
+        Refused<ArgumentException>("four corners have 8 numbers", () => Make.RectCornersMisfit(null, new Rect()));
         Refused<ArgumentException>("1 to 64 arrays", () => new ShapeIndex());
         Refused<VesicaException>("index", () => ShapeIndex.FromBytes(new byte[640], Three));
         var index = new ShapeIndex(Three);

@@ -133,6 +133,21 @@ internal sealed unsafe class Calls
         return 0;
     }
 
+    private long Misfit()
+    {
+        double[] corners = Numbers(arguments[0]), r = Numbers(arguments[1]);
+        if (wide)
+        {
+            values = new[] { Make.RectCornersMisfit(corners, new Rect(r[0], r[1], r[2], r[3], r[4], r[5])) };
+            return 0;
+        }
+        float misfit;
+        fixed (float* numbers = Narrow(corners), rect = Narrow(r))
+            Native.Checked(Native.vesica_rect_corners_misfit_f32(numbers, rect, &misfit));
+        values = new double[] { misfit };
+        return 0;
+    }
+
     private long Constructed()
     {
         double[] n = Numbers(arguments[0]);
@@ -582,6 +597,7 @@ internal sealed unsafe class Calls
         if (function == "suppress") return Chosen();
         if (function.StartsWith("within") || Topologies.Contains(function)) return OfTopology();
         if (function.Contains("_from_")) return Constructed();
+        if (function == "rect_corners_misfit") return Misfit();
         if (function == "nms") return Suppression();
         if (function == "overlap_select")
             return Items(Query.OverlapSelect(Single(arguments[0]), ShapesOf(arguments[1])));

@@ -88,6 +88,17 @@ function inC(name, scalar, args) {
   });
 }
 
+function misfit(scalar, args) {
+  const Numbers = scalar === 'f64' ? Float64Array : Float32Array;
+  return vesica.inRoom((room) => {
+    const given = args.map(numbersOf), [corners, rect, out] = [64, 48, 8].map((size) => room.take(size));
+    new Numbers(vesica.c.memory.buffer, corners, 8).set(given[0]);
+    new Numbers(vesica.c.memory.buffer, rect, 6).set(given[1]);
+    const code = vesica.check(vesica.c[`vesica_rect_corners_misfit_${scalar}`](corners, rect, out));
+    return [code, Array.from(new Numbers(vesica.c.memory.buffer, out, 1))];
+  });
+}
+
 function constructed(name, scalar, [text]) {
   const Numbers = scalar === 'f64' ? Float64Array : Float32Array;
   return vesica.inRoom((room) => {
@@ -256,6 +267,7 @@ function answer(name, scalar, args) {
   if (/^within|^de9im|^intersection$|^join_within$|_soft$/.test(name)) return ofTopology(name, scalar, args);
   if (name === 'suppress') return suppressed(scalar, args);
   if (name.includes('_from_')) return constructed(name, scalar, args);
+  if (name === 'rect_corners_misfit') return misfit(scalar, args);
   if (name.startsWith('index_') || name.startsWith('join')) return ofIndexes(name, scalar, args);
   if (name === 'nms') {
     return [0, vesica.nms(arrayOf(scalar)(args[0]), numbersOf(args[1]), numbersOf(args[2])[0])];

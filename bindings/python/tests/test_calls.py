@@ -68,6 +68,9 @@ class Call:
             return 0, self.suppressed()
         if "_from_" in name:
             return self.constructed()
+        if name == "rect_corners_misfit":
+            corners = numpy.array(self.numbers(0), self.dtype).reshape(4, 2)
+            return 0, [vesica.rect_corners_misfit(corners, self.single(1))]
         if name.startswith(("index_", "join")):
             return self.of_indexes()
         if name == "nms":

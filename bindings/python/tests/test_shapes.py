@@ -196,6 +196,21 @@ class Constructors(unittest.TestCase):
             vesica.rects_from_corners([0] * 8)
         with self.assertRaisesRegex(vesica.VesicaError, "rect 1"):
             vesica.rects_from_corners([corners, [[math.nan, 0]] * 4])
+        rows_of_a_table = [[0, 0], [2, 0], [0, 1], [2, 1]]
+        with self.assertRaisesRegex(vesica.VesicaError, "rect 1: corners are crossed") as caught:
+            vesica.rects_from_corners([corners, rows_of_a_table])
+        self.assertEqual(caught.exception.code, vesica._declarations.E_ARGUMENT)
+
+    def test_misfit_of_corners(self):
+        skewed = [[0, 0], [4, 0], [5, 1], [1, 1]]
+        rect = vesica.rects_from_corners(skewed)
+        misfit = vesica.rect_corners_misfit(skewed, rect)
+        self.assertEqual((type(misfit), misfit), (float, 0.5))
+        square = [[-1, -1], [1, -1], [1, 1], [-1, 1]]
+        both = vesica.rects_from_corners(numpy.array([skewed, square], "f4"))
+        misfits = vesica.rect_corners_misfit(numpy.array([skewed, square], "f4"), both)
+        self.assertEqual((misfits.dtype, misfits.tolist()), (numpy.float32, [0.5, 0]))
+        self.assertEqual(vesica.rect_corners_misfit([], both.astype("f8")[:0]).tolist(), [])
 
     def test_covariance(self):
         ellipse = vesica.ellipses_from_covariance([1, 2], [[9, 0], [0, 4]], 2)
@@ -228,6 +243,17 @@ class Refused(unittest.TestCase):
     def refused(self, error, words, call, *arguments, **named):
         with self.assertRaisesRegex(error, words):
             call(*arguments, **named)
+
+    def test_misfit_of_corners(self):
+        square, rect = [[-1, -1], [1, -1], [1, 1], [-1, 1]], vesica.rects([0, 0, 2, 2, 0])
+        of = vesica.rect_corners_misfit
+        self.refused(TypeError, "corners are float64 and rect float32", of, square, rect.astype("f4"))
+        self.refused(ValueError, "corners are of 2 rectangles, and rect has 1", of, [square] * 2, rect)
+        self.refused(ValueError, r"\(n, 4, 2\)", of, [0] * 8, rect)
+        self.refused(TypeError, "say which shapes", of, square, square)
+        self.refused(vesica.VesicaError, "circle shapes, not rectangles", of, square, vesica.circles([0, 0, 1]))
+        negative = vesica.shapes(Kind.RECT, [0, 0, 1, 0, 1, -1])
+        self.refused(vesica.VesicaError, "rect 0: .*negative", of, square, negative)
 
     def test_arrays(self):
         self.refused(ValueError, "6 numbers each .cx cy ux uy hx hy.*not .7,", vesica.shapes, Kind.RECT, [1] * 7)

@@ -68,6 +68,7 @@ from .shapes import (
     ellipses_from_covariance,
     ellipses_in_boxes,
     points,
+    rect_corners_misfit,
     rects,
     rects_from_corners,
     segments,

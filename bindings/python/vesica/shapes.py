@@ -31,7 +31,7 @@ FIELDS = {
 }
 _VIEWS = {"d": _declarations.shapes_f64, "f": _declarations.shapes_f32}
 _CHECK = by_scalar("check")
-_RECT_FROM_CORNERS = by_scalar("rect_from_corners")
+_RECT_FROM_CORNERS, _CORNERS_MISFIT = by_scalar("rect_from_corners"), by_scalar("rect_corners_misfit")
 _ELLIPSE_FROM_COVARIANCE = by_scalar("ellipse_from_covariance")
 _RECTS_FROM_BOXES, _ELLIPSES_FROM_BOXES = by_scalar("rects_from_boxes"), by_scalar("ellipses_from_boxes")
 _BOXES_FROM_SHAPES = by_scalar("boxes_from_shapes")
@@ -378,15 +378,43 @@ def _from_boxes(kind, functions, rows, single, unit, half_sizes=None):
 def rects_from_corners(corners):
     """Rectangles from (n, 4, 2) or (4, 2): four corners in order round the outline, in either sense.
 
-    Corners that are not exactly a rectangle's give one near them. Costs about 2 us each.
+    Corners that are not exactly a rectangle's give one near them: `rect_corners_misfit` says how near. Crossed corners,
+    as in the order of a table's rows, are a VesicaError. Costs about 2 us each.
     """
+    rows, single = _corner_rows(corners)
+    return _constructed(Kind.RECT, rows.dtype, single, len(rows), lambda i: (rows[i].ctypes.data,))
+
+
+def rect_corners_misfit(corners, rect):
+    """How far corners (n, 4, 2) or (4, 2) are off those of rectangles: an array, or a float for a single rectangle.
+
+    It is the largest distance from a given corner to the rectangle's corner that corresponds to it. The corners may
+    start at any corner of the rectangle and run in either sense. Costs about 2 us each.
+    """
+    rows, _ = _corner_rows(corners)
+    if the_shapes(rect, "rect").kind != Kind.RECT:
+        raise VesicaError(_declarations.E_KIND, f"rect holds {rect.kind.name.lower()} shapes, not rectangles")
+    if rows.dtype != rect.dtype:
+        raise TypeError(f"corners are {rows.dtype} and rect {rect.dtype}: both are float64, or both float32")
+    rects_of_rows = numpy.ascontiguousarray(rect.numbers.reshape(-1, 6))
+    if len(rows) != len(rects_of_rows):
+        raise ValueError(f"corners are of {len(rows)} rectangles, and rect has {len(rects_of_rows)}")
+    out, function = numpy.empty(len(rows), rows.dtype), _CORNERS_MISFIT[rect.letter]
+    for i in range(len(rows)):
+        code = function(rows[i].ctypes.data, rects_of_rows[i].ctypes.data, out[i:].ctypes.data)
+        if code < 0:
+            raise VesicaError(code, f"rect {i}: {VesicaError(code)}")
+    return out[0].item() if rect.single else out
+
+
+def _corner_rows(corners):
+    """Four corners each as rows of 8 numbers, and whether they are of a single rectangle."""
     corners = _floats(corners)
     if corners.shape == (0,):
         corners = corners.reshape(0, 4, 2)
     if corners.shape[-2:] != (4, 2) or corners.ndim > 3:
         raise ValueError(f"corners have the shape (n, 4, 2) or (4, 2), not {corners.shape}")
-    rows = numpy.ascontiguousarray(corners.reshape(-1, 8))
-    return _constructed(Kind.RECT, rows.dtype, corners.ndim == 2, len(rows), lambda i: (rows[i].ctypes.data,))
+    return numpy.ascontiguousarray(corners.reshape(-1, 8)), corners.ndim == 2
 
 
 def ellipses_from_covariance(means, covariances, k=1.0):
@@ -422,8 +450,9 @@ def _constructed(kind, dtype, single, count, arguments):
     for i in range(count):
         code = function(*arguments(i), numbers[i].ctypes.data)
         if code < 0:
-            error = VesicaError(code)
-            raise VesicaError(code, f"{kind.name.lower()} {i}: {error}")
+            crossed = kind == Kind.RECT and code == _declarations.E_ARGUMENT
+            why = "corners are crossed, not in order round the outline" if crossed else VesicaError(code)
+            raise VesicaError(code, f"{kind.name.lower()} {i}: {why}")
     return shapes(kind, numbers[0] if single else numbers)
 
 

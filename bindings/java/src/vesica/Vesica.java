@@ -125,12 +125,20 @@ public final class Vesica {
     return Rect.of(out);
   }
 
-  /** Rectangle from its four corners x0 y0 ... x3 y3, in order round the outline. */
+  /** Rectangle from its four corners x0 y0 ... x3 y3, in order round the outline; crossed corners are refused. */
   public static Rect rectFromCorners(double... corners) {
     if (corners.length != 8) throw new IllegalArgumentException("four corners have 8 numbers, not " + corners.length);
     double[] out = new double[6];
     checked(Native.rectFromCornersF64(corners, out));
     return Rect.of(out);
+  }
+
+  /** The largest distance from a given corner to the rectangle's corner that corresponds to it. */
+  public static double rectCornersMisfit(double[] corners, Rect rect) {
+    if (corners.length != 8) throw new IllegalArgumentException("four corners have 8 numbers, not " + corners.length);
+    double[] out = new double[1];
+    checked(Native.rectCornersMisfitF64(corners, rect.numbers(), out));
+    return out[0];
   }
 
   /** Ellipse from centre, angle in radians, and half lengths: a along the angle, b across it. */

@@ -215,6 +215,14 @@ final class Calls {
     return code;
   }
 
+  private long misfit() {
+    double[] corners = numbers(arguments[0]);
+    if (wide) return gives(Vesica.rectCornersMisfit(corners, (Rect) single(1)));
+    float[] out = {0};
+    return VesicaException.checked(
+        gives(Native.rectCornersMisfitF32(narrow(corners), narrow(numbers(arguments[1])), out), out));
+  }
+
   private long constructor() {
     double[] n = numbers(arguments[0]);
     if (!wide) {
@@ -562,6 +570,7 @@ final class Calls {
     if (function.equals("suppress")) return chosen();
     if (function.startsWith("within") || TOPOLOGY.contains(function)) return ofTopology();
     if (function.contains("_from_")) return constructor();
+    if (function.equals("rect_corners_misfit")) return misfit();
     if (function.equals("nms")) return suppression();
     if (function.startsWith("index_") || function.startsWith("join")) return ofIndexes();
     if (function.endsWith("_many") || function.endsWith("_matrix") || function.endsWith("_select")) return ofArrays();

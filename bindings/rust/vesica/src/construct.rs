@@ -27,7 +27,13 @@ constructors! {
     ellipse_from_matrix(cx, cy, mxx, mxy, myy) -> Ellipse: ellipse_from_matrix;
 }
 
-/// Rectangle from its four corners x0 y0 ... x3 y3, in order round the outline.
+/// Rectangle from its four corners x0 y0 ... x3 y3, in order round the outline. Crossed corners are
+/// [`Error::Argument`]; [`rect_corners_misfit`] says how far the corners are off.
 pub fn rect_from_corners<T: Scalar>(corners: &[T; 8]) -> Result<Rect<T>, Error> {
     filled(Rect::default(), |out| unsafe { T::rect_from_corners(corners.as_ptr(), out) })
+}
+
+/// The largest distance from a given corner to the rectangle's corner that corresponds to it.
+pub fn rect_corners_misfit<T: Scalar>(corners: &[T; 8], rect: &Rect<T>) -> Result<T, Error> {
+    filled(T::default(), |out| unsafe { T::rect_corners_misfit(corners.as_ptr(), rect, out) })
 }

@@ -354,6 +354,11 @@ fn constructor<T: Number>(call: &Call) -> Option<Outcome> {
         "aabb_from_corners" => aabb(n[0], n[1], n[2], n[3]).map(|shape| made(&shape)),
         "rect_from_angle" => rect(n[0], n[1], n[2], n[3], n[4]).map(|shape| made(&shape)),
         "rect_from_corners" => rect_from_corners(n[..].try_into().unwrap()).map(|shape| made(&shape)),
+        "rect_corners_misfit" => {
+            let r = numbers::<T>(call.arguments[1]);
+            let rect = Rect { cx: r[0], cy: r[1], ux: r[2], uy: r[3], hx: r[4], hy: r[5] };
+            rect_corners_misfit(n[..].try_into().unwrap(), &rect).map(|misfit| (0, values(&[misfit])))
+        }
         "ellipse_from_angle" => ellipse(n[0], n[1], n[2], n[3], n[4]).map(|shape| made(&shape)),
         "ellipse_from_radius_vector" => {
             ellipse_from_radius_vector(n[0], n[1], n[2], n[3], n[4]).map(|shape| made(&shape))
@@ -488,7 +493,7 @@ fn answer<T: Number>(call: &Call) -> Outcome {
     if call.function == "suppress" {
         return suppressed::<T>(call);
     }
-    if call.function.contains("_from_") {
+    if call.function.contains("_from_") || call.function == "rect_corners_misfit" {
         return constructor::<T>(call).unwrap();
     }
     if call.function == "nms" {
