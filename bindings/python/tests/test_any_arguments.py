@@ -73,7 +73,8 @@ FITTING = {
     "xyr": lambda draw: rows(draw, 3),
     "xyxy": lambda draw: rows(draw, 4),
     "ends": lambda draw: rows(draw, 4),
-    "corners": lambda draw: numpy.array(rows(draw, 8)).reshape(2, 4, 2),
+    "corners": lambda draw: vesica.corners(vesica.rects(rows(draw, 5))),
+    "rect": lambda draw: vesica.rects(rows(draw, 5)),
     "means": lambda draw: rows(draw, 2),
     "covariances": lambda draw: numpy.array([numpy.eye(2), numpy.diag([4, 1])]),
 }
