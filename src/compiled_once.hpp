@@ -18,7 +18,6 @@
   keyword std::int32_t detail::decide_undecided(const A<double>&, const B<double>&) noexcept;
 #define VESICA_EXACT_STAGE(keyword, A, B)                                                             \
   keyword std::int32_t detail::decide_relation(const A<double>&, const B<double>&) noexcept;          \
-  keyword std::int32_t detail::decide_containment(const A<double>&, const B<double>&, bool) noexcept; \
   keyword std::int32_t detail::depth::undecided_overlap(const A<double>&, const B<double>&) noexcept; \
   keyword bool detail::depth::has_no_depth_exactly(const A<double>&, const B<double>&) noexcept;
 

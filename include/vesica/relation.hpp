@@ -77,31 +77,6 @@ VESICA_COLD constexpr std::int32_t decide_relation(const A<float>& a, const B<fl
   return decide_relation(widen(a), widen(b));
 }
 
-/// True if a contains all of b, or the other way round. For pairs as above.
-template <class A, class B>
-VESICA_COLD constexpr std::int32_t decide_containment(const A& a, const B& b, bool other_way) noexcept {
-  if (check(a) != 0 || check(b) != 0) return error_shape;
-  if constexpr ((is_compared<A> && is_compared<B>) || is_told_by_overlap<A, B>) {
-    const auto relation = static_cast<Relation>(decide_relation(a, b));
-    return (other_way ? converse(relation) : relation) >= Relation::contains ? 1 : 0;
-  } else {
-    const auto form_a = exact::relation_form(a);
-    const auto form_b = exact::relation_form(b);
-    return (other_way ? exact::within(form_a, form_b) : exact::within(form_b, form_a)) ? 1 : 0;
-  }
-}
-template <class A, form::Inflated B>
-VESICA_COLD constexpr std::int32_t decide_containment(const A& a, const B& b, bool other_way) noexcept {
-  if (check(a) != 0 || check(b) != 0) return error_shape;
-  const auto form_a = exact::inflated_box(a), form_b = exact::inflated_box(b);
-  return (other_way ? exact::within(form_a, form_b) : exact::within(form_b, form_a)) ? 1 : 0;
-}
-
-template <template <class> class A, template <class> class B>
-VESICA_COLD constexpr std::int32_t decide_containment(const A<float>& a, const B<float>& b, bool other_way) noexcept {
-  return decide_containment(widen(a), widen(b), other_way);
-}
-
 /// The facts that the pair's filter is certain of about a and b, of kinds in either order.
 template <class A, class B>
 VESICA_INLINE constexpr auto certain_facts(const A& a, const B& b) noexcept {
@@ -160,21 +135,8 @@ VESICA_INLINE constexpr Relation relation(const A<T>& a, const B<T>& b) noexcept
 /// The checked form: 1 when a contains all of b, 0 when not, error_shape when either is invalid.
 template <template <class> class A, template <class> class B, class T>
 VESICA_INLINE constexpr std::int32_t contains_or_error(const A<T>& a, const B<T>& b) noexcept {
-  if constexpr (detail::are_points<A<T>, B<T>>) {
-    return overlap_or_error(a, b);
-  } else {
-    if (!std::is_constant_evaluated()) {
-      const auto certain = filter::certain_containment(detail::certain_facts(a, b));
-      const std::int32_t answer = 2 * std::int32_t{certain.overlap} + std::int32_t{certain.disjoint} - 1;
-      if (answer >= 0) [[likely]]
-        return answer;
-    }
-    if constexpr (detail::in_order<A<T>, B<T>>) {
-      return detail::decide_containment(a, b, false);
-    } else {
-      return detail::decide_containment(b, a, true);
-    }
-  }
+  const std::int32_t relation = relation_or_error(a, b);
+  return relation < 0 ? relation : std::int32_t{relation >= static_cast<std::int32_t>(Relation::contains)};
 }
 
 /// True if a contains all of b, shapes of any kinds. For valid shapes: an invalid one contains nothing and is contained

@@ -28,11 +28,7 @@ struct RelationOfPair {
   static constexpr bool answers = answers_relation<A, B>;
   template <class A, class B>
   VESICA_INLINE static std::int32_t answer(const A& a, const B& b) noexcept {
-    return relation_or_error(a, b);
-  }
-  template <template <class> class A, template <class> class B>
-  VESICA_INLINE static std::int32_t answer(const A<double>& a, const B<double>& b) noexcept {
-    return detail::called_relation(a, b);
+    return detail::called_relation(widen(a), widen(b));
   }
 };
 
@@ -42,7 +38,8 @@ struct ContainsPair {
   static constexpr bool answers = answers_relation<A, B>;
   template <class A, class B>
   VESICA_INLINE static std::int32_t answer(const A& a, const B& b) noexcept {
-    return contains_or_error(a, b);
+    const std::int32_t relation = detail::called_relation(widen(a), widen(b));
+    return relation < 0 ? relation : relation >= static_cast<std::int32_t>(Relation::contains);
   }
 };
 

@@ -74,13 +74,11 @@ bool is_right(const filter::CertainFacts<bool>& s, Relation r) {
   if (s.crossing && (r == Relation::disjoint || r == Relation::touch)) return false;
   if (s.inside && r != Relation::inside) return false;
   if (s.contains && r != Relation::contains) return false;
-  if (s.neither && (inside || contains || equal)) return false;
-  if (s.not_inside && (inside || equal)) return false;
-  return !(s.not_contains && (contains || equal));
+  return !(s.neither && (inside || contains || equal));
 }
 
 bool says_nothing(const filter::CertainFacts<bool>& s) {
-  return !s.disjoint && !s.crossing && !s.inside && !s.contains && !s.neither && !s.not_inside && !s.not_contains;
+  return !s.disjoint && !s.crossing && !s.inside && !s.contains && !s.neither;
 }
 
 bool decides(const filter::CertainFacts<bool>& s) {

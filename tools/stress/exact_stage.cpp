@@ -57,10 +57,4 @@ std::int32_t exact_relation(const Pair& p) {
   });
 }
 
-std::int32_t exact_contains(const Pair& p) {
-  return with_pair(p, [](const auto& a, const auto& b) {
-    return vesica::exact::within(vesica::exact::relation_form(b), vesica::exact::relation_form(a));
-  });
-}
-
 }  // namespace stress

@@ -11,6 +11,5 @@ namespace stress {
 /// The answers for valid shapes, as the C functions return them.
 std::int32_t exact_overlap(const Pair& pair);
 std::int32_t exact_relation(const Pair& pair);
-std::int32_t exact_contains(const Pair& pair);
 
 }  // namespace stress

@@ -17,7 +17,8 @@ bool contains_by(std::int32_t relation) { return relation >= VESICA_CONTAINS; }
 
 std::int32_t by_exact_stage(Query query, const Pair& p) {
   if (query == Query::overlap) return exact_overlap(p);
-  return query == Query::relation ? exact_relation(p) : exact_contains(p);
+  const std::int32_t relation = exact_relation(p);
+  return query == Query::relation ? relation : contains_by(relation);
 }
 
 std::int32_t by_oracle(Query query, const Pair& p) {

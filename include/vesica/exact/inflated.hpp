@@ -66,12 +66,6 @@ constexpr int clearance(const InflatedBox& a, const InflatedBox& b) noexcept {
   return -detail::compare_farthest_corner(a.core, b.core, b.radius - a.radius);
 }
 
-/// True if b contains all of a.
-constexpr bool within(const InflatedBox& a, const InflatedBox& b) noexcept {
-  if (a.radius.sign == 0 && b.radius.sign == 0) return within(a.core, b.core);
-  return clearance(a, b) >= 0;
-}
-
 constexpr Relation relate(const InflatedBox& a, const InflatedBox& b) noexcept {
   if (a.radius.sign == 0 && b.radius.sign == 0) return relate(a.core, b.core);
   const auto radii = a.radius + b.radius;

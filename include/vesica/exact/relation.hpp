@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Relation and containment of the exact forms, and of discs by the lower degrees they allow.
+/// Relations of the exact forms, and of discs by the lower degrees they allow.
 #pragma once
 
 #include <vesica/exact/disc.hpp>
@@ -82,24 +82,5 @@ constexpr Relation relate(const Circle<double>& a, const Circle<double>& b) noex
 
 constexpr Relation relate(const Circle<double>& a, const Ellipse& b) noexcept { return relate(form(a), b); }
 constexpr Relation relate(const Ellipse& a, const Circle<double>& b) noexcept { return relate(a, form(b)); }
-
-/// True if b contains all of a.
-constexpr bool within(const Box& a, const Box& b) noexcept { return clearance(a, b) >= 0; }
-
-template <class Round>
-constexpr bool within(const Box& a, const Round& b) noexcept {
-  return degenerate(b) ? within(a, as_box(b)) : clearance(a, b) >= 0;
-}
-
-template <class Round>
-constexpr bool within(const Round& a, const Box& b) noexcept {
-  return degenerate(a) ? within(as_box(a), b) : clearance(a, b) >= 0;
-}
-
-template <class RoundA, class RoundB>
-constexpr bool within(const RoundA& a, const RoundB& b) noexcept {
-  const Relation r = relate(a, b);
-  return r == Relation::inside || r == Relation::inside_touch || r == Relation::equal;
-}
 
 }  // namespace vesica::exact

@@ -10,41 +10,32 @@ namespace vesica::filter {
 template <class Mask>
 struct CertainFacts {
   Mask disjoint;
-  Mask crossing;      ///< the insides meet; whether one shape contains the other is for the rest to say
-  Mask inside;        ///< b contains a, and a stays clear of b's outline
-  Mask contains;      ///< a contains b, and b stays clear of a's outline
-  Mask neither;       ///< neither contains the other
-  Mask not_inside;    ///< b does not contain a
-  Mask not_contains;  ///< a does not contain b
+  Mask crossing;  ///< the insides meet; whether one shape contains the other is for the rest to say
+  Mask inside;    ///< b contains a, and a stays clear of b's outline
+  Mask contains;  ///< a contains b, and b stays clear of a's outline
+  Mask neither;   ///< neither contains the other
 
   /// The facts with a and b exchanged.
-  constexpr CertainFacts exchanged() const noexcept {
-    return {disjoint, crossing, contains, inside, neither, not_contains, not_inside};
-  }
+  constexpr CertainFacts exchanged() const noexcept { return {disjoint, crossing, contains, inside, neither}; }
 };
 
 /// The facts about shapes that are known to be disjoint.
-VESICA_INLINE constexpr CertainFacts<bool> apart() noexcept { return {true, false, false, false, true, true, true}; }
+VESICA_INLINE constexpr CertainFacts<bool> apart() noexcept { return {true, false, false, false, true}; }
 
 /// Nothing outside the guard.
 template <class Mask>
 VESICA_INLINE constexpr CertainFacts<Mask> guarded(Mask guard, const CertainFacts<Mask>& s) noexcept {
-  return {both(guard, s.disjoint), both(guard, s.crossing),   both(guard, s.inside),      both(guard, s.contains),
-          both(guard, s.neither),  both(guard, s.not_inside), both(guard, s.not_contains)};
+  return {both(guard, s.disjoint), both(guard, s.crossing), both(guard, s.inside), both(guard, s.contains),
+          both(guard, s.neither)};
 }
 
 /// The facts from three estimates: the gap between a and b, how far a reaches out of b, and b out of a.
 template <class V>
 VESICA_INLINE constexpr auto certain_facts(const Estimate<V>& gap, const Estimate<V>& a_out_of_b,
                                            const Estimate<V>& b_out_of_a) noexcept {
-  const auto not_inside = certainly_positive(a_out_of_b), not_contains = certainly_positive(b_out_of_a);
-  return CertainFacts<decltype(gap.value > gap.error)>{certainly_positive(gap),
-                                                       certainly_negative(gap),
-                                                       certainly_negative(a_out_of_b),
-                                                       certainly_negative(b_out_of_a),
-                                                       both(not_inside, not_contains),
-                                                       not_inside,
-                                                       not_contains};
+  return CertainFacts<decltype(gap.value > gap.error)>{
+      certainly_positive(gap), certainly_negative(gap), certainly_negative(a_out_of_b), certainly_negative(b_out_of_a),
+      both(certainly_positive(a_out_of_b), certainly_positive(b_out_of_a))};
 }
 
 /// The facts if only one known shape of the two can contain the other: `nested` and `neither` say whether it does.
@@ -52,7 +43,7 @@ template <class Mask>
 VESICA_INLINE constexpr CertainFacts<Mask> certain_facts(const Verdict<Mask>& v, Mask nested, Mask neither,
                                                          Mask first_greater) noexcept {
   const Mask inside = and_not(nested, first_greater), contains = both(nested, first_greater);
-  return {v.disjoint, v.overlap, inside, contains, neither, either(neither, contains), either(neither, inside)};
+  return {v.disjoint, v.overlap, inside, contains, neither};
 }
 
 template <class Mask>
@@ -64,8 +55,8 @@ VESICA_INLINE constexpr CertainFacts<Mask> certain_facts(const DecidedVerdict<Ma
 /// The facts about a point, first, and a solid shape, which the point never contains.
 template <class Mask>
 VESICA_INLINE constexpr CertainFacts<Mask> of_point(const Verdict<Mask>& v) noexcept {
-  const Mask never = both(v.overlap, v.disjoint), certain = either(v.overlap, v.disjoint);
-  return {v.disjoint, v.overlap, v.overlap, never, v.disjoint, v.disjoint, certain};
+  const Mask never = both(v.overlap, v.disjoint);
+  return {v.disjoint, v.overlap, v.overlap, never, v.disjoint};
 }
 
 template <class Mask>
@@ -82,12 +73,6 @@ struct CertainRelation {
 template <class Mask>
 VESICA_INLINE constexpr CertainRelation<Mask> certain_relation(const CertainFacts<Mask>& s) noexcept {
   return {s.disjoint, both(s.crossing, s.neither), s.inside, s.contains};
-}
-
-/// Containment of b in a: `overlap` if a certainly contains b, `disjoint` if it certainly does not.
-template <class Mask>
-VESICA_INLINE constexpr Verdict<Mask> certain_containment(const CertainFacts<Mask>& s) noexcept {
-  return {s.contains, either(s.disjoint, s.not_contains)};
 }
 
 }  // namespace vesica::filter

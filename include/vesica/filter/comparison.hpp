@@ -44,12 +44,12 @@ VESICA_INLINE constexpr auto aabb_aabb_certain_facts(const Aabb<V>& a, const Aab
   const V gap = greatest(a.min_x - b.max_x, b.min_x - a.max_x, a.min_y - b.max_y, b.min_y - a.max_y);
   const V left = b.min_x - a.min_x, right = a.max_x - b.max_x, low = b.min_y - a.min_y, high = a.max_y - b.max_y;
   const V farthest_out = greatest(left, right, low, high), least_room = least(left, right, low, high);
-  const auto not_inside = farthest_out > zero, not_contains = least_room < zero;
+  const auto neither = both(farthest_out > zero, least_room < zero);
   // Each number is in one of four differences, so these are finite only if all are.
   const auto ordered = both(both(a.min_x <= a.max_x, a.min_y <= a.max_y), both(b.min_x <= b.max_x, b.min_y <= b.max_y));
-  return guarded(both(all_finite(left, right, low, high), ordered),
-                 CertainFacts<decltype(gap > zero)>{gap > zero, gap < zero, farthest_out<zero, least_room> zero,
-                                                    both(not_inside, not_contains), not_inside, not_contains});
+  return guarded(
+      both(all_finite(left, right, low, high), ordered),
+      CertainFacts<decltype(gap > zero)>{gap > zero, gap < zero, farthest_out<zero, least_room> zero, neither});
 }
 
 template <class V>

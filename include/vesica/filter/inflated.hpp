@@ -89,9 +89,8 @@ VESICA_INLINE constexpr auto inflated_certain_facts(const CoreAndRadius<A, V>& a
   const auto valid = at_least(V(0.0f), a.radius, b.radius);
   const auto in_b = corners_in_box(box(a.core), box(b.core), {-d.x, -d.y}, b.radius - a.radius);
   const auto in_a = corners_in_box(box(b.core), box(a.core), d, a.radius - b.radius);
-  return guarded(
-      valid, CertainFacts<decltype(verdict.overlap)>{verdict.disjoint, verdict.overlap, in_b.overlap, in_a.overlap,
-                                                     both(in_b.disjoint, in_a.disjoint), in_b.disjoint, in_a.disjoint});
+  return guarded(valid, CertainFacts<decltype(verdict.overlap)>{verdict.disjoint, verdict.overlap, in_b.overlap,
+                                                                in_a.overlap, both(in_b.disjoint, in_a.disjoint)});
 }
 
 /// Relative room for rough quotients and roots.
