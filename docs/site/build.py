@@ -20,6 +20,7 @@ PAGES = [
     ("index", HERE / "index.html", "exact overlap queries between plain 2D shapes"),
     ("functions", HERE / "functions.html", "which function do I want?"),
     ("guide", ROOT / "docs/guide.md", "guide"),
+    ("recipes", ROOT / "docs/recipes.md", "recipes"),
     ("methods", ROOT / "docs/methods.md", "the named methods"),
     ("benchmarks", ROOT / "docs/benchmarks.md", "speed"),
     ("join", ROOT / "docs/join.md", "index and join"),
@@ -30,7 +31,7 @@ PAGES = [
     ("abi", ROOT / "capi/ABI.md", "what may change, and when"),
 ]
 NAVIGATION = [
-    ("playground/", "Playground"), ("functions.html", "Functions"), ("guide.html", "Guide"),
+    ("playground/", "Playground"), ("functions.html", "Functions"), ("guide.html", "Guide"), ("recipes.html", "Recipes"),
     ("reference/index.html", "Reference"), ("methods.html", "Methods"), ("benchmarks.html", "Speed"), ("join.html", "Join"), ("motion.html", "Motion"),
     ("cuda.html", "CUDA"), ("hosts.html", "Languages"), ("platforms.html", "Platforms"), ("abi.html", "ABI"),
 ]

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# readme_test.sh MOVED WORK: the programs that README.md and docs/guide.md print compile, and answer as they say. README.md
-# is a first page: at most 120 lines, and no link leads nowhere.
+# readme_test.sh MOVED WORK: the programs that README.md, docs/guide.md and docs/recipes.md print compile, and answer as
+# they say. README.md is a first page: at most 120 lines, and no link leads nowhere.
 . "$(dirname "${BASH_SOURCE[0]}")/prefix.sh"
 root=$here/../..
 readme=$root/README.md guide=$root/docs/guide.md
@@ -53,6 +53,18 @@ printf 'int main() { return hit ? 0 : 1; }\n' >>"$work/core.cpp"
 block "$guide" cpp 3 >"$work/constant.cpp"
 grep -q static_assert "$work/constant.cpp"
 "$CXX" -std=c++20 -Wall -Wextra -Werror -fsyntax-only "$work/constant.cpp" "${flags[@]}"
+
+# Each recipe is a block of its own; what it prints is in the line below it.
+recipes=$root/docs/recipes.md
+{
+  printf '#include <stdio.h>\n#include <vesica.h>\nint main(void) {\n'
+  awk '$0 == "```c" { inside = 1; print "{"; next } $0 == "```" { if (inside) print "}"; inside = 0 } inside' "$recipes"
+  printf 'return 0;\n}\n'
+} >"$work/recipes.c"
+"$CC" -std=c11 -Wall -Wextra -Wpedantic -Werror -o "$work/recipes" "$work/recipes.c" "${flags[@]}"
+grep '^It prints' "$recipes" | grep -o '`[^`]*`' | tr -d '`' >"$work/recipes.expected"
+[ -s "$work/recipes.expected" ]
+"$work/recipes" | diff "$work/recipes.expected" -
 
 [ "$(wc -l <"$readme")" -le 120 ]
 for page in "$readme" "$root"/docs/*.md; do
