@@ -20,6 +20,7 @@
 #include <limits>
 #include <vesica/boundary_distance/box_box.hpp>
 #include <vesica/boundary_distance/common_point.hpp>
+#include <vesica/boundary_distance/inflated.hpp>
 #include <vesica/boundary_distance/lane_pairs.hpp>
 #include <vesica/boundary_distance/nested.hpp>
 #include <vesica/nearest.hpp>
@@ -132,6 +133,30 @@ ClosestPoints<double> closest_outline_points(Relation relation, const A& a, cons
 
 }  // namespace detail::boundary_distance
 
+template <template <class> class A, template <class> class B>
+std::int32_t boundary_distance_or_error(const A<double>& a, const B<double>& b, ClosestPoints<double>& out) noexcept;
+
+namespace detail::boundary_distance {
+
+/// Shapes of which one is a core with a radius, valid and overlapping. Kinds that need no radius are asked instead.
+template <class A, class B>
+std::int32_t inflated_outlines(Relation relation, const A& a, const B& b, ClosestPoints<double>& out) noexcept {
+  return form::with_simplest(a, [&](const auto& p) {
+    return form::with_simplest(b, [&](const auto& q) -> std::int32_t {
+      if constexpr (std::is_same_v<decltype(p), const A&> && std::is_same_v<decltype(q), const B&>) {
+        const auto corners = [](const auto& s) { return form::corners(form::of(form::inflated(s).core).place); };
+        const ClosestPoints<double> found =
+            closest_outlines(relation, nearest::scaled_pair(a, b), corners(a), corners(b));
+        return nearest::rounded_to(found, found.distance == 0, out) ? 0 : error_range;
+      } else {
+        return boundary_distance_or_error(p, q, out);
+      }
+    });
+  });
+}
+
+}  // namespace detail::boundary_distance
+
 /// The checked form: writes the distance of the outlines of two shapes of any kinds, in either order, and their closest
 /// points. Returns 0, error_shape when either is invalid, or error_range when a number would exceed the largest finite
 /// one; on error `out` is untouched.
@@ -148,11 +173,15 @@ VESICA_CALLED std::int32_t boundary_distance_or_error(const A<double>& a, const 
     if (relation < 0) return relation;
     if (relation == static_cast<std::int32_t>(Relation::disjoint))
       return detail::nearest::nearest_in_order(a, b, 0, out);
-    ClosestPoints<double> found;
-    if (!detail::boundary_distance::settled_outlines(a, b, static_cast<Relation>(relation), found)) {
-      found = detail::boundary_distance::closest_outline_points(static_cast<Relation>(relation), a, b);
+    if constexpr (detail::form::Inflated<B<double>>) {
+      return detail::boundary_distance::inflated_outlines(static_cast<Relation>(relation), a, b, out);
+    } else {
+      ClosestPoints<double> found;
+      if (!detail::boundary_distance::settled_outlines(a, b, static_cast<Relation>(relation), found)) {
+        found = detail::boundary_distance::closest_outline_points(static_cast<Relation>(relation), a, b);
+      }
+      return detail::nearest::rounded_to(found, found.distance == 0, out) ? 0 : error_range;
     }
-    return detail::nearest::rounded_to(found, found.distance == 0, out) ? 0 : error_range;
   }
 }
 

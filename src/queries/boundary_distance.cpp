@@ -10,6 +10,8 @@ namespace {
 
 struct BoundaryDistanceOfPair {
   static constexpr Reversal reversal = Reversal::points;
+  template <class A, class B>
+  static constexpr bool answers = HasForm<B> || (HasCore<A> && ShapeTraits<A>::kind != Kind::ellipse);
   template <class T>
   using Result = ClosestPoints<T>;
   template <class A, class B, class Result>

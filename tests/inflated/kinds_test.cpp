@@ -21,7 +21,7 @@ TEST(InflatedKinds, AreRefusedByOtherQuestions) {
   EXPECT_EQ(vesica_ratio_f64(0, VESICA_CAPSULE, &a, VESICA_CAPSULE, &a, &number), VESICA_E_KIND);
   EXPECT_EQ(number, 7);
   vesica_closest_points_f64 points{7, 7, 7, 7, 7};
-  EXPECT_EQ(vesica_boundary_distance_f64(VESICA_CAPSULE, &a, VESICA_CAPSULE, &a, &points), VESICA_E_KIND);
+  EXPECT_EQ(vesica_boundary_distance_f64(VESICA_CAPSULE, &a, VESICA_ELLIPSE, &b, &points), VESICA_E_KIND);
   EXPECT_EQ(points.distance, 7);
   char matrix[10] = "untouched";
   EXPECT_EQ(vesica_de9im_f64(VESICA_CAPSULE, &a, VESICA_CAPSULE, &a, matrix), VESICA_E_KIND);

@@ -41,4 +41,21 @@ VESICA_EACH_SHAPE_INFLATED(VESICA_INFLATED)
 template <class Shape>
 concept Inflated = is_inflated<Shape>;
 
+/// action(shape), by the kind of fewest numbers that has the same points: without a radius its core, without a size a
+/// circle.
+template <class Shape, class Action>
+VESICA_INLINE constexpr auto with_simplest(const Shape& s, const Action& action) noexcept {
+  return action(s);
+}
+template <class V, class Action>
+VESICA_INLINE constexpr auto with_simplest(const Capsule<V>& s, const Action& action) noexcept {
+  if (s.r == 0) return action(inflated(s).core);
+  return s.x0 == s.x1 && s.y0 == s.y1 ? action(Circle<V>{s.x0, s.y0, s.r}) : action(s);
+}
+template <class V, class Action>
+VESICA_INLINE constexpr auto with_simplest(const RoundRect<V>& s, const Action& action) noexcept {
+  if (s.r == 0) return action(inflated(s).core);
+  return s.hx == 0 && s.hy == 0 ? action(Circle<V>{s.cx, s.cy, s.r}) : action(s);
+}
+
 }  // namespace vesica::detail::form
