@@ -26,8 +26,14 @@ static const char* take_word(const char** rest, size_t* length) {
   return *length > 0 ? word : NULL;
 }
 
+// A library that is newer than this file may know kinds with more numbers.
+static int holds(int32_t kind) {
+  const int32_t count = vesica_field_count(kind);
+  return count > 0 && count <= shape_numbers;
+}
+
 static int32_t find_kind(const char* word, size_t length) {
-  for (int32_t kind = VESICA_POINT; vesica_kind_name(kind); kind++) {
+  for (int32_t kind = VESICA_POINT; holds(kind); kind++) {
     const char* name = vesica_kind_name(kind);
     if (strlen(name) == length && strncmp(name, word, length) == 0) return kind;
   }
@@ -35,7 +41,7 @@ static int32_t find_kind(const char* word, size_t length) {
 }
 
 static int parse(const char* text, struct shape* out, char* fault) {
-  double numbers[6];
+  double numbers[shape_numbers];
   size_t length;
   const char* word = take_word(&text, &length);
   const int32_t kind = word ? find_kind(word, length) : VESICA_E_KIND;
@@ -64,7 +70,7 @@ int shape_from_text(const char* text, struct shape* out, char fault[shape_fault_
 }
 
 int shape_from_numbers(int32_t kind, const double* numbers, struct shape* out, char fault[shape_fault_room]) {
-  const int32_t error = vesica_check_f64(kind, numbers);
+  const int32_t error = holds(kind) ? vesica_check_f64(kind, numbers) : VESICA_E_KIND;
   if (error == VESICA_E_KIND) return fail(fault, "%s", vesica_strerror(error));
   if (error < 0) return fail(fault, "invalid %s: %s", vesica_kind_name(kind), vesica_strerror(error));
   memset(out, 0, sizeof *out);
@@ -78,8 +84,8 @@ enum { number_bytes = 8 };
 int shape_from_blob(const unsigned char* blob, int bytes, struct shape* out, char fault[shape_fault_room]) {
   const int32_t kind = bytes < 1 ? VESICA_E_KIND : blob[0];
   const int count = vesica_field_count(kind);
-  double numbers[6];
-  if (count < 0 || bytes != 1 + count * number_bytes)
+  double numbers[shape_numbers];
+  if (!holds(kind) || bytes != 1 + count * number_bytes)
     return fail(fault, "not a shape: a BLOB of vs_shape's, or words as 'circle 0 0 1'");
   for (int i = 0; i < count; i++) {
     uint64_t bits = 0;

@@ -7,12 +7,15 @@
 #include <stdint.h>
 #include <vesica.h>
 
-enum { shape_text_room = 192, shape_fault_room = 160, shape_blob_room = 49 };
+/// Numbers of the shape that has most, a rounded rectangle.
+enum { shape_numbers = 7 };
+
+enum { shape_text_room = 224, shape_fault_room = 160, shape_blob_room = 1 + 8 * shape_numbers };
 
 struct shape {
   int32_t kind;
-  int32_t reserved;   ///< 0, so that equal shapes have equal bytes
-  double numbers[6];  ///< in the order of vesica.h; those beyond the kind's are 0
+  int32_t reserved;               ///< 0, so that equal shapes have equal bytes
+  double numbers[shape_numbers];  ///< in the order of vesica.h; those beyond the kind's are 0
 };
 
 /// Reads a valid shape from words between spaces, tabs or commas. Returns 1, or 0 with the reason in `fault`.

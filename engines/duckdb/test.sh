@@ -25,6 +25,11 @@ SQL
 )"
 check 'words' '["ellipse 0.1 -0 1e-300 4.94065645841247e-324 1.7976931348623157e+308 0.30000000000000004"]' \
   "$(sql <<<"SELECT vs_text(vs_shape('ellipse 0.1,-0 1e-300 4.94065645841247e-324 1.7976931348623157e308 0.30000000000000004'));")"
+check 'a radius' '["round_rect 0 0 1 0 1 2 0.5",true,0.5]' "$(sql <<'SQL'
+SELECT vs_text(vs_round_rect(0, 0, 1, 0, 1, 2, 0.5)), vs_overlap(vs_shape('round_rect 0 0 1 0 1 2 0.5'), vs_point(1.5, 0)),
+  vs_distance(vs_capsule(0, 0, 1, 0, 0.5), vs_point(2, 0));
+SQL
+)"
 check 'every bit' '["0"]' "$(sql database=all.db <<<'SELECT count(*) FROM a WHERE vs_shape(vs_text(shape)) <> shape;')"
 check 'NULL' '[true,true,true,true]' "$(sql <<<"SELECT vs_overlap(NULL, vs_point(0, 0)) IS NULL, vs_valid(NULL) IS NULL,
   vs_point(NULL, 0) IS NULL, vs_iou(vs_point(0, 0), vs_point(0, 0)) IS NULL;")"
@@ -34,6 +39,7 @@ bad() {
   check "$1" "Invalid Input Error: $2" "$(sql <<<"SELECT $1;")"
 }
 bad "vs_shape('circle nan 0 1')" 'invalid circle: a number is NaN or infinite'
+bad "vs_shape('round_rect 0 0 1 0 1 2')" 'round_rect: number 7 of 7 is missing'
 bad "vs_circle(0, 0, -1)" 'invalid circle: a size is negative'
 bad "vs_shape('square 1 2')" "unknown kind 'square'"
 bad "vs_shape('')" "unknown kind ''"

@@ -9,7 +9,7 @@
 #include "duckdb_extension.h"
 #include "shape.h"
 
-enum { most_arguments = 6, words_room = 4096 };
+enum { most_arguments = shape_numbers, words_room = 4096 };
 
 union value {
   struct shape shape;
@@ -55,7 +55,7 @@ static enum outcome from_words(const struct function* self, const union value* v
 }
 
 static enum outcome from_numbers(const struct function* self, const union value* v, union result* out, char* fault) {
-  double numbers[6];
+  double numbers[shape_numbers];
   struct shape shape;
   for (int i = 0; i < self->arguments; i++) numbers[i] = v[i].number;
   return put_shape(shape_from_numbers(self->which, numbers, &shape, fault), &shape, out);
@@ -233,6 +233,8 @@ static const struct function functions[] = {
     {"vs_aabb", 4, DUCKDB_TYPE_DOUBLE, DUCKDB_TYPE_BLOB, from_numbers, VESICA_AABB},
     {"vs_rect", 6, DUCKDB_TYPE_DOUBLE, DUCKDB_TYPE_BLOB, from_numbers, VESICA_RECT},
     {"vs_ellipse", 6, DUCKDB_TYPE_DOUBLE, DUCKDB_TYPE_BLOB, from_numbers, VESICA_ELLIPSE},
+    {"vs_capsule", 5, DUCKDB_TYPE_DOUBLE, DUCKDB_TYPE_BLOB, from_numbers, VESICA_CAPSULE},
+    {"vs_round_rect", 7, DUCKDB_TYPE_DOUBLE, DUCKDB_TYPE_BLOB, from_numbers, VESICA_ROUND_RECT},
     {"vs_overlap", 2, DUCKDB_TYPE_BLOB, DUCKDB_TYPE_BOOLEAN, overlap, 0},
     {"vs_contains", 2, DUCKDB_TYPE_BLOB, DUCKDB_TYPE_BOOLEAN, contains, 0},
     {"vs_relation", 2, DUCKDB_TYPE_BLOB, DUCKDB_TYPE_VARCHAR, relation, 0},

@@ -17,7 +17,7 @@
 #include "utils/syscache.h"
 #include "utils/tuplestore.h"
 
-enum { kind_count = 6, rows_a_fetch = 10000, pairs_a_call = 4096 };
+enum { kind_count = 8, rows_a_fetch = 10000, pairs_a_call = 4096 };
 
 /// The shapes of a table, kind by kind as the library takes them, and the row of each.
 struct side {

@@ -10,7 +10,7 @@ CREATE FUNCTION vshape_recv(internal) RETURNS vshape LANGUAGE C STRICT IMMUTABLE
 CREATE FUNCTION vshape_send(vshape) RETURNS bytea LANGUAGE C STRICT IMMUTABLE PARALLEL SAFE AS 'MODULE_PATHNAME';
 
 CREATE TYPE vshape (
-  INTERNALLENGTH = 56,
+  INTERNALLENGTH = 64,
   ALIGNMENT = double,
   INPUT = vshape_in,
   OUTPUT = vshape_out,
@@ -33,6 +33,10 @@ CREATE FUNCTION vs_aabb(min_x float8, min_y float8, max_x float8, max_y float8)
 CREATE FUNCTION vs_rect(cx float8, cy float8, ux float8, uy float8, hx float8, hy float8)
   RETURNS vshape LANGUAGE C STRICT IMMUTABLE PARALLEL SAFE AS 'MODULE_PATHNAME';
 CREATE FUNCTION vs_ellipse(cx float8, cy float8, ux float8, uy float8, a float8, b float8)
+  RETURNS vshape LANGUAGE C STRICT IMMUTABLE PARALLEL SAFE AS 'MODULE_PATHNAME';
+CREATE FUNCTION vs_capsule(x0 float8, y0 float8, x1 float8, y1 float8, r float8)
+  RETURNS vshape LANGUAGE C STRICT IMMUTABLE PARALLEL SAFE AS 'MODULE_PATHNAME';
+CREATE FUNCTION vs_round_rect(cx float8, cy float8, ux float8, uy float8, hx float8, hy float8, r float8)
   RETURNS vshape LANGUAGE C STRICT IMMUTABLE PARALLEL SAFE AS 'MODULE_PATHNAME';
 
 -- ---- Questions ----

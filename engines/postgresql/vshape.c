@@ -39,10 +39,10 @@ PG_FUNCTION_INFO_V1(vshape_recv);
 Datum vshape_recv(PG_FUNCTION_ARGS) {
   StringInfo message = (StringInfo)PG_GETARG_POINTER(0);
   const int32_t kind = (int32_t)pq_getmsgint(message, 4);
-  double numbers[6];
+  double numbers[shape_numbers];
   char fault[shape_fault_room] = "unknown kind";
   struct shape* shape = palloc(sizeof *shape);
-  for (int i = 0; i < vesica_field_count(kind); i++) numbers[i] = pq_getmsgfloat8(message);
+  for (int i = 0; i < vesica_field_count(kind) && i < shape_numbers; i++) numbers[i] = pq_getmsgfloat8(message);
   if (!shape_from_numbers(kind, numbers, shape, fault))
     ereport(ERROR, (errcode(ERRCODE_INVALID_BINARY_REPRESENTATION), errmsg("vshape: %s", fault)));
   PG_RETURN_POINTER(shape);
@@ -66,7 +66,7 @@ Datum vs_valid(PG_FUNCTION_ARGS) {
 }
 
 static Datum from_numbers(FunctionCallInfo fcinfo, int32_t kind) {
-  double numbers[6];
+  double numbers[shape_numbers];
   char fault[shape_fault_room];
   struct shape* shape = palloc(sizeof *shape);
   for (int i = 0; i < PG_NARGS(); i++) numbers[i] = PG_GETARG_FLOAT8(i);
@@ -85,6 +85,8 @@ CONSTRUCTOR(vs_circle, VESICA_CIRCLE)
 CONSTRUCTOR(vs_aabb, VESICA_AABB)
 CONSTRUCTOR(vs_rect, VESICA_RECT)
 CONSTRUCTOR(vs_ellipse, VESICA_ELLIPSE)
+CONSTRUCTOR(vs_capsule, VESICA_CAPSULE)
+CONSTRUCTOR(vs_round_rect, VESICA_ROUND_RECT)
 
 // ---- Questions ----
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The type vshape: what the server holds is `struct shape`, 56 bytes, always valid.
+/// The type vshape: what the server holds is `struct shape`, 64 bytes, always valid.
 #ifndef VESICA_VSHAPE_H
 #define VESICA_VSHAPE_H
 

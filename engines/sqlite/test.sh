@@ -37,6 +37,11 @@ SQL
 )"
 check 'words' 'ellipse 0.1 -0 1e-300 4.94065645841247e-324 1.7976931348623157e+308 0.30000000000000004' \
   "$(sql <<<"SELECT vs_text('ellipse 0.1,-0 1e-300 4.9406564584124654e-324	1.7976931348623157e308 0.30000000000000004');")"
+check 'a radius' 'round_rect 0 0 1 0 1 2 0.5|1|0.5|1' "$(sql <<'SQL'
+SELECT vs_text(vs_round_rect(0, 0, 1, 0, 1, 2, 0.5)), vs_overlap('round_rect 0 0 1 0 1 2 0.5', 'point 1.5 0'),
+  vs_distance(vs_capsule(0, 0, 1, 0, 0.5), 'point 2 0'), vs_valid('round_rect 0 0 1 0 1 2 0.5');
+SQL
+)"
 check 'every bit' '0' "$(sql "$work/all.db" <<<'SELECT count(*) FROM a WHERE vs_shape(vs_text(shape)) <> shape;')"
 check 'NULL' '1|1|1|1|1' "$(sql <<<"SELECT vs_overlap(NULL, 'point 0 0') IS NULL, vs_valid(NULL) IS NULL,
   vs_point(NULL, 0) IS NULL, vs_area(NULL) IS NULL, vs_iou('point 0 0', 'point 0 0') IS NULL;")"
@@ -46,6 +51,8 @@ bad() {
   contains "$1" "$2" "$(sql <<<"SELECT $1;" || true)"
 }
 bad "vs_shape('circle nan 0 1')" 'invalid circle: a number is NaN or infinite'
+bad "vs_shape('round_rect 0 0 1 0 1 2')" 'round_rect: number 7 of 7 is missing'
+bad "vs_shape('capsule 0 0 1 0 -1')" 'invalid capsule: a size is negative'
 bad "vs_overlap('circle 0 0 -1', 'point 0 0')" 'invalid circle: a size is negative'
 bad "vs_shape('rect 0 0 0 0 1 1')" 'invalid rect: the axis is (0, 0)'
 bad "vs_shape('square 1 2')" "unknown kind 'square'"

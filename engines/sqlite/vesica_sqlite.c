@@ -76,7 +76,7 @@ static void is_valid(sqlite3_context* context, int count, sqlite3_value** values
 // vs_point, vs_segment ...: the kind is the function's own.
 static void from_numbers(sqlite3_context* context, int count, sqlite3_value** values) {
   const int32_t* kind = sqlite3_user_data(context);
-  double numbers[6];
+  double numbers[shape_numbers];
   struct shape shape;
   char fault[shape_fault_room];
   for (int i = 0; i < count; i++) {
@@ -172,7 +172,8 @@ static int add(sqlite3* db, const char* name, int count, void* user, function* b
 }
 
 static int add_constructors(sqlite3* db) {
-  static int32_t kinds[] = {VESICA_POINT, VESICA_SEGMENT, VESICA_CIRCLE, VESICA_AABB, VESICA_RECT, VESICA_ELLIPSE};
+  static int32_t kinds[] = {VESICA_POINT, VESICA_SEGMENT, VESICA_CIRCLE,  VESICA_AABB,
+                            VESICA_RECT,  VESICA_ELLIPSE, VESICA_CAPSULE, VESICA_ROUND_RECT};
   int code = SQLITE_OK;
   for (size_t i = 0; code == SQLITE_OK && i < sizeof kinds / sizeof *kinds; i++) {
     char name[32];

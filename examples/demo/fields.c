@@ -45,7 +45,8 @@ char* take_word(char** rest) {
 }
 
 int32_t find_kind(const char* name) {
-  for (int32_t kind = VESICA_POINT; vesica_kind_name(kind); kind++) {
+  // A newer library may know kinds with more numbers.
+  for (int32_t kind = VESICA_POINT; kind <= VESICA_ROUND_RECT; kind++) {
     if (strcmp(vesica_kind_name(kind), name) == 0) return kind;
   }
   return VESICA_E_KIND;

@@ -75,6 +75,36 @@ static void add_rect(struct polygon* polygon, struct spot centre, struct spot p,
   add_corner(polygon, centre, p, -hx, hy);
 }
 
+// A rectangle with a radius: a quarter of a circle about each corner. Half sizes are lengths.
+static void add_round_rect(struct polygon* polygon, struct spot centre, struct spot unit, long double hx,
+                           long double hy, long double r) {
+  enum { quarter = 24 };
+  for (int i = 0; i <= 4 * quarter + 3; i++) {
+    const int corner = i / (quarter + 1);
+    const long double angle = pi / 2 * (corner + (long double)(i % (quarter + 1)) / quarter);
+    const long double s = corner == 0 || corner == 3 ? hx : -hx, t = corner < 2 ? hy : -hy;
+    add_corner(polygon, centre, unit, s + r * cosl(angle), t + r * sinl(angle));
+  }
+}
+
+static struct spot unit_of(struct spot p, long double* length) {
+  struct spot unit = {1, 0};
+  *length = hypotl(p.x, p.y);
+  if (*length > 0) {
+    unit.x = p.x / *length;
+    unit.y = p.y / *length;
+  }
+  return unit;
+}
+
+static void add_capsule(struct polygon* polygon, struct spot first, struct spot second, long double r) {
+  const struct spot centre = {(first.x + second.x) / 2, (first.y + second.y) / 2};
+  const struct spot along = {second.x - first.x, second.y - first.y};
+  long double length;
+  const struct spot unit = unit_of(along, &length);
+  add_round_rect(polygon, centre, unit, length / 2, 0, r);
+}
+
 void find_polygon(const struct shape* shape, struct spot origin, const struct spot* focus, struct polygon* out) {
   const double* n = shape->numbers;
   const struct spot first = {n[0] - origin.x, n[1] - origin.y}, second = {n[2] - origin.x, n[3] - origin.y};
@@ -103,6 +133,15 @@ void find_polygon(const struct shape* shape, struct spot origin, const struct sp
     case VESICA_ELLIPSE:
       add_round(out, first, axis, n[4], n[5], focus);
       break;
+    case VESICA_CAPSULE:
+      add_capsule(out, first, second, n[4]);
+      break;
+    case VESICA_ROUND_RECT: {
+      long double length;
+      const struct spot unit = unit_of(axis, &length);
+      add_round_rect(out, first, unit, n[4] * length, n[5] * length, n[6]);
+      break;
+    }
   }
 }
 

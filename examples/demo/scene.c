@@ -16,6 +16,7 @@ static int parse_row_shape(char* const* fields, char name, struct shape* shape, 
   shape->kind = find_kind(fields[0]);
   if (shape->kind < 0) return fail(fault, "kind_%c: unknown kind '%.40s'", name, fields[0]);
   used = vesica_field_count(shape->kind);
+  if (used > shape_columns) return fail(fault, "%s has %d numbers, a row has %d", fields[0], used, shape_columns);
   for (int i = 0; i < shape_columns; i++) {
     const char* text = fields[1 + i];
     column[1] = (char)('0' + i);

@@ -4,7 +4,8 @@
 ///
 /// Two forms, which may be mixed. Blank lines, lines that begin with #, and the table's header are skipped.
 ///  - A table row as in tests/corpus/cases.csv: 20 fields between commas, id,source,kind_a,a0..a5,kind_b,b0..b5,
-///    query,expected,tolerance,note. Columns a kind does not use are empty; no quoting.
+///    query,expected,tolerance,note. Columns a kind does not use are empty; no quoting. A rounded rectangle has more
+///    numbers than columns.
 ///  - Short: a query (overlap if none is named); two shapes, each a kind and its numbers, between spaces or commas;
 ///    then `=` and the answer, if known. `rect 0 0 1 0 2 1  ellipse 3 0 1 0 1 0.5 = 1  # touching`
 #ifndef SCENE_H
@@ -14,9 +15,11 @@
 
 struct query;
 
+enum { most_numbers = 7 };
+
 struct shape {
   int32_t kind;
-  double numbers[6];  ///< in the order of vesica.h
+  double numbers[most_numbers];  ///< in the order of vesica.h
 };
 
 struct pair {

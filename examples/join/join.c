@@ -17,8 +17,8 @@ struct step {
 
 static int64_t call(struct join* join, const struct step* step, int64_t* first, int64_t* second, int64_t* state) {
   const double begin = seconds();
-  const int64_t found = vesica_join_f64(step->query, join->a->index, join->a->sets, kind_count, join->b->index,
-                                        join->b->sets, kind_count, step->part, part_count, step->scratch,
+  const int64_t found = vesica_join_f64(step->query, join->a->index, join->a->sets, join->a->set_count, join->b->index,
+                                        join->b->sets, join->b->set_count, step->part, part_count, step->scratch,
                                         vesica_join_scratch(), first, second, first ? room : 0, state);
   join->seconds += seconds() - begin;
   if (found > 0) join->pairs += found;

@@ -26,7 +26,8 @@ static const char usage[] =
     "  --inside     pairs of which the second contains the first\n"
     "  --bounds     pairs whose bounding boxes meet, and a few more\n"
     "  --count      how many there are, and no pairs\n"
-    "  --kind KIND  what all shapes are (point segment circle aabb rect ellipse), where lines have numbers alone\n"
+    "  --kind KIND  what all shapes are (point segment circle aabb rect ellipse capsule\n"
+    "               round_rect), where lines have numbers alone\n"
     "  --skip-bad   go on without lines that hold no valid shape\n";
 
 struct options {

@@ -22,12 +22,14 @@ struct record {
   size_t bytes;
 };
 
-static const char* const names[kind_count][6] = {{"x", "y"},
-                                                 {"x0", "y0", "x1", "y1"},
-                                                 {"cx", "cy", "r"},
-                                                 {"min_x", "min_y", "max_x", "max_y"},
-                                                 {"cx", "cy", "ux", "uy", "hx", "hy"},
-                                                 {"cx", "cy", "ux", "uy", "a", "b"}};
+static const char* const names[kind_count][most_numbers] = {{"x", "y"},
+                                                            {"x0", "y0", "x1", "y1"},
+                                                            {"cx", "cy", "r"},
+                                                            {"min_x", "min_y", "max_x", "max_y"},
+                                                            {"cx", "cy", "ux", "uy", "hx", "hy"},
+                                                            {"cx", "cy", "ux", "uy", "a", "b"},
+                                                            {"x0", "y0", "x1", "y1", "r"},
+                                                            {"cx", "cy", "ux", "uy", "hx", "hy", "r"}};
 
 // The dictionary as text, without the magic number and version in front of it.
 static int read_dictionary(FILE* file, char* text, struct fault* fault) {
@@ -124,12 +126,15 @@ static int has_fields_of(const struct record* record, int32_t kind) {
   return 1;
 }
 
+// The kind with most fields, all of which are there: a capsule's are a segment's and one more.
 static int find_record_kind(const struct record* record, int32_t* out, struct fault* fault) {
-  int found = 0;
+  int found = 0, most = 0;
   for (int32_t kind = 0; kind < kind_count; kind++) {
-    if (!has_fields_of(record, kind)) continue;
+    const int fields = vesica_field_count(kind);
+    if (!has_fields_of(record, kind) || fields < most) continue;
+    found = fields > most ? 1 : found + 1;
+    most = fields;
     *out = kind;
-    found++;
   }
   if (found == 1) return 1;
   return fail(fault, "its fields are those of %s kind: --kind tells which", found == 0 ? "no" : "more than one");

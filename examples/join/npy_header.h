@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <stdio.h>
 
-struct fault;
+#include "scene.h"
 
 /// The place of one number of a shape in a row.
 struct npy_number {
@@ -20,7 +20,7 @@ struct npy_header {
   int64_t rows;
   size_t row_bytes;
   int32_t kind;
-  struct npy_number numbers[6];
+  struct npy_number numbers[most_numbers];
 };
 
 enum { most_row_bytes = 65536 };

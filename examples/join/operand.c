@@ -19,8 +19,9 @@ int build_operand(const struct shapes* shapes, struct operand* operand) {
   operand->index = aligned_memory(index_size);
   scratch = aligned_memory(scratch_size);
   if (operand->places && operand->index && scratch) {
-    view_shapes(shapes, operand->sets, operand->places);
-    built = vesica_index_build_f64(operand->sets, kind_count, operand->index, index_size, scratch, scratch_size);
+    operand->set_count = view_shapes(shapes, operand->sets, operand->places);
+    built =
+        vesica_index_build_f64(operand->sets, operand->set_count, operand->index, index_size, scratch, scratch_size);
   }
   free(scratch);
   return built >= 0;

@@ -7,6 +7,7 @@
 
 struct operand {
   vesica_shapes_f64 sets[kind_count];
+  int32_t set_count;
   int64_t items;
   int64_t* places;  ///< the number in the file of each item
   void* index;

@@ -34,14 +34,17 @@ int64_t good_shapes(const struct shapes* shapes) {
   return count;
 }
 
-void view_shapes(const struct shapes* shapes, vesica_shapes_f64 sets[kind_count], int64_t* places) {
+int32_t view_shapes(const struct shapes* shapes, vesica_shapes_f64 sets[kind_count], int64_t* places) {
+  int32_t count = 0;
   for (int32_t kind = 0; kind < kind_count; kind++) {
     const int64_t used = shapes->used[kind];
     const ptrdiff_t record = vesica_field_count(kind) * (ptrdiff_t)sizeof(double);
-    vesica_shapes_from_records_f64(kind, used, shapes->numbers[kind], record, &sets[kind]);
-    if (used > 0) memcpy(places, shapes->places[kind], (size_t)used * sizeof(int64_t));
+    if (used == 0) continue;
+    vesica_shapes_from_records_f64(kind, used, shapes->numbers[kind], record, &sets[count++]);
+    memcpy(places, shapes->places[kind], (size_t)used * sizeof(int64_t));
     places += used;
   }
+  return count;
 }
 
 void free_shapes(struct shapes* shapes) {

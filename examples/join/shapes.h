@@ -8,7 +8,7 @@
 
 #include "scene.h"
 
-enum { kind_count = 6 };
+enum { kind_count = VESICA_ROUND_RECT + 1 };
 
 struct shapes {
   int64_t count;             ///< shapes met so far, bad ones included: the number of the next
@@ -24,9 +24,9 @@ int add_shape(struct shapes* shapes, const struct shape* shape);
 /// How many good ones there are.
 int64_t good_shapes(const struct shapes* shapes);
 
-/// The shapes as the library's sets, one a kind, and the number in the file of each item of an index over them, of
-/// which `places` has room for good_shapes().
-void view_shapes(const struct shapes* shapes, vesica_shapes_f64 sets[kind_count], int64_t* places);
+/// The shapes as the library's sets, one a kind that occurs, and the number in the file of each item of an index over
+/// them, of which `places` has room for good_shapes(). Returns how many sets.
+int32_t view_shapes(const struct shapes* shapes, vesica_shapes_f64 sets[kind_count], int64_t* places);
 
 void free_shapes(struct shapes* shapes);
 

@@ -11,7 +11,7 @@ enum meaning { no_shape, good_shape, bad_shape };
 
 // Names of columns, which a table may begin with.
 static int is_header(const char* text, int32_t kind) {
-  static const char* const first[kind_count] = {"x", "x0", "cx", "min_x", "cx", "cx"};
+  static const char* const first[kind_count] = {"x", "x0", "cx", "min_x", "cx", "cx", "x0", "cx"};
   const char* name = kind == any_kind ? "kind" : first[kind];
   const size_t length = strcspn(text, " \t,");
   return length == strlen(name) && strncmp(text, name, length) == 0;

@@ -56,6 +56,13 @@ broken() {
   answered "$1" 1 "scene:2: $2" '2 2 0 0, 1'
 }
 
+scene 'a radius' 0 '' '3 3 0 0, 0' <<'EOF'
+capsule 0 0 2 0 0.5  round_rect 5 0 1 0 1 1 1.5 = 1
+overlap round_rect 0 0 1 0 2 1 0.5  point 2.5 0 = 1
+relation capsule 0 0 2 0 1  circle 1 0 0.5 = 5
+EOF
+broken 'a number too few' 'shape B, number 7 of 7 is missing' <<<'point 0 0 round_rect 0 0 1 0 2 1'
+
 row_start='id,source,rect,0,0,1,0,2,1,circle,5,0,3,,,'
 
 # ---- Good scenes ----------------------------------------------------------------------------------------------------

@@ -19,6 +19,8 @@ FIELDS = {
     "aabb": ("min_x", "min_y", "max_x", "max_y"),
     "rect": ("cx", "cy", "ux", "uy", "hx", "hy"),
     "ellipse": ("cx", "cy", "ux", "uy", "a", "b"),
+    "capsule": ("x0", "y0", "x1", "y1", "r"),
+    "round_rect": ("cx", "cy", "ux", "uy", "hx", "hy", "r"),
 }
 KINDS = tuple(FIELDS)
 library = ctypes.CDLL("libvesica.so.0")
@@ -75,6 +77,8 @@ def draw(kind, rng, dtype="f8"):
         "aabb": (x, y, x + h, y + k),
         "rect": (x, y, ux, uy, h, k),
         "ellipse": (x, y, ux, uy, h, k),
+        "capsule": (x, y, x + h, y + k, 0.5),
+        "round_rect": (x, y, ux, uy, h, k, 0.25),
     }[kind]
     return kind, numbers
 

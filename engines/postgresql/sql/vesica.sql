@@ -5,6 +5,8 @@ CREATE EXTENSION vesica;
 SELECT 'rect 0 0 0.8 0.6 2 1'::vshape, vs_circle(2, 1, 0.5), vs_point(0.1, '-0');
 SELECT 'ellipse 0.1,1e-300 4.94065645841247e-324 1.7976931348623157e308 0.30000000000000004 0'::vshape;
 SELECT vshape_send('point 1 -0');
+SELECT vs_round_rect(0, 0, 1, 0, 1, 2, 0.5), 'round_rect 0 0 1 0 1 2 0.5' && 'point 1.5 0'::vshape AS touching,
+  vs_capsule(0, 0, 1, 0, 0.5) <-> 'point 2 0' AS distance;
 
 -- ---- Questions ----
 SELECT vs_overlap('circle 0 0 1', 'circle 2 0 1') AS touching, 'circle 0 0 1' && 'circle 2.0000000000000004 0 1'::vshape AS apart,
@@ -26,6 +28,7 @@ SELECT 'circle nan 0 1'::vshape;
 SELECT 'circle 0 0 -1'::vshape;
 SELECT 'rect 0 0 0 0 1 1'::vshape;
 SELECT 'aabb 1 0 0 0'::vshape;
+SELECT 'round_rect 0 0 1 0 1 2'::vshape;
 SELECT 'square 1 2'::vshape;
 SELECT ''::vshape;
 SELECT 'point 1'::vshape;
