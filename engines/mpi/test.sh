@@ -32,7 +32,7 @@ done
 import numpy
 
 def save(name, rows):
-    shapes = numpy.zeros(len(rows), [("kind", "<i8"), ("numbers", "<f8", (6,))])
+    shapes = numpy.zeros(len(rows), [("kind", "<i8"), ("numbers", "<f8", (7,))])
     for shape, (kind, *numbers) in zip(shapes, rows):
         shape["kind"] = kind
         shape["numbers"][: len(numbers)] = numbers
