@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // All pairs of two indexes that are within a distance.
+#include <cmath>
+
 #include "index_arguments.hpp"
 #include "join/within.hpp"
 #include "queries/within.hpp"
@@ -30,7 +32,7 @@ int64_t join_within(const void* index_a, const CShapesOf<T>* sets_a, int32_t set
   const int32_t error =
       first_error(check_side<T>(index_a, sets_a, set_count_a, a), check_side<T>(index_b, sets_b, set_count_b, b));
   if (error != 0) return error;
-  if (!(distance >= 0) || parts < 1 || part < 0 || part >= parts || capacity < 0) return VESICA_E_ARGUMENT;
+  if (std::isnan(distance) || parts < 1 || part < 0 || part >= parts || capacity < 0) return VESICA_E_ARGUMENT;
   const index::JoinWithin join{
       index_kernels(), index_a, index_b, a, b, static_cast<double>(distance), near, part, parts};
   if (capacity == 0) return index::count_within(join);

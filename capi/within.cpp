@@ -2,6 +2,7 @@
 // Shapes at most a distance apart: two, and arrays of them.
 #include "queries/within.hpp"
 
+#include <cmath>
 #include <vesica/within.hpp>
 
 #include "arrays.hpp"
@@ -24,7 +25,7 @@ int32_t within(int32_t kind_a, const void* a, int32_t kind_b, const void* b, T d
   VESICA_DEFAULT_ENVIRONMENT(within<T>, kind_a, a, kind_b, b, distance);
   if (a == nullptr || b == nullptr) return VESICA_E_NULL;
   if (!(vesica::has_core(kind_a) && vesica::has_core(kind_b))) return VESICA_E_KIND;
-  if (!(distance >= 0)) return VESICA_E_ARGUMENT;
+  if (std::isnan(distance)) return VESICA_E_ARGUMENT;
   const queries::WithinOfPair pair = queries::within(kind_a, kind_b);
   if constexpr (std::is_same_v<T, double>) {
     return pair(static_cast<const double*>(a), static_cast<const double*>(b), distance);
@@ -46,7 +47,7 @@ int64_t within_many(const CShapesOf<T>* a, const CShapesOf<T>* b, T distance, ui
   const int32_t error = check_call(a, b, out, anything(a, b), vesica::has_core);
   if (error != 0) return error;
   const int64_t n = pairs_in_step(*a, *b);
-  if (n < 0 || !(distance >= 0)) return VESICA_E_ARGUMENT;
+  if (n < 0 || std::isnan(distance)) return VESICA_E_ARGUMENT;
   return result(vesica::batch::within_many<T>(view<T>(*a), view<T>(*b), n, static_cast<double>(distance), out));
 }
 
@@ -56,7 +57,7 @@ int64_t within_matrix(const CShapesOf<T>* a, const CShapesOf<T>* b, T distance, 
   VESICA_DEFAULT_ENVIRONMENT(within_matrix<T>, a, b, distance, out, row_stride);
   const int32_t error = check_call(a, b, out, anything(a, b), vesica::has_core);
   if (error != 0) return error;
-  if (!rows_apart(a->count, b->count, row_stride, 1) || !(distance >= 0)) return VESICA_E_ARGUMENT;
+  if (!rows_apart(a->count, b->count, row_stride, 1) || std::isnan(distance)) return VESICA_E_ARGUMENT;
   if (!anything(a, b)) return 0;
   return result(
       vesica::batch::within_matrix<T>(view<T>(*a), view<T>(*b), static_cast<double>(distance), out, row_stride));

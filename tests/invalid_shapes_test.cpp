@@ -92,7 +92,8 @@ void expect_checked_forms_to_refuse(const A& a, const B& b) {
   EXPECT_EQ(number, 7);
   EXPECT_EQ(signed_distance_or_error(a, b, number), error_shape);
   EXPECT_EQ(number, 7);
-  for (const T distance : {T(0), T(1), std::numeric_limits<T>::infinity()}) {
+  constexpr T infinity = std::numeric_limits<T>::infinity();
+  for (const T distance : {T(0), T(1), infinity, T(-1), -infinity}) {
     EXPECT_EQ(within_or_error(a, b, distance), error_shape);
   }
   NineIntersections nine{"untouch.."};

@@ -59,8 +59,11 @@ void join_within(const Built<T>& a, const Built<T>& b, T distance) {
 template <class T>
 void all_within() {
   const auto rect = sample<T>(VESICA_RECT, 0, 0), disc = sample<T>(VESICA_CIRCLE, 5, 0);
-  for (const T distance : {T(0), T(0.5), T(2), T(-1), std::numeric_limits<T>::infinity()}) within(rect, disc, distance);
+  for (const T distance :
+       {T(0), T(0.5), T(2), T(-1), std::numeric_limits<T>::quiet_NaN(), std::numeric_limits<T>::infinity()})
+    within(rect, disc, distance);
   within(Array<T>{VESICA_POINT, {0, 0}}, Array<T>{VESICA_CIRCLE, {5, 0, 2}}, T(3));
+  within(Array<T>{VESICA_POINT, {4, 0}}, Array<T>{VESICA_CIRCLE, {5, 0, 2}}, T(-1));
   const Array<T> ellipse{VESICA_ELLIPSE, {5, 0, 1, 0, 2, 1}};
   within(Array<T>{VESICA_POINT, {0, 0}}, ellipse, T(3));
   within(Array<T>{VESICA_ELLIPSE, {-2, 0, 1, 0, 2, 1}}, ellipse, T(3));

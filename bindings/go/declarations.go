@@ -155,7 +155,7 @@ const (
 	WithinNo WithinResult = 0
 	// WithinYes: they are at most that far apart
 	WithinYes WithinResult = 1
-	// WithinNearly: only of two ellipses: their distance is too close to the one asked for to decide
+	// WithinNearly: only with ellipses: the distance is too close to the one asked for to decide
 	WithinNearly WithinResult = 2
 )
 

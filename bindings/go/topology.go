@@ -12,7 +12,8 @@ import (
 	"unsafe"
 )
 
-// Within tells whether two shapes are at most distance apart. Exactly so far counts, and exact, but for two ellipses.
+// Within tells whether two shapes are at most distance apart. Exactly so far counts, and exact, but for ellipses. If
+// distance is negative, it tells whether they overlap at least that deep.
 func Within[A, B Shape](a A, b B, distance float64) (WithinResult, error) {
 	code, err := codeOf(func(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t,
 		numbersB C.vesica_go_numbers) C.int32_t {
@@ -123,7 +124,7 @@ func SuppressSoft[T Float](shapes Array[T], scores []T, how SoftSuppression[T]) 
 }
 
 // JoinWithin gives all pairs of an item of this index and one of another that are at most distance apart, as Join does.
-// Of ellipses also those too near to it to tell.
+// Of ellipses also those too near to it to tell. If distance is negative, the pairs overlap at least that deep.
 func (x *Index[T]) JoinWithin(other *Index[T], distance T) ([]Pair, error) {
 	const capacity = 1 << 14
 	a, b, state := make([]int64, capacity), make([]int64, capacity), make([]int64, 4)

@@ -2,7 +2,10 @@
 
 package vesica
 
-import "testing"
+import (
+	"math"
+	"testing"
+)
 
 func TestNearDeepAndHowTheyMeet(t *testing.T) {
 	square := func(x, y float64) AABB[float64] { return AABB[float64]{x, y, x + 2, y + 2} }
@@ -21,8 +24,11 @@ func TestNearDeepAndHowTheyMeet(t *testing.T) {
 	if found, err := Within(Ellipse[float64]{-2, 0, 1, 0, 2, 1}, ellipse, 3); found != WithinNearly || err != nil {
 		t.Error(found, err)
 	}
-	if _, err := Within(a, b, -1); err != ErrArgument {
+	if _, err := Within(a, b, math.NaN()); err != ErrArgument {
 		t.Error(err)
+	}
+	if found, err := Within(a, b, -1); found != WithinYes || err != nil {
+		t.Error(found, err)
 	}
 	near, signed := make([]WithinResult, 3), make([]float64, 3)
 	if n, err := WithinMany(boxes, AABBs([]AABB[float64]{a}), 2, near); n != 2 || err != nil || near[2] != WithinNo {

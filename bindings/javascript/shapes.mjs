@@ -92,7 +92,7 @@ export function numbersOf(shape, scalar = 'f64') {
 
 /** A distance beside shapes of a scalar type. */
 export function distanceFor(distance, scalar) {
-  if (typeof distance !== 'number') throw new TypeError('a distance is a number, which may be Infinity');
+  if (typeof distance !== 'number') throw new TypeError('a distance is a number, which may be infinite');
   checkRoom([distance], scalar);
   return distance;
 }

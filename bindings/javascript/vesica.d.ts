@@ -179,7 +179,7 @@ export class Index {
   /** The same, pair by pair, without arrays of them. `found` may not rebuild an index of the two. */
   forEachPair(found: (a: number, b: number) => void, options?: Joining): void;
   joinCount(options?: Joining): number;
-  /** All pairs at most `distance` apart. Of ellipses also those too near to it to tell. */
+  /** All pairs at most `distance` apart; if it is negative, those that overlap at least that deep. Of ellipses also those too near to it to tell. */
   joinWithin(distance: number, options?: Omit<Joining, 'query'>): { a: number[]; b: number[] };
   /** The items that a shape overlaps. */
   select(shape: Shape): number[];
@@ -286,8 +286,9 @@ export class Vesica {
   signedDistance(a: ShapeArray, b: Many): Numbers;
   signedDistance(a: Many, b: ShapeArray): Numbers;
   /**
-   * Are they at most `distance` apart? Exactly so far counts. Exact, but for two ellipses: 'nearly' where their distance
-   * is too near the one asked for to decide. Arrays have numbers: see `withins`.
+   * Are they at most `distance` apart? Exactly so far counts. With a negative distance: do they overlap at least that
+   * deep? Exact, but with ellipses it may be 'nearly', where that is too near the one asked for to decide. Arrays have
+   * numbers: see `withins`.
    */
   within(a: Shape, b: Shape, distance: number): Within;
   within(a: ShapeArray, b: Many, distance: number, options?: { out?: Uint8Array }): Uint8Array;

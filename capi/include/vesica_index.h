@@ -199,10 +199,10 @@ VESICA_API int64_t vesica_join_f64(int32_t query, const void *index_a, const ves
  *
  * If both indexes are the same pointer, pairs are those of two different items a < b. They come in index_a's order.
  * Each part takes about the same number of items of index_a; all else is as for vesica_join_f64.
- * Requires: distance >= 0, or infinity for all pairs of valid shapes; sets, part, outputs, capacity and state as
- * vesica_join_f64.
+ * Requires: distance, infinity for all pairs of valid shapes, < 0 for those that overlap at least -distance deep; sets,
+ * part, outputs, capacity and state as vesica_join_f64.
  * Returns: the number of pairs written; with capacity 0, how many the whole part has.
- * Errors: those of vesica_join_f64; VESICA_E_ARGUMENT also for a distance that is negative or NaN.
+ * Errors: those of vesica_join_f64; VESICA_E_ARGUMENT also for a distance that is NaN.
  * Accuracy: as vesica_within_f64; pairs that are VESICA_WITHIN_NEARLY are included.
  * Cost: seven times vesica_join_f64.
  */

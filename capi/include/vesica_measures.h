@@ -30,7 +30,7 @@ extern "C" {
 /* Are two shapes within a distance of each other? */
 #define VESICA_WITHIN_NO 0     /**< they are farther apart */
 #define VESICA_WITHIN_YES 1    /**< they are at most that far apart */
-#define VESICA_WITHIN_NEARLY 2 /**< only of two ellipses: their distance is too close to the one asked for to decide */
+#define VESICA_WITHIN_NEARLY 2 /**< only with ellipses: the distance is too close to the one asked for to decide */
 
 /* How soft suppression lowers the score of a shape that has ratio r with a kept one. */
 #define VESICA_DECAY_LINEAR 0   /**< score * (1 - r) if r exceeds the parameter, a threshold from 0 to 1 */
@@ -140,22 +140,25 @@ VESICA_API int64_t vesica_signed_distance_matrix_f64(const vesica_shapes_f64 *a,
                                                      double *out, ptrdiff_t row_stride);
 
 /* ---- Within a distance, double ----
- * Requires: distance >= 0. It may be infinity: then the answer is yes for any two valid shapes.
- * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
- * Accuracy: yes and no are always right. Only two disjoint ellipses, neither with a half length of 0, may get another
- * answer: VESICA_WITHIN_NEARLY if the distance of vesica_nearest_f64 differs by at most 5 u scale + 2^-1074 from the
- * one asked for.
+ * Requires: distance, any number. With infinity the answer is yes for any two valid shapes, with -infinity no.
+ * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is NaN), VESICA_E_SHAPE.
+ * Accuracy: yes and no are always right. Only an ellipse without a half length of 0 may get another answer,
+ * VESICA_WITHIN_NEARLY. With distance > 0: if the other shape is such an ellipse too, and the distance of
+ * vesica_nearest_f64 differs from the one asked for by at most 5 u scale + 2^-1074. With distance < 0: if the other
+ * shape is neither a point nor a circle, and the depth of vesica_depth_f64 differs from -distance by at most
+ * 5 u (scale + |distance|) + 2^-1074.
  * Since: 0.1.
  */
 
 /**
  * Are two shapes at most `distance` apart? A distance of exactly that counts, as touching does.
  *
- * With distance 0 the answer is as of vesica_overlap_f64, exact for all kinds. If both shapes may be ellipses, test
- * for > 0 to miss no pair, and for VESICA_WITHIN_YES to accept only what is certain. Exchanging the shapes changes
- * nothing.
+ * With distance 0 the answer is as of vesica_overlap_f64, exact for all kinds. With distance < 0 the question is
+ * whether they overlap at least -distance deep: must b move that far, or farther, to end the overlap (vesica_depth_f64)?
+ * So a tolerance of either sign is one call. With ellipses, test for > 0 to miss no pair, and for VESICA_WITHIN_YES to
+ * accept only what is certain. Exchanging the shapes changes nothing.
  * Returns: VESICA_WITHIN_NO, VESICA_WITHIN_YES or VESICA_WITHIN_NEARLY.
- * Cost: one to six times vesica_overlap_f64; as vesica_nearest_f64 for ellipses.
+ * Cost: one to six times vesica_overlap_f64; as vesica_nearest_f64 or vesica_depth_f64 for ellipses.
  */
 VESICA_API int32_t vesica_within_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b, double distance);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// within(a, b, distance): are two shapes at most that far apart? A distance of exactly that counts, as touching does.
+/// With a negative distance: do they overlap at least that deep? The depth is that of depth().
 ///
 /// Capsules, rounded rectangles and circles are the points at most a radius from a core, and other shapes are their own
 /// core (form/inflated.hpp). So the question is whether two cores are at most a sum of three lengths apart. A filter
@@ -8,11 +9,15 @@
 /// not an algebraic number of low degree: the answer is yes or no only where the error of the computed number leaves no
 /// doubt.
 ///
+/// If the sum of the three lengths is negative, the cores must overlap at least that deep (core_reach()). With an
+/// ellipse, depth() and its error decide that, and an exact predicate only where the other core is a point.
+///
 /// Laws, each tested: exchanging the shapes changes nothing; within(a, b, 0) == overlap(a, b); shapes within a distance
 /// are within any greater one.
 #pragma once
 
 #include <limits>
+#include <vesica/depth.hpp>
 #include <vesica/nearest.hpp>
 #include <vesica/overlap.hpp>
 
@@ -22,21 +27,25 @@ namespace vesica {
 enum class Within : std::int32_t {
   no,
   yes,
-  nearly,  ///< only of two ellipses: their distance is too close to the one asked for to decide
+  nearly,  ///< only with ellipses: the distance is too close to the one asked for to decide
 };
 
 namespace detail::within {
 
-/// No less than an ellipse's longer half length, and greater by a few roundoffs at most.
-inline double half_length(const Ellipse<double>& s) noexcept {
-  const double x = std::fabs(s.ux), y = std::fabs(s.uy), longer = std::fmax(x, y), ratio = std::fmin(x, y) / longer;
-  return std::fmax(s.a, s.b) * (longer * std::sqrt(1 + ratio * ratio));
+/// No less than a shape's longer half length, and greater by a few roundoffs at most.
+inline double half_length(const filter::Box<double>& s) noexcept {
+  const double x = std::fabs(s.ux), y = std::fabs(s.uy), longer = std::fmax(x, y);
+  if (longer == 0) return 0;  // a segment from a point to itself
+  const double ratio = std::fmin(x, y) / longer;
+  return std::fmax(s.hx, s.hy) * (longer * std::sqrt(1 + ratio * ratio));
 }
 
 /// The scale of vesica.h.
-inline double scale(const Ellipse<double>& a, const Ellipse<double>& b) noexcept {
-  return std::fmax(std::fmax(std::fabs(b.cx - a.cx), std::fabs(b.cy - a.cy)),
-                   std::fmax(half_length(a), half_length(b)));
+template <class A, class B>
+double scale(const A& a, const B& b) noexcept {
+  const auto d = filter::offset(filter::place(a), filter::place(b));
+  return std::fmax(std::fmax(std::fabs(d.x), std::fabs(d.y)),
+                   std::fmax(half_length(filter::box(a)), half_length(filter::box(b))));
 }
 
 /// An ellipse with all its lengths times k: the axis or, if that is short, the sizes. An axis must not vanish.
@@ -70,30 +79,107 @@ VESICA_COLD inline Within by_distance(Ellipse<double> a, Ellipse<double> b, doub
 template <class A, class B>
 VESICA_COLD std::int32_t decide(const A& a, const B& b, double distance) noexcept {
   if (check(a) != 0 || check(b) != 0) return error_shape;
-  if (!all_finite(distance)) return 1;
+  if (!all_finite(distance)) return distance > 0 ? 1 : 0;
   const std::int32_t answer = overlap::estimate_within(a, b, distance);
   return answer >= 0 ? answer : static_cast<std::int32_t>(overlap::exactly_within(a, b, distance));
 }
 
+/// How far cores may be apart, or how deep they must overlap if it is negative: the sum of both radii and the distance.
+///
+/// Proved: the points of b less those of a are K, the same of the cores, with a disc of both radii r. The shapes overlap
+/// at least t = -distance deep iff that contains the disc of radius t about the origin. Of convex sets a common disc may
+/// be taken away: if t <= r, K with r - t must contain the origin. Otherwise K must contain the disc of radius t - r.
+///
+/// It has a relative error of at most 2u. If r and t differ by at most a factor of 2, their difference is exact, and one
+/// rounding follows. If not, the result is at least r / 2, and the two small terms are at most u of r and u of it.
+inline double core_reach(double radius_a, double radius_b, double distance) noexcept {
+  const auto radii = arithmetic::two_sum(radius_a, radius_b), sum = arithmetic::two_sum(radii.high, distance);
+  return sum.high + (sum.low + radii.low);
+}
+
+/// Does an ellipse with an area overlap another shape at least `depth` > 0 deep? The depth of depth() is right to 4u of
+/// the scale, and to half the least number; whether it is 0 is exact. The depth asked for may have an error of 2u.
+template <class A>
+VESICA_COLD Within by_depth(const A& a, const Ellipse<double>& b, double depth) noexcept {
+  if (!all_finite(depth)) return Within::no;
+  Penetration<double> found{};
+  const bool is_beyond_range = depth::depth_in_order(a, b, depth::not_asked, found) != 0;
+  const double error = 9 * 0x1p-54 * scale(a, b) + 4 * 0x1p-54 * depth + std::numeric_limits<double>::denorm_min();
+  if (is_beyond_range) return all_finite(error) && depth < 0x1p1023 ? Within::yes : Within::nearly;
+  if (found.depth == 0) return Within::no;
+  if (!(std::fabs(found.depth - depth) > error)) return Within::nearly;
+  return found.depth > depth ? Within::yes : Within::no;
+}
+
+/// For a distance < 0; shapes in order, not two ellipses.
+template <class A, class B>
+VESICA_CALLED std::int32_t deep(const A& a, const B& b, double distance) noexcept {
+  const auto p = form::inflated(a);
+  const auto q = form::inflated(b);
+  const double reach = core_reach(p.radius, q.radius, distance);
+  if (reach >= 0) {
+    const auto verdict = overlap::filter_within(p.core, q.core, reach);
+    if ((verdict.overlap || verdict.disjoint) && p.radius >= 0 && q.radius >= 0) return verdict.overlap ? 1 : 0;
+  } else {
+    const auto d = filter::offset(filter::place(p.core), filter::place(q.core));
+    const auto verdict = filter::box_box_deep(filter::box(p.core), filter::box(q.core), d, -reach);
+    if ((verdict.overlap || verdict.disjoint) && p.radius >= 0 && q.radius >= 0) return verdict.overlap ? 1 : 0;
+  }
+  return decide(a, b, distance);
+}
+
+/// Against an ellipse. Its own order is not that of shapes.
+template <class B>
+VESICA_CALLED std::int32_t deep_in_ellipse(const B& b, const Ellipse<double>& e, double distance) noexcept {
+  const auto [core, radius] = form::inflated(b);
+  const double reach = core_reach(radius, 0, distance);
+  if (reach >= 0) {
+    const auto verdict = overlap::filter_within(core, e, reach);
+    if ((verdict.overlap || verdict.disjoint) && radius >= 0) return verdict.overlap ? 1 : 0;
+  } else {
+    if (check(b) != 0 || check(e) != 0) return error_shape;
+    const Within answer = e.a > 0 && e.b > 0 ? by_depth(core, e, -reach) : Within::nearly;
+    const bool is_exact = filter::is_point<std::remove_cv_t<decltype(core)>> || e.a == 0 || e.b == 0;
+    if (answer != Within::nearly || !is_exact) return static_cast<std::int32_t>(answer);
+    if (all_finite(distance)) return overlap::exactly_within(b, e, distance) ? 1 : 0;
+  }
+  return decide(b, e, distance);
+}
+template <class A>
+std::int32_t deep(const A& a, const Ellipse<double>& b, double distance) noexcept {
+  return deep_in_ellipse(a, b, distance);
+}
+template <class B>
+std::int32_t deep(const Ellipse<double>& a, const B& b, double distance) noexcept {
+  return deep_in_ellipse(b, a, distance);
+}
+
 }  // namespace detail::within
 
-/// The checked form: a Within as a number, error_argument for a distance that is negative or NaN, error_shape when
-/// either shape is invalid. Shapes of any kinds, in either order.
+/// The checked form: a Within as a number, error_argument for a distance that is NaN, error_shape when either shape is
+/// invalid. Shapes of any kinds, in either order.
 template <template <class> class A, template <class> class B>
 std::int32_t within_or_error(const A<double>& a, const B<double>& b, double distance) noexcept {
   namespace within = detail::within;
   if constexpr (!detail::in_order<A<double>, B<double>>) {
     return within_or_error(b, a, distance);
   } else if constexpr (detail::overlap::is_ellipse<A<double>> && detail::overlap::is_ellipse<B<double>>) {
-    if (!(distance >= 0)) return error_argument;
+    if (distance != distance) return error_argument;
     // Without an area it is a rectangle without one.
     if (a.a == 0 || a.b == 0) return within_or_error(Rect<double>{a.cx, a.cy, a.ux, a.uy, a.a, a.b}, b, distance);
     if (b.a == 0 || b.b == 0) return within_or_error(Rect<double>{b.cx, b.cy, b.ux, b.uy, b.a, b.b}, a, distance);
+    if (distance < 0) {
+      if (check(a) != 0 || check(b) != 0) return error_shape;
+      return static_cast<std::int32_t>(within::by_depth(a, b, -distance));
+    }
     const std::int32_t overlapping = overlap_or_error(a, b);
     if (overlapping != 0 || distance == 0) return overlapping;
     return detail::all_finite(distance) ? static_cast<std::int32_t>(within::by_distance(a, b, distance)) : 1;
   } else {
-    if (!(distance > 0)) return distance == 0 ? overlap_or_error(a, b) : error_argument;
+    if (!(distance > 0)) {
+      if (distance < 0) return within::deep(a, b, distance);
+      return distance == 0 ? overlap_or_error(a, b) : error_argument;
+    }
     const auto verdict = detail::overlap::filter_within(a, b, distance);
     if (verdict.overlap || verdict.disjoint) [[likely]]
       return verdict.overlap ? 1 : 0;
@@ -107,7 +193,7 @@ std::int32_t within_or_error(const A<float>& a, const B<float>& b, float distanc
   return within_or_error(widen(a), widen(b), static_cast<double>(distance));
 }
 
-/// True if two valid shapes of any kinds are at most `distance` >= 0 apart.
+/// Are two valid shapes of any kinds at most `distance` apart, or at least -distance deep in one another?
 template <template <class> class A, template <class> class B, class T>
 Within within(const A<T>& a, const B<T>& b, T distance) noexcept {
   const std::int32_t answer = within_or_error(a, b, distance);

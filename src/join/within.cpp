@@ -63,7 +63,7 @@ double greatest_extent(const Kernels& kernels, const Sets& sets) noexcept {
 
 /// Widens a shape's box to a window that holds all shapes within the distance. Two ellipses may be found near though
 /// they are farther apart, by less than 9 u of the scale: the largest half length of both shapes, or offset of their
-/// centres. The sum of the distance and both extents is at least that.
+/// centres. The sum of the distance and both extents is at least that. Shapes within a negative distance overlap.
 class Room {
  public:
   explicit Room(const JoinWithin& join) noexcept : join_(join), view_(join.index_b) {
@@ -81,7 +81,8 @@ class Room {
       is_of_shapes_ = true;
     }
     const double sizes = share_ == 0 ? 0 : join_.distance + size_ + extent(box[0], box[1], box[2], box[3]);
-    const double room = join_.distance * (1 + 0x1p-50) + share_ * sizes + 0x1p-1060;
+    const double distance = join_.distance > 0 ? join_.distance : 0;
+    const double room = distance * (1 + 0x1p-50) + share_ * sizes + 0x1p-1060;
     for (int side = 0; side < 4; ++side) {
       const double outward = room + 0x1p-51 * __builtin_fabs(box[side]);  // the sum is rounded too
       box[side] += side < 2 ? -outward : outward;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // All pairs of two indexes, or of one, that are within a distance. For every item of the first, a window query of the
-// second with its bounds grown by the distance. (The kernels of joins cannot: they compare columns of grids.)
+// second with its bounds grown by the distance if that is positive. (The kernels of joins cannot: they compare columns
+// of grids.)
 #pragma once
 
 #include <cstdint>

@@ -139,7 +139,8 @@ TYPED_TEST(ErrorOrder, OfTwoShapesAndANumber) {
     return F::ratio(c.wrong ? 99 : VESICA_RATIO_OVER_UNION, c.a.kind, c.a.numbers, c.b.kind, c.b.numbers, c.out(ratio));
   });
   this->expect_order("within", all, 2, [](const Call<T>& c) -> std::int64_t {
-    return F::within(c.a.kind, c.a.numbers, c.b.kind, c.b.numbers, static_cast<T>(c.wrong ? -1 : 1));
+    return F::within(c.a.kind, c.a.numbers, c.b.kind, c.b.numbers,
+                     c.wrong ? std::numeric_limits<T>::quiet_NaN() : T(1));
   });
   this->expect_order("cast", all, 3, [](const Call<T>& c) -> std::int64_t {
     typename F::Impact impact;
@@ -198,7 +199,7 @@ TYPED_TEST(ErrorOrder, OfTwoArrays) {
   });
   this->expect_order("within_many", all, 3, [](const Call<T>& c) -> std::int64_t {
     std::uint8_t byte;
-    return F::within_many(c.a.array(), c.b.array(), static_cast<T>(c.wrong ? -1 : 1), c.out(byte));
+    return F::within_many(c.a.array(), c.b.array(), c.wrong ? std::numeric_limits<T>::quiet_NaN() : T(1), c.out(byte));
   });
   this->expect_order("cast_many", all, 2, [](const Call<T>& c) -> std::int64_t {
     const T velocity = 1;
@@ -324,9 +325,9 @@ TYPED_TEST(ErrorOrder, OfAnIndex) {
                 first_of(chosen))
           << chosen;
       if (has(invalid_shape)) continue;  // of the other side
-      EXPECT_EQ(
-          F::join_within(built, sets, 1, built, one.array(), 1, T(wrong ? -1 : 1), 0, 1, item_or_null, &item, 1, state),
-          first_of(chosen))
+      EXPECT_EQ(F::join_within(built, sets, 1, built, one.array(), 1,
+                               wrong ? std::numeric_limits<T>::quiet_NaN() : T(1), 0, 1, item_or_null, &item, 1, state),
+                first_of(chosen))
           << chosen;
       EXPECT_EQ(F::join(wrong ? 99 : VESICA_JOIN_OVERLAP, built, sets, 1, built, one.array(), 1, 0, 1,
                         null && no_output ? nullptr : scratch, sizeof scratch, &item, &item, 1, state),

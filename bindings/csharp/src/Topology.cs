@@ -80,8 +80,9 @@ namespace Vesica
             return Query.Matrix(signedMatrix, a, b, AsBytes(output), false);
         }
 
-        /// <summary>Are two shapes at most so far apart? Exactly so far counts, and exact, but for ellipses. With float
-        /// shapes the distance is rounded to float first: 0.1 is then 0.1f.</summary>
+        /// <summary>Are two shapes at most so far apart? Exactly so far counts, and exact, but for ellipses. If it
+        /// is negative: do they overlap at least that deep? With float shapes the distance is rounded to float first: 0.1
+        /// is then 0.1f.</summary>
         public static Within Within<A, B>(A a, B b, double distance) where A : IShape where B : IShape
         {
             int found = 0;

@@ -391,7 +391,8 @@ internal static unsafe class Arguments
         foreach (string pattern in new[] { "T*", "T********\0", "\u00e9********", "X********" })
             Refused<VesicaException>("", () => Topology.Matches("FF2F11212", pattern));
         Refused<VesicaException>("", () => Topology.Intersection(a, disc));
-        Refused<VesicaException>("", () => Distances.Within(a, b, -1));
+        Refused<VesicaException>("", () => Distances.Within(a, b, double.NaN));
+        Check(Distances.Within(a, b, -1) == Within.Yes, "deep enough");
         Shapes soft = Shapes.Of(new[] { new Aabb(0, 0, 4, 4), new Aabb(0, 0, 4, 3), new Aabb(9, 9, 10, 10) });
         Kept[] kept = Soft.Suppress(soft, new[] { 1, 0.75, 0.5 }, new SoftSuppression(Decay.Linear, 0.5));
         Check(kept.Select(each => each.Item).SequenceEqual(new long[] { 0, 2, 1 }), "soft suppression");

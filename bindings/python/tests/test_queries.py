@@ -282,7 +282,7 @@ class Known(unittest.TestCase):
         boxes = vesica.aabbs([[0, 0, 2, 2], [1, 1, 3, 3]])
         points = vesica.points([[0, 0], [1, 1]])
         for call in (
-            lambda: vesica.within(boxes, boxes, -1.0),
+            lambda: vesica.within(boxes, boxes, math.nan),
             lambda: vesica.within_matrix(boxes, boxes, math.nan),
             lambda: vesica.nms(boxes, [1, 2], threshold=5),
             lambda: vesica.nms_soft(boxes, [1, 2], least_score=-1),

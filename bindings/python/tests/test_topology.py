@@ -23,11 +23,14 @@ class Topology(unittest.TestCase):
         self.assertEqual(vesica.within_matrix(BOXES, BOXES[:2], 2).tolist(), [[1, 1], [1, 1], [0, 1]])
         first, second = vesica.Index(BOXES).join_within(2)
         self.assertEqual(sorted(zip(first.tolist(), second.tolist())), [(0, 1), (1, 2)])
-        for distance in (-1, math.nan):
-            with self.assertRaises(vesica.VesicaError):
-                vesica.within(BOX, disc, distance)
-            with self.assertRaises(vesica.VesicaError):
-                vesica.Index(BOXES).join_within(distance)
+        with self.assertRaises(vesica.VesicaError):
+            vesica.within(BOX, disc, math.nan)
+        with self.assertRaises(vesica.VesicaError):
+            vesica.Index(BOXES).join_within(math.nan)
+        self.assertEqual(vesica.within(BOXES, BOX, -1).tolist(), [1, 1, 0])
+        self.assertEqual(vesica.within(BOXES, BOX, -1.5).tolist(), [1, 0, 0])
+        first, second = vesica.Index(BOXES).join_within(-1)
+        self.assertEqual(list(zip(first.tolist(), second.tolist())), [(0, 1)])
 
     def test_signed_distance(self):
         self.assertEqual(vesica.signed_distance(BOXES, BOX).tolist(), [-2, -1, 3])

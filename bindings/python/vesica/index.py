@@ -157,7 +157,7 @@ class Index:
     def join_within(self, distance, other=None, part=0, parts=1):
         """All pairs at most `distance` apart, as join gives them. Of ellipses also those too near to tell.
 
-        The distance is first rounded to the shapes' type.
+        With a negative distance, pairs that overlap at least that deep. The distance is first rounded to the shapes' type.
         """
         other = self._joined(other)
         indexes = self._address(), self._sets, len(self._sets), other._address(), other._sets, len(other._sets)

@@ -41,7 +41,7 @@ class Ratio(enum.IntEnum):
 
 
 class Within(enum.IntEnum):
-    """Whether two shapes are at most so far apart. NEARLY, only for two ellipses: too close to decide."""
+    """Whether two shapes are at most so far apart. NEARLY, only with ellipses: too close to decide."""
 
     NO = _declarations.WITHIN_NO
     YES = _declarations.WITHIN_YES
@@ -316,8 +316,8 @@ def signed_distance_matrix(a, b, out=None):
 def within(a, b, distance, out=None):
     """Are a and b at most `distance` apart? Exactly so far counts. A Within, or an array of uint8 with their numbers.
 
-    Exact for the distance as rounded to the shapes' type. For two ellipses it is Within.NEARLY where their distance is
-    too near the one asked for to decide.
+    With a negative distance: do they overlap at least that deep? Exact for the distance as rounded to the shapes' type.
+    With ellipses it may be Within.NEARLY where their distance or depth is too near the one asked for to decide.
     """
     return _Query("within", (numpy.uint8,), Within, last=(_distance(distance),))(a, b, out)
 
@@ -329,8 +329,8 @@ def within_matrix(a, b, distance, out=None):
 
 def _distance(distance):
     """A distance that may be asked about."""
-    if not distance >= 0:
-        raise VesicaError(_declarations.E_ARGUMENT, f"distance is {distance}, not 0 or more")
+    if distance != distance:
+        raise VesicaError(_declarations.E_ARGUMENT, "distance is NaN")
     return float(distance)
 
 

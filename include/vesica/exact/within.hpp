@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Boxes at most a distance apart, exactly. Disjoint boxes are closest at a corner of one of them, as an edge is
-/// straight.
+/// Boxes at most a distance apart, or at least a depth deep in one another, exactly. Disjoint boxes are closest at a
+/// corner of one of them, as an edge is straight. The depth is least along the normal of a side (contact()).
 #pragma once
 
 #include <vesica/exact/box_box.hpp>
@@ -52,10 +52,28 @@ constexpr bool corner_within(const Box& a, const Box& b, const Length& dx, const
   return false;
 }
 
+/// True if two intervals, as for gap(), share at least `depth` > 0, given its square.
+constexpr bool share(const Number<2>& p, const Number<3>& r, const Number<4>& squared_depth) noexcept {
+  const auto shared = r - abs(p);
+  return shared.sign > 0 && compare(square(shared), squared_depth) >= 0;
+}
+
+/// True if two boxes share at least `depth` > 0 along each of four normals. Degree 6.
+constexpr bool deep(const Box& a, const Box& b, const Length& depth) noexcept {
+  const BoxPair seen(a, b);
+  const auto along_axes = [&](const Box& box, const Box& other) {
+    const FrameOfBox f(seen, box, other);
+    const auto squared = square(depth) * dot(box.ux, box.uy, box.ux, box.uy);
+    return share(f.x, f.hx + f.other_x, squared) && share(f.y, f.hy + f.other_y, squared);
+  };
+  return along_axes(a, b) && along_axes(b, a);
+}
+
 }  // namespace detail
 
-/// True if two boxes are at most `reach` >= 0 apart.
+/// True if two boxes are at most `reach` apart; with reach < 0, if they overlap at least -reach deep.
 constexpr bool within(const Box& a, const Box& b, const Length& reach) noexcept {
+  if (reach.sign < 0) return detail::deep(a, b, -reach);
   const Length dx = a.cx - b.cx, dy = a.cy - b.cy;
   return detail::corner_within(a, b, dx, dy, reach, false, false) ||
          detail::corner_within(b, a, integer(-1) * dx, integer(-1) * dy, reach, true, false) || overlap(a, b);

@@ -104,9 +104,14 @@ VESICA_CALLED constexpr bool corner_within(const Box& box, const Corner& corner,
 
 }  // namespace detail
 
-/// True if a box and an ellipse are at most `reach` >= 0 apart.
+/// True if a box and an ellipse are at most `reach` apart; with reach < 0, if they overlap at least -reach deep. That is
+/// answered for a point, where the ellipse contains the disc of that radius, and for an ellipse without an area.
 constexpr bool within(const Box& box, const Ellipse& ellipse, const Length& reach) noexcept {
   if (degenerate(ellipse)) return within(box, as_box(ellipse), reach);
+  if (reach.sign < 0) {
+    const Ellipse disc{box.cx, box.cy, from_double(1), {}, -reach, -reach};
+    return relation(ellipse, disc) >= Relation::contains;
+  }
   if (reach.sign == 0) return overlap(box, ellipse);
   if (box.hx.sign == 0 && box.hy.sign == 0) return detail::corner_within(box, {1, 1}, ellipse, reach);
   const detail::ClosestParts parts = detail::closest_parts(box, ellipse, reach);

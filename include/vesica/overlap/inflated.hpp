@@ -41,7 +41,8 @@ VESICA_INLINE constexpr auto filter(const A& a, const B& b) noexcept {
   return filter_within(a, b, decltype(form::inflated(b).radius)(0.0f));
 }
 
-/// Valid shapes, not two ellipses: are they at most `distance` apart?
+/// Valid shapes, not two ellipses: are they at most `distance` apart? It may be negative, except that -distance may
+/// exceed the radius of a core only if the core is a point or the other shape is no ellipse.
 template <class A, class B>
 constexpr bool exactly_within(const A& a, const B& b, double distance) noexcept {
   if constexpr (is_ellipse<A>) {
@@ -72,7 +73,7 @@ VESICA_COLD std::int32_t estimate_within(const Ellipse<double>& a, const B& b, d
   if (!cores.disjoint) return -1;
   const nearest::ClosestCores c = nearest::closest_cores(a, b);
   const double gap = nearest::scaled_distance(c.distance - c.radii, c.exponent) - distance;
-  const double error = 0x1p-49 * (arithmetic::scale_far(c.size, c.exponent) + distance);
+  const double error = 0x1p-49 * (arithmetic::scale_far(c.size, c.exponent) + std::fabs(distance));
   return gap < -error ? 1 : gap > error ? 0 : -1;
 }
 /// Other pairs go from the filter to exact arithmetic.

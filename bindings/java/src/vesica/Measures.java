@@ -132,7 +132,10 @@ public final class Measures {
     return checked(Native.signedDistanceMatrix(a.wide, a, b, out, b.count));
   }
 
-  /** Are two shapes at most {@code distance} apart? Exactly so far counts, and exact, but for ellipses. */
+  /**
+   * Are two shapes at most {@code distance} apart? Exactly so far counts, and exact, but for ellipses. If it is negative:
+   * do they overlap at least that deep?
+   */
   public static Within within(Shape a, Shape b, double distance) {
     int kindA = a.kind().value, kindB = b.kind().value;
     return Within.of((int) checked(Native.withinF64(kindA, a.numbers(), kindB, b.numbers(), distance)));

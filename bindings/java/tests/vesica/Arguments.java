@@ -178,7 +178,8 @@ final class Arguments {
       refused(VesicaException.class, "", () -> Topology.matches("FF2F11212", pattern));
     }
     refused(VesicaException.class, "", () -> Topology.intersection(a, disc));
-    refused(VesicaException.class, "", () -> Measures.within(a, b, -1));
+    refused(VesicaException.class, "", () -> Measures.within(a, b, Double.NaN));
+    check(Measures.within(a, b, -1) == Within.YES, "deep enough");
     Shapes soft = Shapes.of(Kind.AABB, new Aabb(0, 0, 4, 4), new Aabb(0, 0, 4, 3), new Aabb(9, 9, 10, 10));
     double[] scores = {1, 0.75, 0.5};
     Measures.Kept kept = Measures.suppressSoft(soft, scores, new Measures.SoftSuppression(Decay.LINEAR, 0.5));

@@ -91,7 +91,7 @@ pub const VESICA_RATIO_COMPLETE: i32 = 6;
 pub const VESICA_WITHIN_NO: i32 = 0;
 /// they are at most that far apart
 pub const VESICA_WITHIN_YES: i32 = 1;
-/// only of two ellipses: their distance is too close to the one asked for to decide
+/// only with ellipses: the distance is too close to the one asked for to decide
 pub const VESICA_WITHIN_NEARLY: i32 = 2;
 /// score \* (1 - r) if r exceeds the parameter, a threshold from 0 to 1
 pub const VESICA_DECAY_LINEAR: i32 = 0;
@@ -2641,12 +2641,12 @@ extern "C" {
     /// If both indexes are the same pointer, pairs are those of two different items a \< b. They come in index_a's
     /// order. Each part takes about the same number of items of index_a; all else is as for vesica_join_f64.
     ///
-    /// Requires: distance \>= 0, or infinity for all pairs of valid shapes; sets, part, outputs, capacity and state as
-    /// vesica_join_f64.
+    /// Requires: distance, infinity for all pairs of valid shapes, \< 0 for those that overlap at least -distance deep;
+    /// sets, part, outputs, capacity and state as vesica_join_f64.
     ///
     /// Returns: the number of pairs written; with capacity 0, how many the whole part has.
     ///
-    /// Errors: those of vesica_join_f64; VESICA_E_ARGUMENT also for a distance that is negative or NaN.
+    /// Errors: those of vesica_join_f64; VESICA_E_ARGUMENT also for a distance that is NaN.
     ///
     /// Accuracy: as vesica_within_f64; pairs that are VESICA_WITHIN_NEARLY are included.
     ///
@@ -2796,12 +2796,12 @@ extern "C" {
     /// If both indexes are the same pointer, pairs are those of two different items a \< b. They come in index_a's
     /// order. Each part takes about the same number of items of index_a; all else is as for vesica_join_f32.
     ///
-    /// Requires: distance \>= 0, or infinity for all pairs of valid shapes; sets, part, outputs, capacity and state as
-    /// vesica_join_f32.
+    /// Requires: distance, infinity for all pairs of valid shapes, \< 0 for those that overlap at least -distance deep;
+    /// sets, part, outputs, capacity and state as vesica_join_f32.
     ///
     /// Returns: the number of pairs written; with capacity 0, how many the whole part has.
     ///
-    /// Errors: those of vesica_join_f32; VESICA_E_ARGUMENT also for a distance that is negative or NaN.
+    /// Errors: those of vesica_join_f32; VESICA_E_ARGUMENT also for a distance that is NaN.
     ///
     /// Accuracy: as vesica_within_f32; pairs that are VESICA_WITHIN_NEARLY are included.
     ///
@@ -2991,23 +2991,26 @@ extern "C" {
         row_stride: isize) -> i64;
     /// Are two shapes at most `distance` apart? A distance of exactly that counts, as touching does.
     ///
-    /// With distance 0 the answer is as of vesica_overlap_f64, exact for all kinds. If both shapes may be ellipses,
-    /// test for \> 0 to miss no pair, and for VESICA_WITHIN_YES to accept only what is certain. Exchanging the shapes
-    /// changes nothing.
+    /// With distance 0 the answer is as of vesica_overlap_f64, exact for all kinds. With distance \< 0 the question is
+    /// whether they overlap at least -distance deep: must b move that far, or farther, to end the overlap
+    /// (vesica_depth_f64)? So a tolerance of either sign is one call. With ellipses, test for \> 0 to miss no pair, and
+    /// for VESICA_WITHIN_YES to accept only what is certain. Exchanging the shapes changes nothing.
     ///
-    /// Requires: distance \>= 0. It may be infinity: then the answer is yes for any two valid shapes.
+    /// Requires: distance, any number. With infinity the answer is yes for any two valid shapes, with -infinity no.
     ///
     /// Returns: VESICA_WITHIN_NO, VESICA_WITHIN_YES or VESICA_WITHIN_NEARLY.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is NaN), VESICA_E_SHAPE.
     ///
-    /// Accuracy: yes and no are always right. Only two disjoint ellipses, neither with a half length of 0, may get
-    /// another answer: VESICA_WITHIN_NEARLY if the distance of vesica_nearest_f64 differs by at most 5 u scale +
-    /// 2^-1074 from the one asked for. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of
-    /// two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
-    /// means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
+    /// Accuracy: yes and no are always right. Only an ellipse without a half length of 0 may get another answer,
+    /// VESICA_WITHIN_NEARLY. With distance \> 0: if the other shape is such an ellipse too, and the distance of
+    /// vesica_nearest_f64 differs from the one asked for by at most 5 u scale + 2^-1074. With distance \< 0: if the
+    /// other shape is neither a point nor a circle, and the depth of vesica_depth_f64 differs from -distance by at most
+    /// 5 u (scale + |distance|) + 2^-1074. In bounds on errors u is 2^-53, half a unit in the last place of 1. The
+    /// scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4
+    /// u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
-    /// Cost: one to six times vesica_overlap_f64; as vesica_nearest_f64 for ellipses.
+    /// Cost: one to six times vesica_overlap_f64; as vesica_nearest_f64 or vesica_depth_f64 for ellipses.
     ///
     /// Since: 0.1.
     pub fn vesica_within_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, distance: f64) -> i32;
@@ -3015,17 +3018,19 @@ extern "C" {
     ///
     /// Arrays and errors are those of vesica_overlap_many_f64.
     ///
-    /// Requires: distance \>= 0. It may be infinity: then the answer is yes for any two valid shapes.
+    /// Requires: distance, any number. With infinity the answer is yes for any two valid shapes, with -infinity no.
     ///
     /// Returns: how many answers are \> 0.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is NaN), VESICA_E_SHAPE.
     ///
-    /// Accuracy: yes and no are always right. Only two disjoint ellipses, neither with a half length of 0, may get
-    /// another answer: VESICA_WITHIN_NEARLY if the distance of vesica_nearest_f64 differs by at most 5 u scale +
-    /// 2^-1074 from the one asked for. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of
-    /// two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
-    /// means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
+    /// Accuracy: yes and no are always right. Only an ellipse without a half length of 0 may get another answer,
+    /// VESICA_WITHIN_NEARLY. With distance \> 0: if the other shape is such an ellipse too, and the distance of
+    /// vesica_nearest_f64 differs from the one asked for by at most 5 u scale + 2^-1074. With distance \< 0: if the
+    /// other shape is neither a point nor a circle, and the depth of vesica_depth_f64 differs from -distance by at most
+    /// 5 u (scale + |distance|) + 2^-1074. In bounds on errors u is 2^-53, half a unit in the last place of 1. The
+    /// scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4
+    /// u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
     /// Since: 0.1.
     pub fn vesica_within_many_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, distance: f64, out: *mut u8) -> i64;
@@ -3033,17 +3038,19 @@ extern "C" {
     ///
     /// Arrays, row_stride and errors are those of vesica_overlap_matrix_f64.
     ///
-    /// Requires: distance \>= 0. It may be infinity: then the answer is yes for any two valid shapes.
+    /// Requires: distance, any number. With infinity the answer is yes for any two valid shapes, with -infinity no.
     ///
     /// Returns: how many answers are \> 0.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is NaN), VESICA_E_SHAPE.
     ///
-    /// Accuracy: yes and no are always right. Only two disjoint ellipses, neither with a half length of 0, may get
-    /// another answer: VESICA_WITHIN_NEARLY if the distance of vesica_nearest_f64 differs by at most 5 u scale +
-    /// 2^-1074 from the one asked for. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of
-    /// two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
-    /// means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
+    /// Accuracy: yes and no are always right. Only an ellipse without a half length of 0 may get another answer,
+    /// VESICA_WITHIN_NEARLY. With distance \> 0: if the other shape is such an ellipse too, and the distance of
+    /// vesica_nearest_f64 differs from the one asked for by at most 5 u scale + 2^-1074. With distance \< 0: if the
+    /// other shape is neither a point nor a circle, and the depth of vesica_depth_f64 differs from -distance by at most
+    /// 5 u (scale + |distance|) + 2^-1074. In bounds on errors u is 2^-53, half a unit in the last place of 1. The
+    /// scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4
+    /// u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
     /// Since: 0.1.
     pub fn vesica_within_matrix_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, distance: f64, out: *mut u8,
@@ -3264,23 +3271,26 @@ extern "C" {
         row_stride: isize) -> i64;
     /// Are two shapes at most `distance` apart? A distance of exactly that counts, as touching does.
     ///
-    /// With distance 0 the answer is as of vesica_overlap_f32, exact for all kinds. If both shapes may be ellipses,
-    /// test for \> 0 to miss no pair, and for VESICA_WITHIN_YES to accept only what is certain. Exchanging the shapes
-    /// changes nothing.
+    /// With distance 0 the answer is as of vesica_overlap_f32, exact for all kinds. With distance \< 0 the question is
+    /// whether they overlap at least -distance deep: must b move that far, or farther, to end the overlap
+    /// (vesica_depth_f32)? So a tolerance of either sign is one call. With ellipses, test for \> 0 to miss no pair, and
+    /// for VESICA_WITHIN_YES to accept only what is certain. Exchanging the shapes changes nothing.
     ///
-    /// Requires: distance \>= 0. It may be infinity: then the answer is yes for any two valid shapes.
+    /// Requires: distance, any number. With infinity the answer is yes for any two valid shapes, with -infinity no.
     ///
     /// Returns: VESICA_WITHIN_NO, VESICA_WITHIN_YES or VESICA_WITHIN_NEARLY.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is NaN), VESICA_E_SHAPE.
     ///
-    /// Accuracy: yes and no are always right. Only two disjoint ellipses, neither with a half length of 0, may get
-    /// another answer: VESICA_WITHIN_NEARLY if the distance of vesica_nearest_f32 differs by at most 5 u scale +
-    /// 2^-1074 from the one asked for. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of
-    /// two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
-    /// means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
+    /// Accuracy: yes and no are always right. Only an ellipse without a half length of 0 may get another answer,
+    /// VESICA_WITHIN_NEARLY. With distance \> 0: if the other shape is such an ellipse too, and the distance of
+    /// vesica_nearest_f32 differs from the one asked for by at most 5 u scale + 2^-1074. With distance \< 0: if the
+    /// other shape is neither a point nor a circle, and the depth of vesica_depth_f32 differs from -distance by at most
+    /// 5 u (scale + |distance|) + 2^-1074. In bounds on errors u is 2^-53, half a unit in the last place of 1. The
+    /// scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4
+    /// u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
-    /// Cost: one to six times vesica_overlap_f32; as vesica_nearest_f32 for ellipses.
+    /// Cost: one to six times vesica_overlap_f32; as vesica_nearest_f32 or vesica_depth_f32 for ellipses.
     ///
     /// Since: 0.1.
     pub fn vesica_within_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, distance: f32) -> i32;
@@ -3288,17 +3298,19 @@ extern "C" {
     ///
     /// Arrays and errors are those of vesica_overlap_many_f32.
     ///
-    /// Requires: distance \>= 0. It may be infinity: then the answer is yes for any two valid shapes.
+    /// Requires: distance, any number. With infinity the answer is yes for any two valid shapes, with -infinity no.
     ///
     /// Returns: how many answers are \> 0.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is NaN), VESICA_E_SHAPE.
     ///
-    /// Accuracy: yes and no are always right. Only two disjoint ellipses, neither with a half length of 0, may get
-    /// another answer: VESICA_WITHIN_NEARLY if the distance of vesica_nearest_f32 differs by at most 5 u scale +
-    /// 2^-1074 from the one asked for. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of
-    /// two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
-    /// means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
+    /// Accuracy: yes and no are always right. Only an ellipse without a half length of 0 may get another answer,
+    /// VESICA_WITHIN_NEARLY. With distance \> 0: if the other shape is such an ellipse too, and the distance of
+    /// vesica_nearest_f32 differs from the one asked for by at most 5 u scale + 2^-1074. With distance \< 0: if the
+    /// other shape is neither a point nor a circle, and the depth of vesica_depth_f32 differs from -distance by at most
+    /// 5 u (scale + |distance|) + 2^-1074. In bounds on errors u is 2^-53, half a unit in the last place of 1. The
+    /// scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4
+    /// u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
     /// Since: 0.1.
     pub fn vesica_within_many_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, distance: f32, out: *mut u8) -> i64;
@@ -3306,17 +3318,19 @@ extern "C" {
     ///
     /// Arrays, row_stride and errors are those of vesica_overlap_matrix_f32.
     ///
-    /// Requires: distance \>= 0. It may be infinity: then the answer is yes for any two valid shapes.
+    /// Requires: distance, any number. With infinity the answer is yes for any two valid shapes, with -infinity no.
     ///
     /// Returns: how many answers are \> 0.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is NaN), VESICA_E_SHAPE.
     ///
-    /// Accuracy: yes and no are always right. Only two disjoint ellipses, neither with a half length of 0, may get
-    /// another answer: VESICA_WITHIN_NEARLY if the distance of vesica_nearest_f32 differs by at most 5 u scale +
-    /// 2^-1074 from the one asked for. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of
-    /// two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
-    /// means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
+    /// Accuracy: yes and no are always right. Only an ellipse without a half length of 0 may get another answer,
+    /// VESICA_WITHIN_NEARLY. With distance \> 0: if the other shape is such an ellipse too, and the distance of
+    /// vesica_nearest_f32 differs from the one asked for by at most 5 u scale + 2^-1074. With distance \< 0: if the
+    /// other shape is neither a point nor a circle, and the depth of vesica_depth_f32 differs from -distance by at most
+    /// 5 u (scale + |distance|) + 2^-1074. In bounds on errors u is 2^-53, half a unit in the last place of 1. The
+    /// scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4
+    /// u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
     /// Since: 0.1.
     pub fn vesica_within_matrix_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, distance: f32, out: *mut u8,

@@ -203,7 +203,8 @@ impl<'a, T: Scalar> Index<'a, T> {
     }
 
     /// All pairs of an item of this index and one of another that are at most `distance` apart, as
-    /// [`join`](Index::join) gives them. Of ellipses also those too near to it to tell.
+    /// [`join`](Index::join) gives them. Of ellipses also those too near to it to tell. If it is negative, those that
+    /// overlap at least that deep.
     pub fn join_within(&self, other: &Index<'_, T>, distance: T) -> Result<Vec<(i64, i64)>, Error> {
         const ROOM: usize = 1 << 14;
         let (mut a, mut b, mut state) = (vec![0; ROOM], vec![0; ROOM], [0; 4]);

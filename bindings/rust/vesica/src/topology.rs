@@ -24,7 +24,8 @@ impl Default for Within {
     }
 }
 
-/// Are two shapes at most `distance` apart? Exactly so far counts, and exact, but for two ellipses.
+/// Are two shapes at most `distance` apart? Exactly so far counts, and exact, but for ellipses. With a negative distance:
+/// do they overlap at least that deep?
 pub fn within<A, B>(a: &A, b: &B, distance: A::Scalar) -> Result<Within, Error>
 where
     A: Shape + ?Sized,

@@ -94,7 +94,8 @@ fn near_deep_and_how_they_meet() {
     let left = Ellipse { cx: -2.0, ..ellipse };
     assert_eq!(within(&Point { x: 0.0, y: 0.0 }, &ellipse, 3.0), Ok(Within::Yes));
     assert_eq!(within(&left, &ellipse, 3.0), Ok(Within::Nearly));
-    assert_eq!(within(&a, &b, -1.0), Err(Error::Argument));
+    assert_eq!(within(&a, &b, f64::NAN), Err(Error::Argument));
+    assert_eq!((within(&a, &b, -1.0), within(&a, &b, -1.001)), (Ok(Within::Yes), Ok(Within::No)));
     let (boxes, mut found, mut signed) = ([a, b, square(5.0, 0.0)], [Within::No; 3], [0.0; 3]);
     assert_eq!(within_many(&boxes, &a, 2.0, &mut found), Ok(2));
     assert_eq!(found, [Within::Yes, Within::Yes, Within::No]);
