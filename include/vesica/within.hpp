@@ -90,8 +90,8 @@ VESICA_COLD std::int32_t decide(const A& a, const B& b, double distance) noexcep
 /// at least t = -distance deep iff that contains the disc of radius t about the origin. Of convex sets a common disc may
 /// be taken away: if t <= r, K with r - t must contain the origin. Otherwise K must contain the disc of radius t - r.
 ///
-/// It has a relative error of at most 2u. If r and t differ by at most a factor of 2, their difference is exact, and one
-/// rounding follows. If not, the result is at least r / 2, and the two small terms are at most u of r and u of it.
+/// It has a relative error of at most 2u. If r and t differ by at most a factor of 2, their difference is exact, and
+/// one rounding follows. If not, the result is at least r / 2, and the two small terms are at most u of r and u of it.
 inline double core_reach(double radius_a, double radius_b, double distance) noexcept {
   const auto radii = arithmetic::two_sum(radius_a, radius_b), sum = arithmetic::two_sum(radii.high, distance);
   return sum.high + (sum.low + radii.low);

@@ -104,8 +104,8 @@ VESICA_CALLED constexpr bool corner_within(const Box& box, const Corner& corner,
 
 }  // namespace detail
 
-/// True if a box and an ellipse are at most `reach` apart; with reach < 0, if they overlap at least -reach deep. That is
-/// answered for a point, where the ellipse contains the disc of that radius, and for an ellipse without an area.
+/// True if a box and an ellipse are at most `reach` apart; with reach < 0, if they overlap at least -reach deep. That
+/// is answered for a point, where the ellipse contains the disc of that radius, and for an ellipse without an area.
 constexpr bool within(const Box& box, const Ellipse& ellipse, const Length& reach) noexcept {
   if (degenerate(ellipse)) return within(box, as_box(ellipse), reach);
   if (reach.sign < 0) {
