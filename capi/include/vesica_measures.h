@@ -154,9 +154,9 @@ VESICA_API int64_t vesica_signed_distance_matrix_f64(const vesica_shapes_f64 *a,
  * Are two shapes at most `distance` apart? A distance of exactly that counts, as touching does.
  *
  * With distance 0 the answer is as of vesica_overlap_f64, exact for all kinds. With distance < 0 the question is
- * whether they overlap at least -distance deep, by the depth that vesica_depth_f64 computes. So a tolerance of either
- * sign is one call. With ellipses, test for > 0 to miss no pair, and for VESICA_WITHIN_YES to
- * accept only what is certain. Exchanging the shapes changes nothing.
+ * whether they overlap at least -distance deep, as defined for vesica_depth_f64. So a tolerance of either sign is one
+ * call. With ellipses, test for > 0 to miss no pair, and for VESICA_WITHIN_YES to accept only what is certain.
+ * Exchanging the shapes changes nothing.
  * Returns: VESICA_WITHIN_NO, VESICA_WITHIN_YES or VESICA_WITHIN_NEARLY.
  * Cost: one to six times vesica_overlap_f64; as vesica_nearest_f64 or vesica_depth_f64 for ellipses.
  */

@@ -86,9 +86,10 @@ VESICA_COLD std::int32_t decide(const A& a, const B& b, double distance) noexcep
 
 /// How far cores may be apart, or how deep they must overlap if it is negative: the sum of both radii and the distance.
 ///
-/// Proved: the points of b less those of a are K, the same of the cores, with a disc of both radii r. The shapes overlap
-/// at least t = -distance deep iff that contains the disc of radius t about the origin. Of convex sets a common disc may
-/// be taken away: if t <= r, K with r - t must contain the origin. Otherwise K must contain the disc of radius t - r.
+/// Proved: the points of b less those of a are K, the same of the cores, with a disc of both radii r. The shapes
+/// overlap at least t = -distance deep iff that contains the disc of radius t about the origin. Of convex sets a common
+/// disc may be taken away: if t <= r, K with r - t must contain the origin. Otherwise K must contain the disc of radius
+/// t - r.
 ///
 /// It has a relative error of at most 2u. If r and t differ by at most a factor of 2, their difference is exact, and
 /// one rounding follows. If not, the result is at least r / 2, and the two small terms are at most u of r and u of it.

@@ -254,7 +254,8 @@ TYPED_TEST(Refusals, JoinWithin) {
   using F = Face<TypeParam>;
   auto wrong = this->all({this->of_first_side(), this->of_second_side(), this->of_pages(), this->of_parts()});
   wrong.push_back({"second out NULL", VESICA_E_NULL, [](auto& c) { c.out_b = nullptr; }});
-  wrong.push_back({"distance NaN", VESICA_E_ARGUMENT, [](auto& c) { c.within = nan; }});
+  wrong.push_back(
+      {"distance NaN", VESICA_E_ARGUMENT, [](auto& c) { c.within = std::numeric_limits<TypeParam>::quiet_NaN(); }});
   this->expect_refusals(
       "join_within",
       [](const Call<TypeParam>& c) {

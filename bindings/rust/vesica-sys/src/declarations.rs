@@ -2992,9 +2992,9 @@ extern "C" {
     /// Are two shapes at most `distance` apart? A distance of exactly that counts, as touching does.
     ///
     /// With distance 0 the answer is as of vesica_overlap_f64, exact for all kinds. With distance \< 0 the question is
-    /// whether they overlap at least -distance deep, by the depth that vesica_depth_f64 computes. So a tolerance of
-    /// either sign is one call. With ellipses, test for \> 0 to miss no pair, and for VESICA_WITHIN_YES to accept only
-    /// what is certain. Exchanging the shapes changes nothing.
+    /// whether they overlap at least -distance deep, as defined for vesica_depth_f64. So a tolerance of either sign is
+    /// one call. With ellipses, test for \> 0 to miss no pair, and for VESICA_WITHIN_YES to accept only what is
+    /// certain. Exchanging the shapes changes nothing.
     ///
     /// Requires: distance, any number. With infinity the answer is yes for any two valid shapes, with -infinity no.
     ///
@@ -3272,9 +3272,9 @@ extern "C" {
     /// Are two shapes at most `distance` apart? A distance of exactly that counts, as touching does.
     ///
     /// With distance 0 the answer is as of vesica_overlap_f32, exact for all kinds. With distance \< 0 the question is
-    /// whether they overlap at least -distance deep, by the depth that vesica_depth_f32 computes. So a tolerance of
-    /// either sign is one call. With ellipses, test for \> 0 to miss no pair, and for VESICA_WITHIN_YES to accept only
-    /// what is certain. Exchanging the shapes changes nothing.
+    /// whether they overlap at least -distance deep, as defined for vesica_depth_f32. So a tolerance of either sign is
+    /// one call. With ellipses, test for \> 0 to miss no pair, and for VESICA_WITHIN_YES to accept only what is
+    /// certain. Exchanging the shapes changes nothing.
     ///
     /// Requires: distance, any number. With infinity the answer is yes for any two valid shapes, with -infinity no.
     ///
