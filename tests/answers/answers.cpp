@@ -31,12 +31,12 @@ void append(Bytes& bytes, const T& value) {
   bytes.insert(bytes.end(), from, from + sizeof value);
 }
 
-/// Within exactly the distance that nearest returns, and within its neighbours.
+/// Within exactly the distance that signed_distance returns, and within its neighbours.
 Bytes ask_within(const Case& c, Scalar scalar) {
-  const stress::Answer nearest = stress::ask(Query::nearest, scalar, c.pair);
+  const stress::Answer signed_distance = stress::ask(Query::signed_distance, scalar, c.pair);
   Bytes bytes;
-  if (nearest.code < 0) return bytes;
-  const std::int64_t place = properties::ordinal(scalar, nearest.numbers[0]);
+  if (signed_distance.code < 0) return bytes;
+  const std::int64_t place = properties::ordinal(scalar, signed_distance.numbers[0]);
   for (const std::int64_t p : {place - 1, place, place + 1}) {
     const double distance = properties::at_ordinal(scalar, p);
     append(bytes, stress::ask({Query::within, scalar, c.pair, {}, distance}).code);
