@@ -100,9 +100,9 @@ template <class T, class Out>
 int32_t cast_any(int32_t kind_a, const void* a, int32_t kind_b, const void* b, T vx, T vy, T end, Out* out) noexcept {
   VESICA_DEFAULT_ENVIRONMENT((cast_any<T, Out>), kind_a, a, kind_b, b, vx, vy, end, out);
   if (a == nullptr || b == nullptr || out == nullptr) return VESICA_E_NULL;
-  if (!have_form(kind_a, kind_b)) return VESICA_E_KIND;
+  if (!vesica::has_core(kind_a) || !vesica::has_core(kind_b)) return VESICA_E_KIND;
   const Motion motion = motion_of(vx, vy, end);
-  if (kind_b == VESICA_POINT) {
+  if (kind_b == VESICA_POINT && vesica::has_form(kind_a)) {
     return vesica::with_form(kind_a, [&]<template <class> class Shape>(vesica::Named<Shape>) {
       return cast_shapes<Shape<T>, vesica::Point<T>, T>(a, b, motion, out);
     });
@@ -174,7 +174,7 @@ int64_t many(const CShapesOf<T>* a, const CShapesOf<T>* b, const T* vx, const T*
   const void* some = nullptr;
   for (const T* column : columns) some = column != nullptr ? column : some;
   const bool has_velocities = vx != nullptr && vy != nullptr;
-  const int32_t error = check_call(a, b, has_velocities ? some : nullptr, anything(a, b), vesica::has_form);
+  const int32_t error = check_call(a, b, has_velocities ? some : nullptr, anything(a, b), vesica::has_core);
   if (error != 0) return error;
   const int64_t n = pairs_in_step(*a, *b);
   if (n < 0 || !addressable(n, stride) || !(end >= 0)) return VESICA_E_ARGUMENT;
@@ -194,7 +194,7 @@ template <class T, class Out>
 int64_t first(const CShapesOf<T>* shapes, const CShapesOf<T>* one, T vx, T vy, T end, Out* out) noexcept {
   VESICA_DEFAULT_ENVIRONMENT((first<T, Out>), shapes, one, vx, vy, end, out);
   if (out == nullptr) return VESICA_E_NULL;
-  const int32_t error = check_call(shapes, one, out, anything(shapes, one), vesica::has_form);
+  const int32_t error = check_call(shapes, one, out, anything(shapes, one), vesica::has_core);
   if (error != 0) return error;
   if (one->count == 1 && has_null(*one)) return VESICA_E_NULL;  // it is looked at even if there are no others
   const Motion motion = motion_of(vx, vy, end);
@@ -263,8 +263,7 @@ int64_t through_index(const void* from, const CShapesOf<T>* sets, int32_t set_co
                       const Motion& motion, const IsSound& is_sound, const Action& action) noexcept {
   if (one == nullptr) return VESICA_E_NULL;
   index::Sets items, single;
-  const int32_t of_shapes = first_error(view_sets<T>(one, 1, single, vesica::has_form),
-                                        view_sets<T>(sets, set_count, items, vesica::has_form));
+  const int32_t of_shapes = first_error(view_sets<T>(one, 1, single), view_sets<T>(sets, set_count, items));
   const int32_t error = first_error(check_index(from), of_shapes);
   if (error != 0) return error;
   const bool fits = single.items == 1 && items.items == index::View(from).items();

@@ -30,8 +30,9 @@ export interface RoundRect {
 }
 /**
  * Capsules and rounded rectangles are for invalidity, bounds, shapeArea, overlap, overlapSelect, nearest, depth,
- * signedDistance, within, and relation and contains not with an ellipse; an index of them has join of overlaps,
- * joinWithin, select, nearest and nearestOfEach. Other calls throw a VesicaError for them.
+ * signedDistance, within, cast, castFirst, sweepBounds, and not with an ellipse relation, contains and
+ * boundaryDistance; an index of them has join of overlaps, joinWithin, select, nearest, nearestOfEach, cast and
+ * castFirst. Other calls throw a VesicaError for them.
  */
 export type Shape = Point | Segment | Circle | Aabb | Rect | Ellipse | Capsule | RoundRect;
 

@@ -47,7 +47,7 @@ template <template <class> class A, template <class> class B, class T>
 std::int32_t cast_any(const A<T>& a, const B<T>& b, const Motion& motion, Impact<T>& out) noexcept {
   if (!is_sound(motion)) return error_argument;
   Impact<double> found;
-  const Body first = body(a), second = body(b);
+  const auto [first, second] = Cores(body(a), body(b));
   const Filtered known = filter(sketch(first), sketch(second), motion);
   // The result needs the depth of overlapping shapes. Only they have a depth with a direction: so it decides overlap.
   Penetration<T> penetration{};

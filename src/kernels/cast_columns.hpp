@@ -7,6 +7,7 @@
 #include <utility>
 #include <vesica/each_shape.hpp>
 #include <vesica/form/form.hpp>
+#include <vesica/form/inflated.hpp>
 
 #include "kernels/query_table.hpp"
 
@@ -23,11 +24,13 @@ struct ColumnDifference {
   Column to, from;
 };
 
-/// One operand: the parts of its form, differences not yet taken.
+/// One operand: the parts of its form, or of its core's, differences not yet taken.
 struct SideColumns {
   Column x0, y0, x1, y1;
   ColumnDifference ux, uy, hx, hy;
   bool round, disc, may_vanish, is_point;
+  bool has_radius = false;
+  Column radius{};
 };
 
 /// Pairs whose second shape moves by v t while t runs from 0 to `end`.
@@ -62,10 +65,9 @@ struct AsColumns {
   }
 };
 
-template <template <class> class Shape, std::size_t... Field>
-SideColumns side_columns(const QueryOperand& operand, std::index_sequence<Field...>) noexcept {
-  const std::ptrdiff_t step = operand.repeated ? 0 : 1;
-  const auto f = detail::form::of(Shape<Column>{Column{operand.number[Field], step}...});
+template <template <class> class Shape>
+SideColumns side_columns(const Shape<Column>& shape) noexcept {
+  const auto f = detail::form::of(shape);
   const auto place = detail::form::corners(f.place);
   constexpr AsColumns number;
   using detail::form::Outline;
@@ -83,15 +85,31 @@ SideColumns side_columns(const QueryOperand& operand, std::index_sequence<Field.
           kind_of<Shape> == Kind::point};
 }
 
+template <template <class> class Shape, std::size_t... Field>
+SideColumns side_columns(const QueryOperand& operand, std::index_sequence<Field...>) noexcept {
+  const std::ptrdiff_t step = operand.repeated ? 0 : 1;
+  const Shape<Column> shape{Column{operand.number[Field], step}...};
+  if constexpr (detail::form::Inflated<Shape<Column>>) {
+    const auto [core, radius] = detail::form::inflated(shape);
+    SideColumns out = side_columns(core);
+    out.has_radius = true;
+    out.radius = radius;
+    out.is_point = false;
+    return out;
+  } else {
+    return side_columns(shape);
+  }
+}
+
 inline SideColumns side_columns(std::int32_t kind, const QueryOperand& operand) noexcept {
   switch (static_cast<Kind>(kind)) {
 #define VESICA_CASE(name, Name) \
   case Kind::name:              \
     return side_columns<Name>(operand, std::make_index_sequence<ShapeTraits<Name<double>>::fields>{});
     VESICA_EACH_SHAPE_WITH_FORM(VESICA_CASE)
+    VESICA_EACH_SHAPE_INFLATED(VESICA_CASE)
 #undef VESICA_CASE
 #define VESICA_CASE(name, Name) case Kind::name:
-    VESICA_EACH_SHAPE_INFLATED(VESICA_CASE)
     VESICA_EACH_SHAPE_WITHOUT_FORM(VESICA_CASE)
 #undef VESICA_CASE
     break;

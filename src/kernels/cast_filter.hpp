@@ -25,8 +25,8 @@ struct SketchLanes {
   CastMask usable;
 };
 
-VESICA_INLINE SketchLanes sketch_lanes(const SideColumns& side, std::int32_t i, Doubles vx, Doubles vy,
-                                       Doubles speed) noexcept {
+VESICA_INLINE SketchLanes form_lanes(const SideColumns& side, std::int32_t i, Doubles vx, Doubles vy,
+                                     Doubles speed) noexcept {
   const Doubles zero(0.0), ux = load(side.ux, i), uy = load(side.uy, i), hx = load(side.hx, i), hy = load(side.hy, i);
   const Doubles length = abs(ux) + abs(uy), shorter = min(hx, hy), sizes = hx + hy;
   CastMask usable =
@@ -42,6 +42,18 @@ VESICA_INLINE SketchLanes sketch_lanes(const SideColumns& side, std::int32_t i, 
   const Doubles h = sqrt(p * p + q * q);
   const Doubles forward = side.disc ? h : sqrt(p_along * p_along + q_along * q_along);  // of a disc the same
   return {h, Doubles(0x1.8p-50) * size, forward, size, both(usable, size >= Doubles(0x1p-400))};
+}
+/// The same with a radius, which reaches as far across v as along it.
+VESICA_INLINE SketchLanes sketch_lanes(const SideColumns& side, std::int32_t i, Doubles vx, Doubles vy,
+                                       Doubles speed) noexcept {
+  SketchLanes out = form_lanes(side, i, vx, vy, speed);
+  if (!side.has_radius) return out;
+  const Doubles radius = load(side.radius, i), around = radius * sqrt(vx * vx + vy * vy);
+  out.h = out.h + around;
+  out.h_error = out.h_error + Doubles(0x1p-50) * around;
+  out.forward = out.forward + around;
+  out.usable = both(out.usable, filter::in_range(radius, Doubles(0.0), Doubles(0x1p200)));
+  return out;
 }
 
 VESICA_INLINE Doubles offset_lanes(Doubles to0, Doubles to1, Doubles from0, Doubles from1) noexcept {

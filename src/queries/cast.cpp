@@ -67,11 +67,12 @@ namespace queries {
   return cast_rest(a, b, motion, detail::cast::filter(sketch(a), sketch(b), motion), out);
 }
 
-[[gnu::noinline]] std::int32_t meets(const Body& a, const Body& b, const Motion& motion) noexcept {
+[[gnu::noinline]] std::int32_t meets(const Body& first, const Body& second, const Motion& motion) noexcept {
   using namespace detail::cast;
+  const auto [a, b] = Cores(first, second);
   const Filtered known = detail::cast::filter(sketch(a), sketch(b), motion);
   if (known.verdict == Verdict::missed) return 0;
-  const std::int32_t at_start = known.apart ? 0 : answer(queries::overlap, a, b, nullptr);
+  const std::int32_t at_start = known.apart ? 0 : answer(queries::overlap, first, second, nullptr);
   if (at_start != 0) return at_start;
   if (known.verdict == Verdict::reached) return 1;
   if (known.verdict == Verdict::passed || motion.is_still()) return 0;
@@ -101,7 +102,24 @@ VESICA_FAST_HIT(Circle, Circle)
 VESICA_FAST_HIT(Ellipse, Ellipse)
 #undef VESICA_FAST_HIT
 
+namespace {
+
+/// Of a pair with a core and a radius.
+[[gnu::noinline]] std::int32_t cast_cores(const Body& a, const Body& b, const Motion& motion,
+                                          Impact<double>& out) noexcept {
+  using detail::cast::sketch;
+  const detail::cast::Cores cores(a, b);
+  const detail::cast::Filtered known = detail::cast::filter(sketch(cores.a), sketch(cores.b), motion);
+  Penetration<double> penetration;
+  const std::int32_t code = cast_bodies(
+      cores.a, cores.b, motion, known, [&] { return overlap_and_depth(a, b, penetration); }, fused_meeting(), out);
+  return code == cast_start ? start(a, b, penetration, out) : code;
+}
+
+}  // namespace
+
 [[gnu::noinline]] std::int32_t cast(const Body& a, const Body& b, const Motion& motion, Impact<double>& out) noexcept {
+  if (detail::cast::is_inflated(a.kind) || detail::cast::is_inflated(b.kind)) return cast_cores(a, b, motion, out);
   const auto at_point = [&](const auto& shape) {
     return cast_shapes(shape, detail::cast::shape<Point>(b), motion, out);
   };

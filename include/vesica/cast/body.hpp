@@ -4,8 +4,9 @@
 #pragma once
 
 #include <utility>
+#include <vesica/check.hpp>
 #include <vesica/each_shape.hpp>
-#include <vesica/shapes.hpp>
+#include <vesica/form/inflated.hpp>
 
 namespace vesica::detail::cast {
 
@@ -14,16 +15,17 @@ using namespace lane;
 using lane::abs;
 using lane::sqrt;
 
-/// The kind of a shape with a form, and as many numbers as it has.
+/// A shape's kind, and as many numbers as it has. With a radius it is the core of a shape (form/inflated.hpp).
 struct Body {
   Kind kind;
   double number[max_fields];
+  double radius = 0;
 };
 
 template <class Shape>
 VESICA_INLINE Body body(const Shape& s) noexcept {
   return with_numbers(s, [](auto... numbers) {
-    return Body{ShapeTraits<Shape>::kind, {static_cast<double>(numbers)...}};
+    return Body{ShapeTraits<Shape>::kind, {static_cast<double>(numbers)...}, 0};
   });
 }
 
@@ -43,7 +45,7 @@ VESICA_INLINE decltype(auto) in_double(const Shape<T>& s) noexcept {
   }
 }
 
-/// action(shape) for the shape that the body is.
+/// action(shape) for the shape that the body is, which has a form.
 template <class Action>
 VESICA_INLINE auto with_shape(const Body& body, const Action& action) noexcept {
   switch (body.kind) {
@@ -60,6 +62,42 @@ VESICA_INLINE auto with_shape(const Body& body, const Action& action) noexcept {
   }
   return action(shape<Point>(body));
 }
+
+constexpr bool is_inflated(Kind kind) noexcept { return kind == Kind::capsule || kind == Kind::round_rect; }
+
+/// A core with its radius, but a circle or a core alone where the shape is no more.
+template <class Shape>
+Body core_of(const Shape& s) noexcept {
+  if (check(s) != 0) return body(Circle<double>{0, 0, -1});
+  Body out{};
+  form::with_simplest(s, [&out](const auto& simplest) {
+    const auto [core, radius] = form::inflated(simplest);
+    if constexpr (form::Inflated<std::remove_cvref_t<decltype(simplest)>>) {
+      out = body(core);
+      out.radius = radius;
+    } else {
+      out = body(simplest);
+    }
+  });
+  return out;
+}
+inline Body core_of(const Body& b) noexcept {
+  if (b.kind == Kind::capsule) return core_of(shape<Capsule>(b));
+  return b.kind == Kind::round_rect ? core_of(shape<RoundRect>(b)) : b;
+}
+
+/// A pair as the functions of casts take it: kinds with a form, and circles as points with a radius where the pair has
+/// a radius at all. An invalid shape with a radius becomes an invalid circle.
+struct Cores {
+  Body a, b;
+
+  Cores(const Body& first, const Body& second) noexcept : a(core_of(first)), b(core_of(second)) {
+    if (!(a.radius > 0 || b.radius > 0)) return;
+    for (Body* body : {&a, &b}) {
+      if (body->kind == Kind::circle) *body = {Kind::point, {body->number[0], body->number[1]}, body->number[2]};
+    }
+  }
+};
 
 /// The second body moves by v t while t runs from 0 to `end`, which may be infinite.
 template <class V>

@@ -49,12 +49,16 @@ struct Side {
 /// has lost nothing at all of the axes and of v.
 struct Scene {
   Side a, b;
+  Twofold<double> radius;  // of both shapes
   Vector d;
   double vx, vy, size;
   int length, time;
   bool faithful, exact_axes;
 
   double speed() const noexcept { return abs(vx) + abs(vy); }
+  bool has_radius() const noexcept { return radius.high > 0; }
+  /// What the radii add to both shapes.
+  Side disc() const noexcept { return {{{1, 0}, {0, 0}}, radius, radius, true}; }
 };
 
 /// True if FusedProducts give the bits of SplitProducts: all numbers of the scene are 0 or in [2^-40, 2^40], lower
@@ -83,24 +87,28 @@ inline bool has_fused_products(const Scene& s) noexcept {
   }
   look_at(s.d.x);
   look_at(s.d.y);
+  if (s.has_radius()) look_at(s.radius);
   look(s.vx, 0x1p-40);
   look(s.vy, 0x1p-40);
   return out == 0;
 }
 
 inline nearest::UnscaledShape form_times(const Body& body, double k) noexcept {
-  return with_shape(body, [k](const auto& s) { return nearest::form_times(s, k); });
+  auto f = with_shape(body, [k](const auto& s) { return nearest::form_times(s, k); });
+  if (body.radius > 0) f.radius = k * body.radius;
+  return f;
 }
 
 /// A circle smaller than this share of the pair is taken for a point: the product of four of its radii would vanish.
 inline constexpr double smallest_circle = 0x1p-240;
 
+inline Side side(const nearest::Box<double>& box, bool round) noexcept { return {box.u, box.hx, box.hy, round}; }
 inline Side side(const nearest::ScaledShape& p) noexcept {
   if (p.radius > 0) {
     const double r = p.radius >= smallest_circle ? p.radius : 0;
     return {{{1, 0}, {0, 0}}, {r, 0}, {r, 0}, r > 0};
   }
-  return {p.box.u, p.box.hx, p.box.hy, p.curved};
+  return side(p.box, p.curved);
 }
 
 /// An ellipse smaller than 2^-120 of the pair is taken for a point, a thin one for a segment (nearest/scaled_pair.hpp).
@@ -127,12 +135,19 @@ VESICA_COLD inline Scene scaled_scene(const Body& a, const Body& b, const Motion
            kept(from.y.low, to.y.low);
   };
   const bool exact_axes = kept(motion.vx, vx) && kept(motion.vy, vy) && axis_kept(fa, p.a) && axis_kept(fb, p.b);
-  return {side(p.a), side(p.b), p.d, vx, vy, p.size, length, length - speed, faithful, exact_axes};
+  Scene s{side(p.a), side(p.b), {0, 0}, p.d, vx, vy, p.size, length, length - speed, faithful, exact_axes};
+  if (a.radius > 0 || b.radius > 0) {
+    const double radius = p.a.radius + p.b.radius;
+    if (radius >= smallest_circle) s.radius = arithmetic::exact_sum(p.a.radius, p.b.radius);
+    s.a = side(p.a.box, p.a.curved);
+    s.b = side(p.b.box, p.b.curved);
+  }
+  return s;
 }
 
 inline Side side(const nearest::UnscaledShape& f) noexcept {
   if (f.radius > 0) return {{{1, 0}, {0, 0}}, {f.radius, 0}, {f.radius, 0}, true};
-  return {f.box.u, f.box.hx, f.box.hy, f.curved};
+  return side(f.box, f.curved);
 }
 
 /// Numbers whose products of up to twelve neither overflow nor underflow, and sizes that are not too unlike for that.
@@ -157,14 +172,16 @@ inline void set_scene(const Body& a, const Body& b, const Motion& motion, Scene&
   };
   const form::Corners<double> pa = place(a, s.a), pb = place(b, s.b);
   const auto x = form::twice_offset_x(pa, pb, 1), y = form::twice_offset_y(pa, pb, 1);
+  s.radius = arithmetic::exact_sum(a.radius, b.radius);
   s.d = {{0.5 * x.high, 0.5 * x.low}, {0.5 * y.high, 0.5 * y.low}};
   s.vx = motion.vx;
   s.vy = motion.vy;
   s.length = s.time = 0;
   s.faithful = s.exact_axes = true;
   const double distance = abs(x.high) + abs(y.high);
-  s.size = distance + (reach(s.a) + reach(s.b));
-  const bool moderate = is_moderate(s.a) && is_moderate(s.b) && is_moderate(s.speed()) && is_moderate(distance);
+  s.size = distance + (reach(s.a) + reach(s.b)) + 2 * s.radius.high;
+  const bool moderate = is_moderate(s.a) && is_moderate(s.b) && (!s.has_radius() || is_moderate(s.radius.high)) &&
+                        is_moderate(s.speed()) && is_moderate(distance);
   if (!moderate) s = scaled_scene(a, b, motion);
 }
 
@@ -265,6 +282,23 @@ SideSupport support_of(const Side& s, const VectorFactor<Products>& n, const Vec
           0x1p1000};
 }
 
+/// support_of() both shapes, the radii with the first.
+template <class Products>
+void supports_of(const Scene& scene, const VectorFactor<Products>& n, const VectorFactor<Products>& v, double n_size,
+                 SideSupport& a, SideSupport& b) noexcept {
+  a = support_of<Products>(scene.a, n, v, n_size);
+  b = support_of<Products>(scene.b, n, v, n_size);
+  if (!scene.has_radius()) return;
+  const SideSupport disc = support_of<Products>(scene.disc(), n, v, n_size);
+  a = {a.h + disc.h,
+       a.beside + disc.beside,
+       a.edge,
+       a.bend + disc.bend,
+       lane::max(a.steepness, disc.steepness),
+       a.error + disc.error,
+       a.room};
+}
+
 inline bool finite(double x) noexcept { return x - x == 0; }
 
 /// True if n.v = 0 exactly: the products are exact, and one is the negative of the other. A twofold sum does not show
@@ -309,7 +343,8 @@ template <class Products>
 TimeBounds time_bounds(const Scene& scene, const Vector& normal) noexcept {
   const auto n = Products::factor(normal), v = factor_of_v<Products>(scene);
   const double n_size = abs(n.x.high) + abs(n.y.high);
-  const SideSupport a = support_of<Products>(scene.a, n, v, n_size), b = support_of<Products>(scene.b, n, v, n_size);
+  SideSupport a, b;
+  supports_of<Products>(scene, n, v, n_size, a, b);
   TimeBounds out = lower_bound<Products>(scene, n, v, a.h + b.h);
   if (!out.is_known()) return out;
   out.certain = false;

@@ -191,13 +191,13 @@ inline double maximum_of_two(const Curve& a, const Curve& b, double gap, int& st
   return s;
 }
 
-/// The maximum for two ellipses. If w < 0, it is found in the mirror image.
+/// The maximum for two ellipses, w being renormalised. If w < 0, it is found in the mirror image.
 template <class Products>
-double maximum_of_ellipses(const Scene& scene, int& steps) noexcept {
-  const Twofold<double> w = arithmetic::renormalised(cross(factor_of_v<Products>(scene), Products::factor(scene.d)));
-  const double gap = gap_of(
-      arithmetic::renormalised(reach_across<Products>(scene, scene.a) + reach_across<Products>(scene, scene.b)), w);
-  Curve a = curve(scene, scene.a), b = curve(scene, scene.b);
+double maximum_of_ellipses(const Scene& scene, const Side& first, const Side& second, const Twofold<double>& w,
+                           int& steps) noexcept {
+  const double gap =
+      gap_of(arithmetic::renormalised(reach_across<Products>(scene, first) + reach_across<Products>(scene, second)), w);
+  Curve a = curve(scene, first), b = curve(scene, second);
   a.s = lane::flip_sign(a.s, w.high);
   b.s = lane::flip_sign(b.s, w.high);
   return lane::flip_sign(maximum_of_two(a, b, gap, steps), w.high);
@@ -367,20 +367,78 @@ Found polished(const Scene& scene, double s) noexcept {
 /// the step of s, and beyond it another vertex lies farthest. If the vertex has no time, it is hit if contact comes
 /// after the faces' times. One face always has a time: a face is at most 45 degrees from across v.
 template <class Products>
-VESICA_COLD Found latest_beside_faces(const Scene& scene, const Side& box, const Found& at_vertex) noexcept {
+VESICA_COLD Found latest_beside_faces(const Scene& scene, const Found& at_vertex) noexcept {
   Found found = at_vertex;
-  for (const Vector& u : {box.u, perpendicular(box.u)}) {
-    const Vector n = against<Products>(scene, u);
-    const TimeBounds time = time_bounds<Products>(scene, n);
-    if (time.is_known() && (!found.time.is_known() || is_later(time, found.time))) found = {n, time};
+  for (const Side* box : {&scene.a, &scene.b}) {
+    if (box->round || (scene.has_radius() && has_no_size(*box))) continue;
+    for (const Vector& u : {box->u, perpendicular(box->u)}) {
+      const Vector n = against<Products>(scene, u);
+      const TimeBounds time = time_bounds<Products>(scene, n);
+      if (time.is_known() && (!found.time.is_known() || is_later(time, found.time))) found = {n, time};
+    }
   }
   return at_vertex.time.is_known() ? found : with_beside(found, at_vertex.normal);
+}
+
+/// A face of two boxes' sum: at s its normal becomes the farthest; `slope` is what it takes from w.
+struct Kink {
+  double s;
+  Twofold<double> slope;
+  Vector normal;
+};
+
+/// The disc of both radii with two boxes, or a box and an ellipse: the face whose time is the latest, or a vertex.
+template <class Products>
+Found latest_with_radius(const Scene& scene, int& steps) noexcept {
+  const Side disc = scene.disc(), &ellipse = scene.a.round ? scene.a : scene.b;
+  const Curve e = curve(scene, disc), f = curve(scene, ellipse);
+  const auto v = factor_of_v<Products>(scene);
+  Kink kinks[4];
+  int count = 0;
+  Twofold<double> w = renormalised(cross(v, Products::factor(scene.d)));
+  const auto add = [&](const Twofold<double>& slope, double along, double across, const Vector& normal) {
+    if (is_zero(slope) || across == 0) return;
+    const Kink kink{along / across, magnitude(slope), normal};
+    int at = count++;
+    for (; at > 0 && kinks[at - 1].s > kink.s; --at) kinks[at] = kinks[at - 1];
+    kinks[at] = kink;
+  };
+  for (const Side* box : {&scene.a, &scene.b}) {
+    if (box->round) continue;
+    const DotAndCross of_v = dot_and_cross<Products>(box->u, v);
+    const Twofold<double> c = renormalised(of_v.dot), k = renormalised(of_v.cross);
+    add(Products::factor(box->hx) * Products::factor(k), -c.high, k.high, perpendicular(box->u));
+    add(Products::factor(box->hy) * Products::factor(c), k.high, c.high, box->u);
+  }
+  // Terms cancel where the disc is far smaller than a box: each sum begins with w.
+  const auto left_over = [&](int passed) {
+    Twofold<double> sum = w;
+    for (int i = 0; i < count; ++i) sum = i < passed ? sum - kinks[i].slope : sum + kinks[i].slope;
+    return renormalised(sum);
+  };
+  Twofold<double> rest = left_over(0);
+  for (int i = 0; i < count; ++i) {
+    const double slope = ellipse.round ? e.slope(kinks[i].s) + f.slope(kinks[i].s) : e.slope(kinks[i].s);
+    if (rest.high < slope) break;
+    rest = left_over(i + 1);
+    if (rest.high <= slope) {
+      const Vector normal = against<Products>(scene, kinks[i].normal);
+      const Found face{normal, time_bounds<Products>(scene, normal)};
+      return face.time.certain ? face : latest_beside_faces<Products>(scene, face);
+    }
+  }
+  const double s = ellipse.round ? maximum_of_ellipses<Products>(scene, ellipse, disc, rest, steps)
+                                 : maximum_of_one(e, rest.high, gap_of(reach_across<Products>(scene, disc), rest));
+  const Found found = polished<Products>(scene, s);
+  if (found.time.certain || !found.has_direction()) return found;
+  return latest_beside_faces<Products>(scene, found);
 }
 
 /// steps: how many the search of two ellipses took, which tests look at.
 template <class Products>
 Found latest_direction(const Scene& scene, int& steps) noexcept {
   steps = 0;
+  if (scene.has_radius()) return latest_with_radius<Products>(scene, steps);
   if (!scene.a.round && !scene.b.round) return latest_axis<Products>(scene);
   const bool of_box = scene.a.round != scene.b.round;
   const Side &round = scene.a.round ? scene.a : scene.b, &box = scene.a.round ? scene.b : scene.a;
@@ -398,11 +456,12 @@ Found latest_direction(const Scene& scene, int& steps) noexcept {
     const Twofold<double> w = arithmetic::renormalised(met.w);
     s = maximum_of_one(e, w.high, gap_of(reach_across<Products>(scene, round), w));
   } else {
-    s = maximum_of_ellipses<Products>(scene, steps);
+    const auto w = arithmetic::renormalised(cross(factor_of_v<Products>(scene), Products::factor(scene.d)));
+    s = maximum_of_ellipses<Products>(scene, scene.a, scene.b, w, steps);
   }
   const Found found = polished<Products>(scene, s);
   if (!of_box || found.time.certain || !found.has_direction()) return found;
-  return latest_beside_faces<Products>(scene, box, found);
+  return latest_beside_faces<Products>(scene, found);
 }
 
 }  // namespace vesica::detail::cast

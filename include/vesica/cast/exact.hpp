@@ -12,11 +12,16 @@
 ///
 /// because x w / H is on the line, and M contains it with 0 and x. If H = 0, t_w = -q / v.v. So contact within [0, e]
 /// takes the signs of |w| - H, of t_w and of t_w - e, and two overlap tests, at 0 and at e. No root is isolated.
+///
+/// Radii of both shapes add to M the disc of their sum, a third shape about 0. Its reach R is |v| times the sum, and its
+/// point at that reach has x.v = 0. Any point of M on the line will do as a witness: if |w| <= H - R, that of M without
+/// the disc; else that of a point with x.v = X sgn w.
 #pragma once
 
 #include <vesica/arithmetic/rounding.hpp>
 #include <vesica/cast/body.hpp>
 #include <vesica/depth/exact_zero.hpp>
+#include <vesica/exact/within_ellipse.hpp>
 
 namespace vesica::detail::cast {
 
@@ -71,11 +76,12 @@ struct RoundReach {
   }
 };
 
-/// The reach H of M across v, by boxes and round shapes.
+/// The reach H of M across v, by boxes and round shapes. A disc of both radii is the last of `round`.
 struct ExactReach {
   BoxReach box;
   RoundReach round[2];
   int rounds = 0;
+  bool has_disc = false;
 
   void add(const ExactBody& body, const Number<1>& vx, const Number<1>& vy) noexcept {
     if (body.round) {
@@ -84,28 +90,35 @@ struct ExactReach {
       box.add(body.box, vx, vy);
     }
   }
+  void add_disc(const exact::Length& radius, const Number<1>& vx, const Number<1>& vy) noexcept {
+    has_disc = radius.sign > 0;
+    if (has_disc) add({{{}, {}, exact::integer(1), {}, radius, radius}, true}, vx, vy);
+  }
 };
 
-/// Sign of |w| - H. Degree 3, 6 or 12.
-VESICA_CALLED inline int line_gap(const ExactReach& reach, const Number<2>& w) noexcept {
+/// Sign of |w| - H, H being that of the boxes and of so many round shapes. Degree 3, 6 or 12.
+VESICA_CALLED inline int line_gap(const ExactReach& reach, int rounds, const Number<2>& w) noexcept {
   const RoundReach &a = reach.round[0], &b = reach.round[1];
-  if (reach.rounds == 2) {
-    const auto rest = exact::square(w) - a.squared - b.squared;
-    if (rest.sign < 0) return -1;
-    return -exact::compare_product_with_square(exact::integer(4) * a.squared, b.squared, rest);
-  }
-  const auto rest = exact::abs(w) - reach.box.h;
-  if (reach.rounds == 0 || rest.sign < 0) return rest.sign;
-  return exact::compare(exact::square(rest), a.squared);
+  const Number<3> beyond = exact::abs(w) - reach.box.h;
+  if (rounds == 0 || beyond.sign < 0) return beyond.sign;
+  if (rounds == 1) return exact::compare(exact::square(beyond), a.squared);
+  const Number<6> rest = exact::square(beyond) - a.squared - b.squared;
+  if (rest.sign < 0) return -1;
+  return -exact::compare_product_with_square(exact::integer(4) * a.squared, b.squared, rest);
 }
 
-/// Sign of w X - q H. With q = D.v + e v.v it is the sign of t_w - e. Degree 6, 18 or 24.
+/// Sign of t_w - e, with q = D.v + e v.v. Without a disc it is that of w X - q H. Degree 6, 18 or 24.
 VESICA_CALLED inline int witness_sign(const ExactReach& reach, const Number<2>& w, const Number<3>& q) noexcept {
   using exact::cross;
   const BoxReach& box = reach.box;
   const RoundReach &a = reach.round[0], &b = reach.round[1];
-  if (reach.rounds == 0) return box.h.sign == 0 ? -q.sign : exact::compare_products(w, box.along, q, box.h);
-  if (reach.rounds == 1) {
+  const int rounds = reach.has_disc ? reach.rounds - 1 : reach.rounds;
+  if (reach.has_disc && line_gap(reach, rounds, w) > 0) {
+    const auto rest = w.sign > 0 ? box.along - q : -box.along - q;
+    return rounds == 0 ? rest.sign : exact::detail::sign_with_root(w.sign > 0 ? a.m : -a.m, rest, a.squared);
+  }
+  if (rounds == 0) return box.h.sign == 0 ? -q.sign : exact::compare_products(w, box.along, q, box.h);
+  if (rounds == 1) {
     return exact::detail::sign_with_root(cross(w, q, a.squared, a.m), cross(w, q, box.h, box.along), a.squared);
   }
   // The sign of (w m_a - q h_a^2) h_b + (w m_b - q h_b^2) h_a.
@@ -159,9 +172,10 @@ enum class Contact { none, touch, inside, beyond };
 /// A pair and its motion, v != 0, in exact numbers.
 class ExactPair {
  public:
-  ExactPair(const Body& a, const Body& b, const Motion& motion) noexcept : a_(a), b_(b), motion_(motion) {
+  ExactPair(const Body& a, const Body& b, const Motion& motion) noexcept
+      : a_(a), b_(b), motion_(motion), radius_(exact::from_double(a.radius) + exact::from_double(b.radius)) {
     set();
-    gap_ = line_gap(reach_, w_);
+    gap_ = line_gap(reach_, reach_.rounds, w_);
   }
 
   bool of_boxes() const noexcept { return reach_.rounds == 0; }
@@ -204,18 +218,20 @@ class ExactPair {
     vv_ = exact::dot(vx, vy, vx, vy);
     reach_.add(a, vx, vy);
     reach_.add(b, vx, vy);
+    reach_.add_disc(radius_, vx, vy);
   }
   /// D.v + t v.v
   Number<3> q_at(double t) const noexcept { return q_ + exact::from_double(t) * vv_; }
 
   /// b's place in a's frame at t: the shapes with a's centre at 0.
-  VESICA_CALLED bool place(double t, ExactBody& a, ExactBody& b) const noexcept {
+  VESICA_CALLED bool place(double t, ExactBody& a, ExactBody& b, exact::Length& radius) const noexcept {
     const auto time = exact::from_double(t);
     const Number<2> x = (b.box.cx - a.box.cx) + time * exact::from_double(motion_.vx),
                     y = (b.box.cy - a.box.cy) + time * exact::from_double(motion_.vy);
     BitRange range;
     range.hold(x);
     range.hold(y);
+    range.hold(radius);
     for (const ExactBody* body : {&a, &b}) {
       range.hold(body->box.ux);
       range.hold(body->box.uy);
@@ -225,6 +241,7 @@ class ExactPair {
       body->box.ux = range.moved(body->box.ux);
       body->box.uy = range.moved(body->box.uy);
     }
+    radius = range.moved(radius);
     a.box.cx = a.box.cy = {};
     b.box.cx = range.moved(x);
     b.box.cy = range.moved(y);
@@ -232,9 +249,19 @@ class ExactPair {
   }
   VESICA_CALLED Contact find_contact(double t) const noexcept {
     ExactBody a = exact_body(a_), b = exact_body(b_);
-    if (!place(t, a, b)) return Contact::beyond;
+    exact::Length radius = radius_;
+    if (!place(t, a, b, radius)) return Contact::beyond;
+    if (radius.sign > 0) {
+      if (a.round) return contact(b.box, a.ellipse(), radius);
+      return b.round ? contact(a.box, b.ellipse(), radius) : contact(a.box, b.box, radius);
+    }
     if (!a.round) return b.round ? contact(a.box, b.ellipse()) : contact(a.box, b.box);
     return b.round ? contact(a.ellipse(), b.ellipse()) : contact(a.ellipse(), b.box);
+  }
+  template <class B>
+  VESICA_CALLED static Contact contact(const exact::Box& a, const B& b, const exact::Length& radius) noexcept {
+    if (closer(a, b, radius)) return Contact::inside;
+    return within(a, b, radius) ? Contact::touch : Contact::none;
   }
   template <class A, class B>
   VESICA_CALLED static Contact contact(const A& a, const B& b) noexcept {
@@ -245,6 +272,7 @@ class ExactPair {
 
   Body a_, b_;
   Motion motion_;
+  exact::Length radius_;
   Number<2> w_, q_, vv_;
   ExactReach reach_;
   int gap_;

@@ -15,6 +15,7 @@ struct Sketch {
   form::Corners<double> place;
   double ux, uy, hx, hy;
   bool round, usable;
+  double radius = 0;
 };
 
 inline constexpr double least_usable = 0x1p-200, most_usable = 0x1p200;
@@ -32,10 +33,13 @@ VESICA_INLINE Sketch sketch(const Shape& s) noexcept {
   const bool round = f.outline != form::Outline::straight && hx > 0 && hy > 0;
   const bool point = f.axis_may_vanish && ux == 0 && uy == 0;
   const bool usable = (point || in_usable_range(abs(ux) + abs(uy))) && hx >= 0 && hy >= 0 && hx + hy <= most_usable;
-  return {form::corners(f.place), ux, uy, hx, hy, round, usable};
+  return {form::corners(f.place), ux, uy, hx, hy, round, usable, 0};
 }
 VESICA_INLINE Sketch sketch(const Body& body) noexcept {
-  return with_shape(body, [](const auto& s) { return sketch(s); });
+  Sketch out = with_shape(body, [](const auto& s) { return sketch(s); });
+  out.radius = body.radius;
+  out.usable = out.usable && body.radius >= 0 && body.radius <= most_usable;
+  return out;
 }
 
 /// Reach h across v as in exact.hpp, the reach along v, and errors.
@@ -104,8 +108,11 @@ VESICA_INLINE Filtered filter(const Sketch& a, const Sketch& b, const Motion& v)
   if (!usable) return {Verdict::undecided, false};
 
   const double w = v.vx * dy - v.vy * dx, q = v.vx * dx + v.vy * dy, d_error = u * (6 * d_size + 2 * size);
-  const double h = ra.h + rb.h, h_error = ra.h_error + rb.h_error + 4 * u * h, gap = abs(w) - h;
-  const double forward = ra.forward + rb.forward, forward_error = d_error + h_error + 4 * u * forward;
+  // A radius reaches as far across v as along it. Its own terms are off by 5u.
+  const double radius = a.radius + b.radius, around = radius > 0 ? radius * sqrt(v.vx * v.vx + v.vy * v.vy) : 0;
+  const double h = ra.h + rb.h + around, h_error = ra.h_error + rb.h_error + 4 * u * h + 8 * u * around,
+               gap = abs(w) - h;
+  const double forward = ra.forward + rb.forward + around, forward_error = d_error + h_error + 4 * u * forward;
   const bool has_end = v.end <= most_usable;
   const double vv = v.vx * v.vx + v.vy * v.vy, whole = has_end ? v.end * vv : 0;
   // Beside the line; moving away; out of reach at the end. Usually one holds for a miss; unpredictable, so no branch.

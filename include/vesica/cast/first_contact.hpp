@@ -60,8 +60,8 @@ inline Found grazing(const Scene& scene, int side) noexcept {
   // Turned by a quarter `beside` is x.v, and `edge` what lies along v.
   const VectorFactor<Products> turned{factor(Twofold<double>{scene.vy, 0}), factor(Twofold<double>{-scene.vx, 0})};
   const auto n = factor(across);
-  const SideSupport a = support_of<Products>(scene.a, n, turned, scene.speed()),
-                    b = support_of<Products>(scene.b, n, turned, scene.speed());
+  SideSupport a, b;
+  supports_of<Products>(scene, n, turned, scene.speed(), a, b);
   const auto v = factor_of_v<Products>(scene);
   const Twofold<double> way = a.beside + b.beside - dot(factor(scene.d), v);
   const double vv = scene.vx * scene.vx + scene.vy * scene.vy;
@@ -122,9 +122,14 @@ inline void meet(const Scene& scene, const LineMeeting* line, FindMeeting fused,
 inline Impact<double> impact(const Body& a, const Scene& scene, const Meeting& m, double t) noexcept {
   const double in_scene = in_units(t, -scene.time);
   const Offset offset{scene.d.x.high + in_scene * scene.vx, scene.d.y.high + in_scene * scene.vy};
-  const Offset at = located(a, touching_point(m.of_a, m.of_b, offset), scene.length);
   const Vector& normal = m.found.normal;
   const double x = normal.x.high, y = normal.y.high, length = sqrt(x * x + y * y);
+  Offset touching = touching_point(m.of_a, m.of_b, offset);
+  if (a.radius > 0) {
+    const double radius = in_units(a.radius, -scene.length);
+    touching = touching + Offset{radius * (x / length), radius * (y / length)};
+  }
+  const Offset at = located(a, touching, scene.length);
   return {t, at.x, at.y, x / length + 0.0, y / length + 0.0};
 }
 

@@ -51,15 +51,18 @@ VESICA_CALLED constexpr EdgePart closest_part(const Number<6>& p00, const Number
   return sign_with_root(p01, -to, p00) > 0 ? EdgePart::far_end : EdgePart::side;
 }
 
-/// True if x <= sqrt(p00) + R for the square of R.
-VESICA_CALLED constexpr bool side_within(const Number<6>& p00, const Number<3>& x, const Number<4>& squared) noexcept {
+/// True if x <= sqrt(p00) + R for the square of R; `strictly`, if x is less.
+VESICA_CALLED constexpr bool side_within(const Number<6>& p00, const Number<3>& x, const Number<4>& squared,
+                                         bool strictly) noexcept {
   const Number<6> m = square(x) - p00 - squared;
-  return m.sign <= 0 || compare_product_with_square(integer(4) * squared, p00, m) >= 0;
+  if (m.sign <= 0) return true;
+  const int compared = compare_product_with_square(integer(4) * squared, p00, m);
+  return strictly ? compared > 0 : compared >= 0;
 }
 
 /// Not inlined: corners do not need this stack.
-VESICA_CALLED constexpr ClosestParts closest_parts(const Box& box, const Ellipse& ellipse,
-                                                   const Length& reach) noexcept {
+VESICA_CALLED constexpr ClosestParts closest_parts(const Box& box, const Ellipse& ellipse, const Length& reach,
+                                                   bool strictly) noexcept {
   const VisibleEdges edges(box, ellipse);
   if (edges.centre_inside || edges.gap(0) <= 0) return {ClosestParts::yes, 0, {}};
   const auto& [c, s, near_x, near_y, far_x, far_y, a, b, turn_x, turn_y, inside] = edges;
@@ -74,7 +77,7 @@ VESICA_CALLED constexpr ClosestParts closest_parts(const Box& box, const Ellipse
     const Number<6> p00 = square(a * c) + square(b * s);
     const EdgePart part = closest_part(p00, p01, near_x, near_y, far_y);
     if (part == EdgePart::side) {
-      return {side_within(p00, near_x, squared) ? ClosestParts::yes : ClosestParts::no, 0, {}};
+      return {side_within(p00, near_x, squared, strictly) ? ClosestParts::yes : ClosestParts::no, 0, {}};
     }
     has_near_corner = part == EdgePart::near_end;
     parts.corner[parts.count++] = {turn_x, has_near_corner ? turn_y : -turn_y};
@@ -83,7 +86,7 @@ VESICA_CALLED constexpr ClosestParts closest_parts(const Box& box, const Ellipse
     const Number<6> p11 = square(a * s) + square(b * c);
     const EdgePart part = closest_part(p11, p01, near_y, near_x, far_x);
     if (part == EdgePart::side) {
-      return {side_within(p11, near_y, squared) ? ClosestParts::yes : ClosestParts::no, 0, {}};
+      return {side_within(p11, near_y, squared, strictly) ? ClosestParts::yes : ClosestParts::no, 0, {}};
     }
     const bool is_near = part == EdgePart::near_end;
     if (!(is_near && has_near_corner)) parts.corner[parts.count++] = {is_near ? turn_x : -turn_x, turn_y};
@@ -91,15 +94,25 @@ VESICA_CALLED constexpr ClosestParts closest_parts(const Box& box, const Ellipse
   return parts;
 }
 
-/// True if a corner is at most reach > 0 away from an ellipse. Not inlined, as above.
+/// True if a corner is at most reach > 0 away from an ellipse; `strictly`, if it is less. Not inlined, as above.
 VESICA_CALLED constexpr bool corner_within(const Box& box, const Corner& corner, const Ellipse& ellipse,
-                                           const Length& reach) noexcept {
+                                           const Length& reach, bool strictly) noexcept {
   const auto [i, j] = corner;
   const Length dx = box.cx - ellipse.cx, dy = box.cy - ellipse.cy;
   const Number<2> x = add(add(Number<2>(dx), box.hx * box.ux, i), box.hy * box.uy, -j);
   const Number<2> y = add(add(Number<2>(dy), box.hx * box.uy, i), box.hy * box.ux, j);
   const Cubic p = disc_cubic(reach, x, y, ellipse);
-  return share_a_point(p);
+  return (p.c1.sign >= 0 && p.c2.sign >= 0) || discriminant_sign(p) < (strictly ? 0 : 1);
+}
+
+constexpr bool within(const Box& box, const Ellipse& ellipse, const Length& reach, bool strictly) noexcept {
+  if (box.hx.sign == 0 && box.hy.sign == 0) return corner_within(box, {1, 1}, ellipse, reach, strictly);
+  const ClosestParts parts = closest_parts(box, ellipse, reach, strictly);
+  if (parts.answer != ClosestParts::by_corners) return parts.answer == ClosestParts::yes;
+  for (int k = 0; k < parts.count; ++k) {
+    if (corner_within(box, parts.corner[k], ellipse, reach, strictly)) return true;
+  }
+  return false;
 }
 
 }  // namespace detail
@@ -112,14 +125,12 @@ constexpr bool within(const Box& box, const Ellipse& ellipse, const Length& reac
     const Ellipse disc{box.cx, box.cy, from_double(1), {}, -reach, -reach};
     return relation(ellipse, disc) >= Relation::contains;
   }
-  if (reach.sign == 0) return overlap(box, ellipse);
-  if (box.hx.sign == 0 && box.hy.sign == 0) return detail::corner_within(box, {1, 1}, ellipse, reach);
-  const detail::ClosestParts parts = detail::closest_parts(box, ellipse, reach);
-  if (parts.answer != detail::ClosestParts::by_corners) return parts.answer == detail::ClosestParts::yes;
-  for (int k = 0; k < parts.count; ++k) {
-    if (detail::corner_within(box, parts.corner[k], ellipse, reach)) return true;
-  }
-  return false;
+  return reach.sign == 0 ? overlap(box, ellipse) : detail::within(box, ellipse, reach, false);
+}
+
+/// True if they are less than `reach` > 0 apart.
+constexpr bool closer(const Box& box, const Ellipse& ellipse, const Length& reach) noexcept {
+  return degenerate(ellipse) ? closer(box, as_box(ellipse), reach) : detail::within(box, ellipse, reach, true);
 }
 
 }  // namespace vesica::exact

@@ -136,7 +136,8 @@ fn capsules_and_rounded_rectangles() {
     let index = Index::new(&[Shapes::from(&bars)]).unwrap();
     assert_eq!(index.select(&end), Ok(vec![0]));
     assert_eq!(area(&bars[0], &rounded), Err(Error::Kind));
-    assert_eq!(cast(&bars[0], &rounded, motion(1.0, 1.0)).err(), Some(Error::Kind));
+    let found = cast(&bars[0], &rounded, motion(-1.0, 9.0));
+    assert_eq!(found.map(|(found, at)| (found, at.t)), Ok((Cast::Hit, 2.5)));
     let ellipse = Ellipse { cx: 10.0, cy: 0.0, ux: 1.0, uy: 0.0, a: 1.0, b: 1.0 };
     assert_eq!(contains(&rounded, &ellipse), Err(Error::Kind));
 }
