@@ -150,7 +150,7 @@ int32_t impact_time(int32_t kind_a, const void* a, const CTurn* turn_a, int32_t 
   VESICA_DEFAULT_ENVIRONMENT((impact_time<T, CTurn, Out>), kind_a, a, turn_a, kind_b, b, turn_b, tolerance, out, gap);
   if (a == nullptr || turn_a == nullptr || b == nullptr || turn_b == nullptr) return VESICA_E_NULL;
   if (out == nullptr || gap == nullptr) return VESICA_E_NULL;
-  if (!have_form(kind_a, kind_b)) return VESICA_E_KIND;
+  if (!vesica::has_core(kind_a) || !vesica::has_core(kind_b)) return VESICA_E_KIND;
   const auto turn_of = [](const CTurn& t) {
     return vesica::Turn<double>{static_cast<double>(t.vx), static_cast<double>(t.vy), static_cast<double>(t.angle)};
   };

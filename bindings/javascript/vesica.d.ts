@@ -30,7 +30,7 @@ export interface RoundRect {
 }
 /**
  * Capsules and rounded rectangles are for invalidity, bounds, shapeArea, overlap, overlapSelect, nearest, depth,
- * signedDistance, within, cast, castFirst, sweepBounds, and not with an ellipse relation, contains and
+ * signedDistance, within, cast, castFirst, impactTime, sweepBounds, and not with an ellipse relation, contains and
  * boundaryDistance; an index of them has join of overlaps, joinWithin, select, nearest, nearestOfEach, cast and
  * castFirst. Other calls throw a VesicaError for them.
  */

@@ -66,8 +66,9 @@ std::int32_t contact_at(const Body& a, const Turn<double>& turn_a, const Scene& 
 /// cast_miss, cast_near, cast_hit or an error; cast_start is for the caller to describe. `ask` knows
 /// overlap_at_start(), and nearest() and depth() of bodies. T: what the time is rounded down to.
 template <class T, class Ask>
-std::int32_t impact_time(const Body& a, const Turn<double>& turn_a, const Body& b, const Turn<double>& turn_b,
+std::int32_t impact_time(const Body& of_a, const Turn<double>& turn_a, const Body& of_b, const Turn<double>& turn_b,
                          double tolerance, const Ask& ask, Impact<double>& out, double& gap) noexcept {
+  const Body a = cast::core_of(of_a), b = cast::core_of(of_b);
   if (!is_valid(a) || !is_valid(b)) return error_shape;
   const Scene s = scene(a, turn_a, b, turn_b);
   const Window w = window(s);
@@ -96,7 +97,7 @@ bool rounded_to(const Impact<double>& i, double gap, Impact<T>& out, T& out_gap)
   return true;
 }
 
-/// Asks shapes as they were given, and poses of rectangles and ellipses.
+/// Asks shapes as they were given, and poses of rectangles, rounded ones and ellipses.
 template <class A, class B>
 struct AskShapes {
   const A& a;
@@ -105,6 +106,7 @@ struct AskShapes {
   template <class Action>
   static void with_pose(const Body& body, const Action& action) noexcept {
     if (body.kind == Kind::rect) return action(cast::shape<Rect>(body));
+    if (body.kind == Kind::round_rect) return action(cast::shape<RoundRect>(body));
     action(cast::shape<Ellipse>(body));
   }
   std::int32_t overlap_at_start() const noexcept { return overlap_or_error(a, b); }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Questions that do not take capsules and rounded rectangles yet say so, and write nothing.
 #include <gtest/gtest.h>
-#include <vesica_motion.h>
 #include <vesica_topology.h>
 
 #include <cstdint>
@@ -26,12 +25,6 @@ TEST(InflatedKinds, AreRefusedByOtherQuestions) {
   char matrix[10] = "untouched";
   EXPECT_EQ(vesica_de9im_f64(VESICA_CAPSULE, &a, VESICA_CAPSULE, &a, matrix), VESICA_E_KIND);
   EXPECT_STREQ(matrix, "untouched");
-  vesica_impact_f64 impact{7, 7, 7, 7, 7};
-  const vesica_turn_f64 turn{0, 0, 1};
-  EXPECT_EQ(vesica_impact_time_f64(VESICA_CAPSULE, &a, &turn, VESICA_ELLIPSE, &b, &turn, 0.1, &impact, &number),
-            VESICA_E_KIND);
-  EXPECT_EQ(impact.t, 7);
-  EXPECT_EQ(number, 7);
   EXPECT_EQ(vesica_relation_f64(VESICA_CAPSULE, &a, VESICA_ELLIPSE, &b), VESICA_E_KIND);
   EXPECT_EQ(vesica_contains_f64(VESICA_ELLIPSE, &b, VESICA_CAPSULE, &a), VESICA_E_KIND);
 }

@@ -161,7 +161,7 @@ double signed_gap(const Scene& s, double t, const Ask& ask) noexcept {
   return -p.depth;
 }
 
-inline double thickness(const Turning& s) noexcept { return lane::min(s.hx, s.hy); }
+inline double thickness(const Turning& s) noexcept { return lane::min(s.hx, s.hy) + s.radius; }
 
 /// True if there surely is contact a little after t, where the gap is known: by secants, towards a depth that thin
 /// shapes have too.

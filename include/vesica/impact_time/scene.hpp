@@ -6,8 +6,7 @@
 #pragma once
 
 #include <vesica/arithmetic/rotation.hpp>
-#include <vesica/cast/body.hpp>
-#include <vesica/nearest/scaled_pair.hpp>
+#include <vesica/cast/bound.hpp>
 #include <vesica/support_minimum/plane_vector.hpp>
 
 namespace vesica {
@@ -36,6 +35,7 @@ struct Turning {
   PlaneVector axis;
   double hx, hy, reach, bend, spin;
   bool round;
+  double radius = 0;  // how much farther than these it reaches
 
   bool turns() const noexcept { return spin != 0; }
 };
@@ -50,13 +50,14 @@ struct Scene {
   bool still;  // they do not move relative to each other; scaled numbers may have vanished
 
   PlaneVector offset(double t) const noexcept { return d + t * v; }
-  bool has_boxes() const noexcept { return !a.round && !b.round; }
+  bool has_boxes() const noexcept { return !a.round && !b.round && a.radius == 0 && b.radius == 0; }
 };
 
 /// Half lengths are right to 6u, u = 2^-53, each component of the axis to 4u.
 inline Turning turning(const nearest::ScaledShape& p, int shift, double spin) noexcept {
   Turning s{{1, 0}, 0, 0, 0, 0, spin, true};
-  if (p.radius > 0) {
+  const bool has_core = p.box.hx.high > 0 || p.box.hy.high > 0;
+  if (p.radius > 0 && !has_core) {
     s.hx = s.hy = arithmetic::scale_far(p.radius, shift);
   } else {
     const PlaneVector u{p.box.u.x.high, p.box.u.y.high};
@@ -65,12 +66,14 @@ inline Turning turning(const nearest::ScaledShape& p, int shift, double spin) no
     s.hx = arithmetic::scale_far(p.box.hx.high * length, shift);
     s.hy = arithmetic::scale_far(p.box.hy.high * length, shift);
     s.round = p.curved;
+    s.radius = arithmetic::scale_far(p.radius, shift);
   }
   s.reach = s.round ? lane::max(s.hx, s.hy) : lane::sqrt(s.hx * s.hx + s.hy * s.hy);
   const double a = lane::max(s.hx, s.hy), b = lane::min(s.hx, s.hy);
   s.bend = s.round && a > 0 ? (a - b) * ((a + b) / a) : s.reach;
   // Turning changes neither a disc nor a point.
   if (s.reach == 0 || (s.round && a == b)) s.spin = 0;
+  s.reach += s.radius;
   return s;
 }
 
@@ -87,6 +90,7 @@ inline bool is_moderate(const nearest::UnscaledShape& f) noexcept {
 inline bool is_moderate(const Turning& s) noexcept {
   const double shorter = lane::min(s.hx, s.hy), longer = lane::max(s.hx, s.hy);
   return longer <= 0x1p60 && (longer == 0 || longer >= 0x1p-60) && (shorter == 0 || shorter >= 0x1p-60) &&
+         s.radius <= 0x1p60 && (s.radius == 0 || s.radius >= 0x1p-60) &&
          (!s.round || shorter > nearest::thinnest * longer);
 }
 
@@ -117,23 +121,20 @@ inline void measure(Scene& s) noexcept {
   // In units of u and of all lengths: the offset at t, 3; an axis at t, 15 and its spin, for the angle's rounding; n,
   // if it is such an axis, as much; half lengths, 6; products, sums or a root, 12. With room for n being a unit to 3
   // alone.
-  const double lengths =
-      lane::abs(s.d.x) + lane::abs(s.d.y) + lane::abs(s.v.x) + lane::abs(s.v.y) + (s.a.hx + s.a.hy) + (s.b.hx + s.b.hy);
+  const double lengths = lane::abs(s.d.x) + lane::abs(s.d.y) + lane::abs(s.v.x) + lane::abs(s.v.y) + (s.a.hx + s.a.hy) +
+                         (s.b.hx + s.b.hy) + (s.a.radius + s.b.radius);
   s.error = 0x1p-53 * lengths * (56 + 2 * (lane::abs(s.a.spin) + lane::abs(s.b.spin))) + 0x1p-1000;
   s.speed = lane::sqrt(dot(s.v, s.v));
   s.farthest = lane::sqrt(dot(s.d, s.d)) + s.speed;
 }
 
 inline Scene scene(const Body& a, const Turn<double>& turn_a, const Body& b, const Turn<double>& turn_b) noexcept {
-  const auto form = [](const Body& body, double k) {
-    return cast::with_shape(body, [k](const auto& s) { return nearest::form_times(s, k); });
-  };
   const auto way = [&](double k) { return PlaneVector{k * turn_b.vx - k * turn_a.vx, k * turn_b.vy - k * turn_a.vy}; };
-  nearest::UnscaledShape fa = form(a, 1), fb = form(b, 1);
+  nearest::UnscaledShape fa = cast::form_times(a, 1), fb = cast::form_times(b, 1);
   Scene s = moderate_scene(fa, fb, way(1), turn_a.angle, turn_b.angle);
   if (!is_moderate(fa) || !is_moderate(fb) || !is_moderate(s)) [[unlikely]] {
     const bool large = nearest::overflowed(fa, fb) || !all_finite(s.v.x, s.v.y);
-    if (large) fa = form(a, 0.125), fb = form(b, 0.125);
+    if (large) fa = cast::form_times(a, 0.125), fb = cast::form_times(b, 0.125);
     s = scaled_scene(fa, fb, way(large ? 0.125 : 1), large ? 3 : 0, turn_a.angle, turn_b.angle);
   }
   measure(s);
@@ -157,7 +158,8 @@ inline Pose pose(const Scene& s, double t) noexcept { return {s.offset(t), axis_
 
 /// A shape in its pose, about a centre, for other questions.
 inline Body body_of(const Turning& s, const PlaneVector& axis, const PlaneVector& centre) noexcept {
-  return {s.round ? Kind::ellipse : Kind::rect, {centre.x, centre.y, axis.x, axis.y, s.hx, s.hy}};
+  const Kind kind = s.round ? Kind::ellipse : s.radius > 0 ? Kind::round_rect : Kind::rect;
+  return {kind, {centre.x, centre.y, axis.x, axis.y, s.hx, s.hy, s.radius}};
 }
 
 }  // namespace detail::impact_time

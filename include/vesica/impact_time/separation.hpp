@@ -26,7 +26,7 @@ inline Support support(const Turning& s, const PlaneVector& axis, const PlaneVec
   const double along = dot(axis, n), across = cross(axis, n), p = s.hx * along, q = s.hy * across;
   if (!s.round) {
     const double change_p = lane::flip_sign(s.hx * across, along), change_q = lane::flip_sign(s.hy * along, across);
-    return {lane::abs(p) + lane::abs(q), change_p - change_q};
+    return {lane::abs(p) + lane::abs(q) + s.radius, change_p - change_q};
   }
   const double h = lane::sqrt(p * p + q * q);
   return {h, h > 0 ? (s.hx * across) * (p / h) - (s.hy * along) * (q / h) : 0};
