@@ -157,4 +157,9 @@ int main(int argc, char** argv) {
       }
     }
   }
+  // A core with a radius, beside the rows of circles with the same shapes.
+  for (const std::int32_t a :
+       {VESICA_POINT, VESICA_CIRCLE, VESICA_RECT, VESICA_ELLIPSE, VESICA_CAPSULE, VESICA_ROUND_RECT}) {
+    for (const Aim& aim : {tenth_of_discs, half_of_discs, sure}) contest<F64>(a, VESICA_CAPSULE, aim, wanted);
+  }
 }

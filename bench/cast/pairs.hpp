@@ -30,7 +30,7 @@ inline Numbers draw_shape(std::int32_t kind, Random& random) {
 }
 
 inline Numbers centre_of(std::int32_t kind, const Numbers& n) {
-  const bool corners = kind == VESICA_SEGMENT || kind == VESICA_AABB;
+  const bool corners = kind == VESICA_SEGMENT || kind == VESICA_AABB || kind == VESICA_CAPSULE;
   return corners ? Numbers{0.5 * (n[0] + n[2]), 0.5 * (n[1] + n[3])} : Numbers{n[0], n[1]};
 }
 
