@@ -171,7 +171,7 @@ TEST(Known, Refused) {
   EXPECT_EQ(code(boxes, still, still, 0), VESICA_E_ARGUMENT);
   EXPECT_EQ(code(boxes, still, still, -1), VESICA_E_ARGUMENT);
   EXPECT_EQ(code(boxes, still, still, nan), VESICA_E_ARGUMENT);
-  EXPECT_EQ(code({VESICA_AABB, 6, {}, {}}, still, still, 1), VESICA_E_KIND);
+  EXPECT_EQ(code({VESICA_AABB, 9, {}, {}}, still, still, 1), VESICA_E_KIND);
   EXPECT_EQ(code({VESICA_CIRCLE, VESICA_POINT, {0, 0, -1}, {5, 0}}, still, still, 1), VESICA_E_SHAPE);
   EXPECT_EQ(code({VESICA_CIRCLE, VESICA_POINT, {0, 0, 1}, {nan, 0}}, still, still, 1), VESICA_E_SHAPE);
   EXPECT_EQ(code({VESICA_RECT, VESICA_POINT, {0, 0, 0, 0, 1, 1}, {5, 0}}, still, still, 1), VESICA_E_SHAPE);
