@@ -13,9 +13,9 @@
 /// because x w / H is on the line, and M contains it with 0 and x. If H = 0, t_w = -q / v.v. So contact within [0, e]
 /// takes the signs of |w| - H, of t_w and of t_w - e, and two overlap tests, at 0 and at e. No root is isolated.
 ///
-/// Radii of both shapes add to M the disc of their sum, a third shape about 0. It reaches R = |v| times the sum across v,
-/// at a point with x.v = 0. Any point of M on the line may be the witness: with |w| <= H - R that of M without the disc,
-/// else one with x.v = X sgn w, X and H - R being those without the disc.
+/// Radii of both shapes add to M the disc of their sum, a third shape about 0. Its reach across v is R = |v| times the
+/// sum, at a point with x.v = 0. Any point of M on the line may be the witness. If |w| <= H - R it is that of M without
+/// the disc; else it is one with x.v = X sgn w, where X is that of M without the disc.
 #pragma once
 
 #include <vesica/arithmetic/rounding.hpp>
