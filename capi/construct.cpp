@@ -73,6 +73,22 @@ int32_t rect_corners_misfit(const T* corners, const CShape* r, T* misfit) noexce
     VESICA_DEFAULT_ENVIRONMENT(vesica_rect_corners_misfit_##suffix, corners, r, misfit);                               \
     return rect_corners_misfit(corners, r, misfit);                                                                    \
   }                                                                                                                    \
+  int32_t vesica_round_rect_from_angle_##suffix(T cx, T cy, T angle, T width, T height, T radius,                      \
+                                                vesica_round_rect_##suffix* out) {                                     \
+    VESICA_DEFAULT_ENVIRONMENT(vesica_round_rect_from_angle_##suffix, cx, cy, angle, width, height, radius, out);      \
+    return construct<vesica::RoundRect<T>>(                                                                            \
+        out, [=](auto& s) { return vesica::round_rect_from_angle(cx, cy, angle, width, height, radius, s); });         \
+  }                                                                                                                    \
+  int32_t vesica_capsule_from_angle_##suffix(T cx, T cy, T angle, T length, T radius, vesica_capsule_##suffix* out) {  \
+    VESICA_DEFAULT_ENVIRONMENT(vesica_capsule_from_angle_##suffix, cx, cy, angle, length, radius, out);                \
+    return construct<vesica::Capsule<T>>(                                                                              \
+        out, [=](auto& s) { return vesica::capsule_from_angle(cx, cy, angle, length, radius, s); });                   \
+  }                                                                                                                    \
+  int32_t vesica_capsule_from_width_##suffix(T x0, T y0, T x1, T y1, T width, vesica_capsule_##suffix* out) {          \
+    VESICA_DEFAULT_ENVIRONMENT(vesica_capsule_from_width_##suffix, x0, y0, x1, y1, width, out);                        \
+    return construct<vesica::Capsule<T>>(                                                                              \
+        out, [=](auto& s) { return vesica::capsule_from_width(x0, y0, x1, y1, width, s); });                           \
+  }                                                                                                                    \
   int32_t vesica_ellipse_from_angle_##suffix(T cx, T cy, T angle, T a, T b, vesica_ellipse_##suffix* out) {            \
     VESICA_DEFAULT_ENVIRONMENT(vesica_ellipse_from_angle_##suffix, cx, cy, angle, a, b, out);                          \
     return construct<vesica::Ellipse<T>>(out,                                                                          \

@@ -447,4 +447,68 @@ TYPED_TEST(ConstructAccuracy, AngleToOneUnit) {
   }
 }
 
+// Sizes of any exponents, often near each other. width - 2 radius in Reals is exact, so half a unit is one rounding.
+TYPED_TEST(ConstructAccuracy, RoundRectFromOuterSize) {
+  using T = typename TypeParam::Scalar;
+  Random& random = this->random_;
+  for (int i = 0; i < 20000 * repeat(); ++i) {
+    const T width = this->any(this->lowest, this->highest - 2);
+    const T height = random.chance(0.5) ? width : this->any(this->lowest, this->highest - 2);
+    const T angle = this->any(-60, 50), lesser = std::min(width, height);
+    const T part = random.chance(0.5) ? static_cast<T>(random.unit()) : this->any(this->lowest / 2, -1);
+    const T radius = random.chance(0.2) ? std::nextafter(lesser / 2, T{0}) : lesser / 2 * std::min(part, T{1});
+    typename TypeParam::RoundRect made{};
+    typename TypeParam::Rect rect{};
+    errno = 0;
+    const std::int32_t code = TypeParam::round_rect_from_angle(3, 4, angle, width, height, radius, &made);
+    EXPECT_EQ(errno, 0);
+    const Real twice = 2 * Real(static_cast<double>(radius));
+    const Real w = Real(static_cast<double>(width)) - twice, h = Real(static_cast<double>(height)) - twice;
+    if (code == VESICA_E_ARGUMENT) {
+      EXPECT_TRUE(w < 0 || h < 0);  // half of a subnormal number was rounded up
+      continue;
+    }
+    ASSERT_EQ(code, 0);
+    ASSERT_EQ(TypeParam::rect_from_angle(3, 4, angle, 2, 2, &rect), 0);
+    EXPECT_TRUE(made.cx == 3 && made.cy == 4 && made.r == radius);
+    // The axis is the rectangle's, or half of it; the core's half sizes are in its unit.
+    const T axis = made.ux == rect.ux && made.uy == rect.uy ? T{1} : T{1} / 2;
+    EXPECT_TRUE(made.ux == rect.ux * axis && made.uy == rect.uy * axis);
+    const auto off = [&](T found, const Real& full) {
+      const Real unit = last_place<T>(full);
+      return Real(abs(2 * static_cast<double>(axis) * Real(static_cast<double>(found)) - full) / unit).get_d();
+    };
+    this->expect_at_most(0.5, off(made.hx, w));
+    this->expect_at_most(0.5, off(made.hy, h));
+    ++this->made_;
+  }
+  EXPECT_GT(this->made_, 19000 * repeat());
+}
+
+// The axis is that of the rectangle, which AngleToOneUnit tests; often the centre and the offset cancel.
+TYPED_TEST(ConstructAccuracy, EndsOfCapsules) {
+  using T = typename TypeParam::Scalar;
+  Random& random = this->random_;
+  const auto real = [](T x) { return Real(static_cast<double>(x)); };
+  for (int i = 0; i < 20000 * repeat(); ++i) {
+    const int middle = random.integer(this->lowest + 12, this->highest - 16);
+    const auto near = [&] { return static_cast<T>(random.sign()) * this->any(middle - 12, middle + 12); };
+    const T angle = static_cast<T>(random.sign()) * this->any(-60, 50), length = std::fabs(near());
+    typename TypeParam::Rect r{};
+    ASSERT_EQ(TypeParam::rect_from_angle(0, 0, angle, length, 0, &r), 0);
+    T cx = random.chance(0.2) ? T{0} : near(), cy = random.chance(0.2) ? T{0} : near();
+    if (random.chance(0.3)) cx = r.hx * r.ux, cy = -r.hx * r.uy;
+    typename TypeParam::Capsule made{};
+    errno = 0;
+    ASSERT_EQ(TypeParam::capsule_from_angle(cx, cy, angle, length, 7, &made), 0);
+    EXPECT_EQ(errno, 0);
+    EXPECT_EQ(made.r, 7);
+    const Real x = real(r.hx) * real(r.ux), y = real(r.hx) * real(r.uy);
+    this->expect_at_most(0.51, error_in_ulps(made.x0, Real(real(cx) - x)));
+    this->expect_at_most(0.51, error_in_ulps(made.y0, Real(real(cy) - y)));
+    this->expect_at_most(0.51, error_in_ulps(made.x1, Real(real(cx) + x)));
+    this->expect_at_most(0.51, error_in_ulps(made.y1, Real(real(cy) + y)));
+  }
+}
+
 }  // namespace

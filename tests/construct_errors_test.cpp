@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -27,6 +28,8 @@ class ConstructErrors : public testing::Test {
   using Aabb = typename Api::Aabb;
   using Rect = typename Api::Rect;
   using Ellipse = typename Api::Ellipse;
+  using Capsule = typename Api::Capsule;
+  using RoundRect = typename Api::RoundRect;
   using Numbers = std::array<Scalar, 8>;
 
   static constexpr Constructor<Scalar, Aabb> aabb_from_corners{
@@ -44,6 +47,23 @@ class ConstructErrors : public testing::Test {
       8,
       [](const Scalar* n, Rect* out) { return Api::rect_from_corners(n, out); },
       {0, 0, 2, 0, 2, 1, 0, 1}};
+  static constexpr Constructor<Scalar, RoundRect> round_rect_from_angle{"round_rect_from_angle",
+                                                                        6,
+                                                                        [](const Scalar* n, RoundRect* out) {
+                                                                          return Api::round_rect_from_angle(
+                                                                              n[0], n[1], n[2], n[3], n[4], n[5], out);
+                                                                        },
+                                                                        {1, 2, 3, 4, 5, 1}};
+  static constexpr Constructor<Scalar, Capsule> capsule_from_angle{
+      "capsule_from_angle",
+      5,
+      [](const Scalar* n, Capsule* out) { return Api::capsule_from_angle(n[0], n[1], n[2], n[3], n[4], out); },
+      {1, 2, 3, 4, 5}};
+  static constexpr Constructor<Scalar, Capsule> capsule_from_width{
+      "capsule_from_width",
+      5,
+      [](const Scalar* n, Capsule* out) { return Api::capsule_from_width(n[0], n[1], n[2], n[3], n[4], out); },
+      {1, 2, 3, 4, 5}};
   static constexpr Constructor<Scalar, Ellipse> ellipse_from_angle{
       "ellipse_from_angle",
       5,
@@ -89,6 +109,9 @@ class ConstructErrors : public testing::Test {
     action(aabb_from_corners);
     action(rect_from_angle);
     action(rect_from_corners);
+    action(round_rect_from_angle);
+    action(capsule_from_angle);
+    action(capsule_from_width);
     action(ellipse_from_angle);
     action(ellipse_from_radius_vector);
     action(ellipse_from_covariance);
@@ -133,11 +156,47 @@ TYPED_TEST(ConstructErrors, NegativeSizesAndTheirOrder) {
   };
   check(this->rect_from_angle, 3);
   check(this->rect_from_angle, 4);
+  check(this->round_rect_from_angle, 3);
+  check(this->round_rect_from_angle, 4);
+  check(this->round_rect_from_angle, 5);
+  check(this->capsule_from_angle, 3);
+  check(this->capsule_from_angle, 4);
+  check(this->capsule_from_width, 4);
   check(this->ellipse_from_angle, 3);
   check(this->ellipse_from_angle, 4);
   check(this->ellipse_from_radius_vector, 4);
   check(this->ellipse_from_covariance, 5);
   this->expect(this->ellipse_from_radius_vector, {1, 2, 0, 0, -1}, VESICA_E_NEGATIVE_SIZE);
+}
+
+// Half the lesser side is legal; the number after it is not, not even where its double overflows.
+TYPED_TEST(ConstructErrors, RadiusOfMoreThanHalfASide) {
+  using T = typename TypeParam::Scalar;
+  const T tiny = std::numeric_limits<T>::denorm_min(), max = std::numeric_limits<T>::max();
+  const T sides[][2] = {{4, 6}, {6, 4}, {4, 4}, {T{1} / 3, 1}, {2 * tiny, 1}, {max, max}};
+  for (const auto& [width, height] : sides) {
+    const T most = (width < height ? width : height) / 2, more = std::nextafter(most, max);
+    this->expect(this->round_rect_from_angle, {1, 2, 3, width, height, most}, 0);
+    this->expect(this->round_rect_from_angle, {1, 2, 3, width, height, more}, VESICA_E_ARGUMENT);
+    this->expect(this->round_rect_from_angle, {1, 2, 3, width, height, max}, VESICA_E_ARGUMENT);
+  }
+  this->expect(this->round_rect_from_angle, {1, 2, 3, 5 * tiny, 1, 2 * tiny}, 0);
+  this->expect(this->round_rect_from_angle, {1, 2, 3, 5 * tiny, 1, 3 * tiny}, VESICA_E_ARGUMENT);
+  this->expect(this->round_rect_from_angle, {1, 2, 3, 0, 1, tiny}, VESICA_E_ARGUMENT);
+  this->expect(this->round_rect_from_angle, {1, 2, 3, 1, 0, tiny}, VESICA_E_ARGUMENT);
+  this->expect(this->round_rect_from_angle, {1, 2, 3, -1, 4, 3}, VESICA_E_NEGATIVE_SIZE);
+}
+
+TYPED_TEST(ConstructErrors, EndsOfACapsuleOverflow) {
+  using T = typename TypeParam::Scalar;
+  const T max = std::numeric_limits<T>::max();
+  this->expect(this->capsule_from_angle, {0, 0, 0, max, max}, 0);
+  this->expect(this->capsule_from_angle, {max / 2, 0, 0, max, 1}, 0);
+  this->expect(this->capsule_from_angle, {max, 0, 0, max / 4, 1}, VESICA_E_RANGE);
+  this->expect(this->capsule_from_angle, {-max, 0, 0, max / 4, 1}, VESICA_E_RANGE);
+  this->expect(this->capsule_from_angle, {0, max, 2, max / 4, 1}, VESICA_E_RANGE);
+  this->expect(this->capsule_from_angle, {0, -max, 2, max / 4, 1}, VESICA_E_RANGE);
+  this->expect(this->capsule_from_angle, {max, 0, 0, max / 4, -1}, VESICA_E_NEGATIVE_SIZE);
 }
 
 TYPED_TEST(ConstructErrors, NotACovariance) {
@@ -190,6 +249,10 @@ TYPED_TEST(ConstructErrors, ZeroSizesAreLegal) {
   using T = typename TypeParam::Scalar;
   for (const T zero : {T{0}, -T{0}}) {
     this->expect(this->rect_from_angle, {1, 2, 3, zero, zero}, 0);
+    this->expect(this->round_rect_from_angle, {1, 2, 3, zero, zero, zero}, 0);
+    this->expect(this->round_rect_from_angle, {1, 2, 3, 4, 5, zero}, 0);
+    this->expect(this->capsule_from_angle, {1, 2, 3, zero, zero}, 0);
+    this->expect(this->capsule_from_width, {1, 2, 1, 2, zero}, 0);
     this->expect(this->ellipse_from_angle, {1, 2, 3, zero, zero}, 0);
     this->expect(this->ellipse_from_radius_vector, {1, 2, 3, 4, zero}, 0);
     this->expect(this->ellipse_from_radius_vector, {1, 2, zero, zero, 4}, 0);

@@ -17,6 +17,8 @@ class Construct : public testing::Test {
   using Scalar = typename Api::Scalar;
   using Rect = typename Api::Rect;
   using Ellipse = typename Api::Ellipse;
+  using Capsule = typename Api::Capsule;
+  using RoundRect = typename Api::RoundRect;
   using Limits = std::numeric_limits<Scalar>;
 
   /// Each number equal to the wanted one, or within `ulps` units in the wanted number's last place.
@@ -35,6 +37,18 @@ class Construct : public testing::Test {
   static Rect rect_from_corners(const Scalar (&corners)[8], std::int32_t result = 0) {
     Rect out{1, 2, 3, 4, 5, 6};
     EXPECT_EQ(Api::rect_from_corners(corners, &out), result);
+    return out;
+  }
+
+  static RoundRect round_rect(Scalar angle, Scalar width, Scalar height, Scalar radius) {
+    RoundRect out{};
+    EXPECT_EQ(Api::round_rect_from_angle(1, 2, angle, width, height, radius, &out), 0);
+    return out;
+  }
+
+  static Capsule capsule(Scalar cx, Scalar cy, Scalar angle, Scalar length) {
+    Capsule out{};
+    EXPECT_EQ(Api::capsule_from_angle(cx, cy, angle, length, 7, &out), 0);
     return out;
   }
 
@@ -105,6 +119,93 @@ TYPED_TEST(Construct, EighthTurnsHaveEqualComponents) {
     EXPECT_EQ(TypeParam::ellipse_from_angle(1, 2, sign * 3 * eighth, 6, 4, &ellipse), 0);
     this->expect(ellipse, {1, 2, -root, sign * root, 6, 4});
   }
+}
+
+TYPED_TEST(Construct, RoundRectFromOuterSize) {
+  using T = typename TypeParam::Scalar;
+  this->expect(this->round_rect(0, 6, 4, 1), {1, 2, 1, 0, 2, 1, 1});
+  this->expect(this->round_rect(0, 6, 4, 2), {1, 2, 1, 0, 1, 0, 2});  // a capsule
+  this->expect(this->round_rect(0, 4, 4, 2), {1, 2, 1, 0, 0, 0, 2});  // a disc
+  const T max = std::numeric_limits<T>::max();
+  this->expect(this->round_rect(0, max, max, max / 4), {1, 2, 1, 0, max / 4, max / 4, max / 4});
+  // 1 - 2 radius is a tie: it is rounded once, to the even number.
+  const T epsilon = std::numeric_limits<T>::epsilon();
+  this->expect(this->round_rect(0, 1, 2, epsilon / 8), {1, 2, 1, 0, T{1} / 2, 1, epsilon / 8});
+}
+
+// The core of 3 of the smallest numbers cannot be halved, so the axis is halved. The radius is no multiple of it.
+TYPED_TEST(Construct, RoundRectWhoseCoreCannotBeHalved) {
+  using T = typename TypeParam::Scalar;
+  const T tiny = std::numeric_limits<T>::denorm_min(), half = T{1} / 2;
+  this->expect(this->round_rect(0, 5 * tiny, 4, tiny), {1, 2, half, 0, 3 * tiny, 4, tiny});
+  this->expect(this->round_rect(0, 4, 7 * tiny, 3 * tiny), {1, 2, half, 0, 4, tiny, 3 * tiny});
+  this->expect(this->round_rect(0, 4, 8 * tiny, 3 * tiny), {1, 2, 1, 0, 2, tiny, 3 * tiny});
+}
+
+TYPED_TEST(Construct, RoundRectWithoutRadiusIsTheRect) {
+  using T = typename TypeParam::Scalar;
+  const T tiny = std::numeric_limits<T>::denorm_min(), max = std::numeric_limits<T>::max();
+  for (const T angle : {T{0}, T{1}, T{-2.5f}, T{1e10f}}) {
+    for (const T width : {T{0}, tiny, T{1} / 3, max}) {
+      typename TypeParam::Rect rect{};
+      EXPECT_EQ(TypeParam::rect_from_angle(1, 2, angle, width, 5, &rect), 0);
+      const auto made = this->round_rect(angle, width, 5, 0);
+      EXPECT_EQ(std::memcmp(&made, &rect, sizeof rect), 0);
+      EXPECT_EQ(made.r, 0);
+    }
+  }
+}
+
+TYPED_TEST(Construct, CapsuleFromAngle) {
+  using T = typename TypeParam::Scalar;
+  const T tiny = std::numeric_limits<T>::denorm_min(), max = std::numeric_limits<T>::max();
+  this->expect(this->capsule(1, 2, 0, 6), {-2, 2, 4, 2, 7});
+  this->expect(this->capsule(1, 2, T{0.75f}, 0), {1, 2, 1, 2, 7});  // a disc
+  this->expect(this->capsule(0, 0, 0, max), {-max / 2, 0, max / 2, 0, 7});
+  this->expect(this->capsule(max / 2, max, 0, max), {0, max, max, max, 7});
+  // Half of an odd multiple of the smallest number is a tie, so it goes to the even one.
+  this->expect(this->capsule(0, 0, 0, tiny), {0, 0, 0, 0, 7});
+  this->expect(this->capsule(0, 0, 0, 3 * tiny), {-2 * tiny, 0, 2 * tiny, 0, 7});
+  this->expect(this->capsule(tiny, 0, 0, 2 * tiny), {0, 0, 2 * tiny, 0, 7});
+  // The sine of the smallest angle is that angle; half of it is not lost.
+  const T long_one = std::ldexp(T{1}, std::numeric_limits<T>::max_exponent - 1);
+  this->expect(this->capsule(0, 0, tiny, long_one),
+               {-long_one / 2, -long_one / 2 * tiny, long_one / 2, long_one / 2 * tiny, 7});
+}
+
+// Both components are equal at an eighth turn, so that the ends are mirror images in the diagonals.
+TYPED_TEST(Construct, CapsuleAtEighthTurns) {
+  using T = typename TypeParam::Scalar;
+  const T eighth = static_cast<T>(std::acos(0.0) / 2), root = std::sqrt(T{1} / 2);
+  for (const T sign : {T{1}, T{-1}}) {
+    this->expect(this->capsule(0, 0, sign * eighth, 6), {-3 * root, sign * -3 * root, 3 * root, sign * 3 * root, 7}, 1);
+    for (const T angle : {sign * eighth, sign * 3 * eighth}) {
+      const auto c = this->capsule(0, 0, angle, T{1} / 3);
+      EXPECT_EQ(std::fabs(c.x1), std::fabs(c.y1));
+      EXPECT_EQ(c.x0, -c.x1);
+      EXPECT_EQ(c.y0, -c.y1);
+      EXPECT_EQ(c.x1 > 0, angle == sign * eighth);
+      EXPECT_EQ(c.y1 > 0, angle > 0);
+    }
+  }
+}
+
+TYPED_TEST(Construct, CapsuleFromWidth) {
+  using T = typename TypeParam::Scalar;
+  const T tiny = std::numeric_limits<T>::denorm_min(), max = std::numeric_limits<T>::max(), third = T{1} / 3;
+  const auto make = [](T x0, T y0, T x1, T y1, T width) {
+    typename TypeParam::Capsule out{};
+    EXPECT_EQ(TypeParam::capsule_from_width(x0, y0, x1, y1, width, &out), 0);
+    return out;
+  };
+  this->expect(make(1, 2, third, 4, 5), {1, 2, third, 4, 2.5});
+  this->expect(make(1, 2, 1, 2, third), {1, 2, 1, 2, third / 2});
+  this->expect(make(max, -max, -max, tiny, max), {max, -max, -max, tiny, max / 2});
+  // Half an odd multiple of the smallest number is rounded to an even multiple.
+  this->expect(make(0, 0, 0, 0, 2 * tiny), {0, 0, 0, 0, tiny});
+  this->expect(make(0, 0, 0, 0, tiny), {0, 0, 0, 0, 0});
+  this->expect(make(0, 0, 0, 0, 3 * tiny), {0, 0, 0, 0, 2 * tiny});
+  this->expect(make(0, 0, 0, 0, 5 * tiny), {0, 0, 0, 0, 2 * tiny});
 }
 
 TYPED_TEST(Construct, FromRadiusVectorIsExact) {

@@ -34,6 +34,9 @@ VESICA_BOTH_SCALARS(aabb_from_corners)
 VESICA_BOTH_SCALARS(rect_from_angle)
 VESICA_BOTH_SCALARS(rect_from_corners)
 VESICA_BOTH_SCALARS(rect_corners_misfit)
+VESICA_BOTH_SCALARS(round_rect_from_angle)
+VESICA_BOTH_SCALARS(capsule_from_angle)
+VESICA_BOTH_SCALARS(capsule_from_width)
 VESICA_BOTH_SCALARS(ellipse_from_angle)
 VESICA_BOTH_SCALARS(ellipse_from_radius_vector)
 VESICA_BOTH_SCALARS(ellipse_from_covariance)
@@ -100,6 +103,8 @@ struct Structs;
     using Aabb = vesica_aabb_##suffix;                    \
     using Rect = vesica_rect_##suffix;                    \
     using Ellipse = vesica_ellipse_##suffix;              \
+    using Capsule = vesica_capsule_##suffix;              \
+    using RoundRect = vesica_round_rect_##suffix;         \
     using ClosestPoints = vesica_closest_points_##suffix; \
     using Penetration = vesica_penetration_##suffix;      \
     using Impact = vesica_impact_##suffix;                \

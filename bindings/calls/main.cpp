@@ -148,6 +148,8 @@ template <class T>
 void constructors() {
   using Rect = typename Structs<T>::Rect;
   using Ellipse = typename Structs<T>::Ellipse;
+  using Capsule = typename Structs<T>::Capsule;
+  using RoundRect = typename Structs<T>::RoundRect;
   using Box = typename Structs<T>::Aabb;
   using Numbers = std::vector<T>;
   constexpr T nan = std::numeric_limits<T>::quiet_NaN();
@@ -156,6 +158,15 @@ void constructors() {
     return call::rect_from_angle(T{}, n[0], n[1], n[2], n[3], n[4], out);
   };
   const auto corners = [](const Numbers& n, Rect* out) { return call::rect_from_corners(T{}, n.data(), out); };
+  const auto round_rect = [](const Numbers& n, RoundRect* out) {
+    return call::round_rect_from_angle(T{}, n[0], n[1], n[2], n[3], n[4], n[5], out);
+  };
+  const auto capsule = [](const Numbers& n, Capsule* out) {
+    return call::capsule_from_angle(T{}, n[0], n[1], n[2], n[3], n[4], out);
+  };
+  const auto width = [](const Numbers& n, Capsule* out) {
+    return call::capsule_from_width(T{}, n[0], n[1], n[2], n[3], n[4], out);
+  };
   const auto ellipse = [](const Numbers& n, Ellipse* out) {
     return call::ellipse_from_angle(T{}, n[0], n[1], n[2], n[3], n[4], out);
   };
@@ -177,6 +188,12 @@ void constructors() {
   constructed<T, Rect>("rect_from_corners", corners, {0, 0, 4, 0, 0, 2, 4, 2});
   misfit<T>({0, 0, 4, 0, 5, 1, 1, 1}, {VESICA_RECT, {2.5, 0.5, 1, 0, 2, 0.5}});
   misfit<T>({0, 0, 4, 0, 5, 1, 1, 1}, {VESICA_RECT, {2.5, 0.5, 1, 0, 2, -0.5}});
+  constructed<T, RoundRect>("round_rect_from_angle", round_rect, {1, 2, T(0.3), 4, 3, 0.5});
+  constructed<T, RoundRect>("round_rect_from_angle", round_rect, {1, 2, T(0.3), 4, 3, 1.75});
+  constructed<T, Capsule>("capsule_from_angle", capsule, {1, 2, T(0.3), 4, 3});
+  constructed<T, Capsule>("capsule_from_angle", capsule, {1, 2, T(0.3), -4, 3});
+  constructed<T, Capsule>("capsule_from_width", width, {1, 2, 4, 6, 3});
+  constructed<T, Capsule>("capsule_from_width", width, {1, 2, 4, 6, -3});
   constructed<T, Ellipse>("ellipse_from_angle", ellipse, {1, 2, T(-0.75), 4, 3});
   constructed<T, Ellipse>("ellipse_from_angle", ellipse, {1, nan, T(-0.75), 4, 3});
   constructed<T, Ellipse>("ellipse_from_radius_vector", vector, {1, 2, 3, 4, 0.5});

@@ -166,6 +166,9 @@ func constructed[T Float](function string, arguments []string) outcome {
 	rect := func(r Rect[T], err error) outcome {
 		return whole(0, err, floats([]T{r.CX, r.CY, r.UX, r.UY, r.HX, r.HY})...)
 	}
+	capsule := func(c Capsule[T], err error) outcome {
+		return whole(0, err, floats([]T{c.X0, c.Y0, c.X1, c.Y1, c.R})...)
+	}
 	ellipse := func(e Ellipse[T], err error) outcome {
 		return whole(0, err, floats([]T{e.CX, e.CY, e.UX, e.UY, e.A, e.B})...)
 	}
@@ -181,6 +184,13 @@ func constructed[T Float](function string, arguments []string) outcome {
 		r := numbers[T](arguments[1])
 		misfit, err := RectCornersMisfit(*(*[8]T)(n), Rect[T]{r[0], r[1], r[2], r[3], r[4], r[5]})
 		return whole(0, err, float64(misfit))
+	case "round_rect_from_angle":
+		r, err := RoundRectFromAngle(n[0], n[1], n[2], n[3], n[4], n[5])
+		return whole(0, err, floats([]T{r.CX, r.CY, r.UX, r.UY, r.HX, r.HY, r.R})...)
+	case "capsule_from_angle":
+		return capsule(CapsuleFromAngle(n[0], n[1], n[2], n[3], n[4]))
+	case "capsule_from_width":
+		return capsule(CapsuleFromWidth(n[0], n[1], n[2], n[3], n[4]))
 	case "ellipse_from_angle":
 		return ellipse(EllipseFromAngle(n[0], n[1], n[2], n[3], n[4]))
 	case "ellipse_from_radius_vector":

@@ -28,6 +28,28 @@ func RectCornersMisfit[T Float](corners [8]T, r Rect[T]) (misfit T, err error) {
 	return misfit, status(code)
 }
 
+// RoundRectFromAngle is a rounded rectangle from centre, angle in radians, whole sizes with the round corners included,
+// and their radius. A radius of more than half the width or height is ErrArgument.
+func RoundRectFromAngle[T Float](cx, cy, angle, width, height, radius T) (out RoundRect[T], err error) {
+	code := cRoundRectFromAngle(isWide[T](), float64(cx), float64(cy), float64(angle), float64(width), float64(height),
+		float64(radius), address(&out))
+	return out, status(code)
+}
+
+// CapsuleFromAngle is a capsule from centre, angle in radians, the length between the ends of its segment, and radius.
+func CapsuleFromAngle[T Float](cx, cy, angle, length, radius T) (out Capsule[T], err error) {
+	code := cCapsuleFromAngle(isWide[T](), float64(cx), float64(cy), float64(angle), float64(length), float64(radius),
+		address(&out))
+	return out, status(code)
+}
+
+// CapsuleFromWidth is a capsule from the ends of its segment and its whole width, twice the radius.
+func CapsuleFromWidth[T Float](x0, y0, x1, y1, width T) (out Capsule[T], err error) {
+	code := cCapsuleFromWidth(isWide[T](), float64(x0), float64(y0), float64(x1), float64(y1), float64(width),
+		address(&out))
+	return out, status(code)
+}
+
 // EllipseFromAngle is an ellipse from centre, angle in radians, and half lengths: a along the angle, b across it.
 func EllipseFromAngle[T Float](cx, cy, angle, a, b T) (out Ellipse[T], err error) {
 	code := cEllipseFromAngle(isWide[T](), float64(cx), float64(cy), float64(angle), float64(a), float64(b),

@@ -455,6 +455,33 @@ func cRectCornersMisfit(wide bool, corners *C.char, r *C.char, misfit *C.char) C
 	return C.go_rect_corners_misfit_f32(corners, r, misfit)
 }
 
+func cRoundRectFromAngle(wide bool, cx float64, cy float64, angle float64, width float64, height float64,
+	radius float64, out *C.char) C.int32_t {
+	if wide {
+		return C.go_round_rect_from_angle_f64(C.double(cx), C.double(cy), C.double(angle), C.double(width), C.double(height),
+			C.double(radius), out)
+	}
+	return C.go_round_rect_from_angle_f32(C.float(cx), C.float(cy), C.float(angle), C.float(width), C.float(height),
+		C.float(radius), out)
+}
+
+func cCapsuleFromAngle(wide bool, cx float64, cy float64, angle float64, length float64, radius float64,
+	out *C.char) C.int32_t {
+	if wide {
+		return C.go_capsule_from_angle_f64(C.double(cx), C.double(cy), C.double(angle), C.double(length), C.double(radius),
+			out)
+	}
+	return C.go_capsule_from_angle_f32(C.float(cx), C.float(cy), C.float(angle), C.float(length), C.float(radius), out)
+}
+
+func cCapsuleFromWidth(wide bool, x0 float64, y0 float64, x1 float64, y1 float64, width float64,
+	out *C.char) C.int32_t {
+	if wide {
+		return C.go_capsule_from_width_f64(C.double(x0), C.double(y0), C.double(x1), C.double(y1), C.double(width), out)
+	}
+	return C.go_capsule_from_width_f32(C.float(x0), C.float(y0), C.float(x1), C.float(y1), C.float(width), out)
+}
+
 func cEllipseFromAngle(wide bool, cx float64, cy float64, angle float64, a float64, b float64, out *C.char) C.int32_t {
 	if wide {
 		return C.go_ellipse_from_angle_f64(C.double(cx), C.double(cy), C.double(angle), C.double(a), C.double(b), out)

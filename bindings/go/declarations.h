@@ -247,6 +247,34 @@ static inline int32_t go_rect_corners_misfit_f32(const char *corners, const char
     return vesica_rect_corners_misfit_f32((const void *)corners, (const void *)r, (void *)misfit);
 }
 
+static inline int32_t go_round_rect_from_angle_f64(double cx, double cy, double angle, double width, double height,
+    double radius, char *out) {
+    return vesica_round_rect_from_angle_f64(cx, cy, angle, width, height, radius, (void *)out);
+}
+
+static inline int32_t go_round_rect_from_angle_f32(float cx, float cy, float angle, float width, float height,
+    float radius, char *out) {
+    return vesica_round_rect_from_angle_f32(cx, cy, angle, width, height, radius, (void *)out);
+}
+
+static inline int32_t go_capsule_from_angle_f64(double cx, double cy, double angle, double length, double radius,
+    char *out) {
+    return vesica_capsule_from_angle_f64(cx, cy, angle, length, radius, (void *)out);
+}
+
+static inline int32_t go_capsule_from_angle_f32(float cx, float cy, float angle, float length, float radius,
+    char *out) {
+    return vesica_capsule_from_angle_f32(cx, cy, angle, length, radius, (void *)out);
+}
+
+static inline int32_t go_capsule_from_width_f64(double x0, double y0, double x1, double y1, double width, char *out) {
+    return vesica_capsule_from_width_f64(x0, y0, x1, y1, width, (void *)out);
+}
+
+static inline int32_t go_capsule_from_width_f32(float x0, float y0, float x1, float y1, float width, char *out) {
+    return vesica_capsule_from_width_f32(x0, y0, x1, y1, width, (void *)out);
+}
+
 static inline int32_t go_ellipse_from_angle_f64(double cx, double cy, double angle, double a, double b, char *out) {
     return vesica_ellipse_from_angle_f64(cx, cy, angle, a, b, (void *)out);
 }

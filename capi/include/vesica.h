@@ -451,6 +451,38 @@ VESICA_API int32_t vesica_rect_from_corners_f64(const double corners[8], vesica_
 VESICA_API int32_t vesica_rect_corners_misfit_f64(const double corners[8], const vesica_rect_f64 *r, double *misfit);
 
 /**
+ * Rounded rectangle from centre, angle and full size, its round corners included: width along the angle, height across.
+ * Requires: the angle in radians, counter-clockwise from +x if y points up; width, height, radius >= 0.
+ * Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE, VESICA_E_ARGUMENT (the radius is more than half
+ * the width or height).
+ * Accuracy: the axis as vesica_rect_from_angle_f64; the radius is exact. The sizes of the rectangle inside, width - 2
+ * radius and height - 2 radius, are each rounded once. With radius 0 it is that function's rectangle.
+ */
+VESICA_API int32_t vesica_round_rect_from_angle_f64(double cx, double cy, double angle, double width, double height,
+                                                    double radius, vesica_round_rect_f64 *out);
+
+/**
+ * Capsule from centre, angle, the length between the ends of its segment, and radius.
+ *
+ * The angle points from (x0, y0) to (x1, y1). The whole capsule is length + 2 radius long.
+ * Requires: the angle in radians, counter-clockwise from +x if y points up; length, radius >= 0.
+ * Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE, VESICA_E_RANGE (an end overflows).
+ * Accuracy: the ends are those of the segment that vesica_rect_from_angle_f64 makes of this length and height 0, each
+ * coordinate right to 0.51 units in its last place. With centre (0, 0) they are opposite. The radius is exact.
+ */
+VESICA_API int32_t vesica_capsule_from_angle_f64(double cx, double cy, double angle, double length, double radius,
+                                                 vesica_capsule_f64 *out);
+
+/**
+ * Capsule from the ends of its segment and its full width, twice the radius: a line of that width with round ends.
+ * Requires: width >= 0.
+ * Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.
+ * Accuracy: exact. Only half an odd multiple of the smallest subnormal number is rounded, to an even multiple.
+ */
+VESICA_API int32_t vesica_capsule_from_width_f64(double x0, double y0, double x1, double y1, double width,
+                                                 vesica_capsule_f64 *out);
+
+/**
  * Ellipse from centre, angle and half lengths: a along the angle, b across it.
  * Requires: the angle in radians, counter-clockwise from +x if y points up; a, b >= 0.
  * Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.
@@ -825,6 +857,15 @@ VESICA_API int32_t vesica_rect_from_angle_f32(float cx, float cy, float angle, f
 VESICA_API int32_t vesica_rect_from_corners_f32(const float corners[8], vesica_rect_f32 *out);
 /** As vesica_rect_corners_misfit_f64. */
 VESICA_API int32_t vesica_rect_corners_misfit_f32(const float corners[8], const vesica_rect_f32 *r, float *misfit);
+/** As vesica_round_rect_from_angle_f64. */
+VESICA_API int32_t vesica_round_rect_from_angle_f32(float cx, float cy, float angle, float width, float height,
+                                                    float radius, vesica_round_rect_f32 *out);
+/** As vesica_capsule_from_angle_f64. */
+VESICA_API int32_t vesica_capsule_from_angle_f32(float cx, float cy, float angle, float length, float radius,
+                                                 vesica_capsule_f32 *out);
+/** As vesica_capsule_from_width_f64. */
+VESICA_API int32_t vesica_capsule_from_width_f32(float x0, float y0, float x1, float y1, float width,
+                                                 vesica_capsule_f32 *out);
 /** As vesica_ellipse_from_angle_f64. */
 VESICA_API int32_t vesica_ellipse_from_angle_f32(float cx, float cy, float angle, float a, float b,
                                                  vesica_ellipse_f32 *out);

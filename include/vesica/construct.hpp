@@ -167,6 +167,54 @@ int rect_from_angle(T cx, T cy, T angle, T width, T height, Rect<T>& out) noexce
   return 0;
 }
 
+/// Rounded rectangle from centre and angle as rect_from_angle, outer width and height, and the radius of its corners.
+///
+/// The core's sizes are width - 2 radius and height - 2 radius, each rounded once; with radius 0 it is the rectangle of
+/// rect_from_angle. Errors: error_not_finite, error_negative_size, error_argument (the radius is more than half the
+/// width or height).
+template <class T>
+int round_rect_from_angle(T cx, T cy, T angle, T width, T height, T radius, RoundRect<T>& out) noexcept {
+  if (!detail::all_finite(cx, cy, angle, width, height, radius)) return error_not_finite;
+  if (width < 0 || height < 0 || radius < 0) return error_negative_size;
+  // Doubling is exact, or overflows and exceeds any size.
+  const T twice = 2 * radius;
+  if (twice > width || twice > height) return error_argument;
+  const auto u = detail::arithmetic::direction(static_cast<double>(angle));
+  const Rect<T> core =
+      detail::rect_along(cx, cy, static_cast<T>(u.x), static_cast<T>(u.y), width - twice, height - twice);
+  out = {cx, cy, core.ux, core.uy, core.hx, core.hy, radius};
+  return 0;
+}
+
+/// Capsule from centre, angle as rect_from_angle, the length between the ends of its core, and radius. The angle points
+/// from the first end to the second.
+///
+/// The core is that of rect_from_angle with height 0: C - hx u to C + hx u, each coordinate rounded once, or in float
+/// twice, to double first. Errors: error_not_finite, error_negative_size, error_range (an end overflows).
+template <class T>
+int capsule_from_angle(T cx, T cy, T angle, T length, T radius, Capsule<T>& out) noexcept {
+  if (!detail::all_finite(cx, cy, angle, length, radius)) return error_not_finite;
+  if (length < 0 || radius < 0) return error_negative_size;
+  const auto u = detail::arithmetic::direction(static_cast<double>(angle));
+  // If the axis is halved and one of its components is rounded, length and component are subnormal. Their product is
+  // below half the smallest number, so that the rounding changes nothing.
+  const Rect<double> r = widen(detail::rect_along(cx, cy, static_cast<T>(u.x), static_cast<T>(u.y), length, T{0}));
+  return detail::store(
+      Capsule<T>{static_cast<T>(std::fma(-r.hx, r.ux, r.cx)), static_cast<T>(std::fma(-r.hx, r.uy, r.cy)),
+                 static_cast<T>(std::fma(r.hx, r.ux, r.cx)), static_cast<T>(std::fma(r.hx, r.uy, r.cy)), radius},
+      out);
+}
+
+/// Capsule from the ends of its core and its full width, twice the radius. Exact, but half an odd multiple of the
+/// smallest subnormal number is rounded to even. Errors: error_not_finite, error_negative_size.
+template <class T>
+constexpr int capsule_from_width(T x0, T y0, T x1, T y1, T width, Capsule<T>& out) noexcept {
+  if (!detail::all_finite(x0, y0, x1, y1, width)) return error_not_finite;
+  if (width < 0) return error_negative_size;
+  out = {x0, y0, x1, y1, width / 2};
+  return 0;
+}
+
 /// Rectangle from four corners x0 y0 ... x3 y3 in order round the outline, either turning sense.
 ///
 /// The centre is the mean of the corners. The unit axis runs from corner 0 towards corner 1 and hx belongs to that

@@ -18,8 +18,7 @@ using stress::Query;
 constexpr Scalar scalars[] = {Scalar::f64, Scalar::f32};
 
 Functions which_asks(const std::string& name) {
-  const bool c_library =
-      name == "impact_time" || name == "rect_from_angle" || name == "ellipse_from_angle" || name == "boxes";
+  const bool c_library = name == "impact_time" || name.ends_with("_from_angle") || name == "boxes";
   return c_library ? Functions::by_the_c_library : Functions::own;
 }
 

@@ -114,5 +114,12 @@ constexpr bool makes_ellipses() {
          e.b == 0.5 && ellipse_from_radius_vector(1.0, 2.0, 3.0, 4.0, -0.5, e) == error_negative_size;
 }
 static_assert(makes_ellipses());
+constexpr bool makes_capsules() {
+  Capsule<double> c{};
+  return capsule_from_width(1.0, 2.0, 3.0, 4.0, 0.5, c) == 0 && c.x0 == 1 && c.y1 == 4 && c.r == 0.25 &&
+         capsule_from_width(1.0, 2.0, 3.0, 4.0, 3 * tiny, c) == 0 && c.r == 2 * tiny &&
+         capsule_from_width(1.0, 2.0, 3.0, 4.0, -0.5, c) == error_negative_size;
+}
+static_assert(makes_capsules());
 
 }  // namespace

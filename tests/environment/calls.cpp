@@ -132,6 +132,11 @@ template <class T, class Out, auto function, std::size_t count>
 Bytes ask_constructor(const Input& p) {
   return ask_constructor<T, Out, function>(p, std::make_index_sequence<count>{});
 }
+/// The sizes are a rectangle's; its axis gives the radius, which is often less than half of them.
+template <class T, class Out, auto function>
+Bytes ask_round_rect(const Input& p) {
+  return ask_constructor<T, Out, function>(p, std::index_sequence<0, 1, 2, 4, 5, 3>{});
+}
 template <class T, class Out, auto function>
 Bytes ask_corners(const Input& p) {
   const auto a = first(p, T{}), b = second(p, T{});
@@ -547,6 +552,9 @@ Bytes ask_soft(const Inputs& inputs) {
         {"rect_from_angle", ask_constructor<T, vesica_rect_##s, vesica_rect_from_angle_##s, 5>},                     \
         {"rect_from_corners", ask_corners<T, vesica_rect_##s, vesica_rect_from_corners_##s>},                        \
         {"rect_corners_misfit", ask_misfit<T, vesica_rect_##s, vesica_rect_corners_misfit_##s>},                     \
+        {"round_rect_from_angle", ask_round_rect<T, vesica_round_rect_##s, vesica_round_rect_from_angle_##s>},       \
+        {"capsule_from_angle", ask_constructor<T, vesica_capsule_##s, vesica_capsule_from_angle_##s, 5>},            \
+        {"capsule_from_width", ask_constructor<T, vesica_capsule_##s, vesica_capsule_from_width_##s, 5>},            \
         {"ellipse_from_angle", ask_constructor<T, vesica_ellipse_##s, vesica_ellipse_from_angle_##s, 5>},            \
         {"ellipse_from_radius_vector",                                                                               \
          ask_constructor<T, vesica_ellipse_##s, vesica_ellipse_from_radius_vector_##s, 5>},                          \

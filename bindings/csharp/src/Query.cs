@@ -213,6 +213,33 @@ namespace Vesica
             return misfit;
         }
 
+        /// <summary>Rounded rectangle from centre, angle in radians, whole sizes with the round corners included, and
+        /// their radius. A radius of more than half the width or height is refused.</summary>
+        public static RoundRect RoundRect(
+            double cx, double cy, double angle, double width, double height, double radius)
+        {
+            RoundRect made;
+            Native.Checked(Native.vesica_round_rect_from_angle_f64(cx, cy, angle, width, height, radius, &made));
+            return made;
+        }
+
+        /// <summary>Capsule from centre, angle in radians, the length between the ends of its segment, and
+        /// radius.</summary>
+        public static Capsule Capsule(double cx, double cy, double angle, double length, double radius)
+        {
+            Capsule made;
+            Native.Checked(Native.vesica_capsule_from_angle_f64(cx, cy, angle, length, radius, &made));
+            return made;
+        }
+
+        /// <summary>Capsule from the ends of its segment and its whole width, twice the radius.</summary>
+        public static Capsule CapsuleFromWidth(double x0, double y0, double x1, double y1, double width)
+        {
+            Capsule made;
+            Native.Checked(Native.vesica_capsule_from_width_f64(x0, y0, x1, y1, width, &made));
+            return made;
+        }
+
         /// <summary>Ellipse from centre, angle in radians, and half lengths: a along the angle, b across.</summary>
         public static Ellipse Ellipse(double cx, double cy, double angle, double a, double b)
         {

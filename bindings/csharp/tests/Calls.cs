@@ -126,7 +126,7 @@ internal sealed unsafe class Calls
 
     private long Gives(IShape shape, int count)
     {
-        double* numbers = stackalloc double[6];
+        double* numbers = stackalloc double[7];
         shape.Write(numbers);
         values = new double[count];
         for (int i = 0; i < count; ++i) values[i] = shape.IsDouble ? numbers[i] : ((float*)numbers)[i];
@@ -157,6 +157,9 @@ internal sealed unsafe class Calls
             case "aabb_from_corners": return Gives(Make.Aabb(n[0], n[1], n[2], n[3]), 4);
             case "rect_from_angle": return Gives(Make.Rect(n[0], n[1], n[2], n[3], n[4]), 6);
             case "rect_from_corners": return Gives(Make.RectFromCorners(n), 6);
+            case "round_rect_from_angle": return Gives(Make.RoundRect(n[0], n[1], n[2], n[3], n[4], n[5]), 7);
+            case "capsule_from_angle": return Gives(Make.Capsule(n[0], n[1], n[2], n[3], n[4]), 5);
+            case "capsule_from_width": return Gives(Make.CapsuleFromWidth(n[0], n[1], n[2], n[3], n[4]), 5);
             case "ellipse_from_angle": return Gives(Make.Ellipse(n[0], n[1], n[2], n[3], n[4]), 6);
             case "ellipse_from_radius_vector":
                 return Gives(Make.EllipseFromRadiusVector(n[0], n[1], n[2], n[3], n[4]), 6);
@@ -169,7 +172,7 @@ internal sealed unsafe class Calls
     /// <summary>The package makes doubles; the functions in float are there for whom wants them.</summary>
     private long ConstructedInFloat(float[] n)
     {
-        var all = new float[6];
+        var all = new float[7];
         int code;
         fixed (float* numbers = n, made = all)
             switch (function)
@@ -181,6 +184,15 @@ internal sealed unsafe class Calls
                     code = Native.vesica_rect_from_angle_f32(n[0], n[1], n[2], n[3], n[4], made);
                     break;
                 case "rect_from_corners": code = Native.vesica_rect_from_corners_f32(numbers, made); break;
+                case "round_rect_from_angle":
+                    code = Native.vesica_round_rect_from_angle_f32(n[0], n[1], n[2], n[3], n[4], n[5], made);
+                    break;
+                case "capsule_from_angle":
+                    code = Native.vesica_capsule_from_angle_f32(n[0], n[1], n[2], n[3], n[4], made);
+                    break;
+                case "capsule_from_width":
+                    code = Native.vesica_capsule_from_width_f32(n[0], n[1], n[2], n[3], n[4], made);
+                    break;
                 case "ellipse_from_angle":
                     code = Native.vesica_ellipse_from_angle_f32(n[0], n[1], n[2], n[3], n[4], made);
                     break;
@@ -192,7 +204,9 @@ internal sealed unsafe class Calls
                     break;
                 default: code = Native.vesica_ellipse_from_matrix_f32(n[0], n[1], n[2], n[3], n[4], made); break;
             }
-        values = all.Take(function.StartsWith("aabb") ? 4 : 6).Select(number => (double)number).ToArray();
+        int count = function.StartsWith("aabb") ? 4 : function.StartsWith("capsule") ? 5
+            : function.StartsWith("round_rect") ? 7 : 6;
+        values = all.Take(count).Select(number => (double)number).ToArray();
         return Native.Checked(code);
     }
 

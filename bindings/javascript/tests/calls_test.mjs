@@ -103,7 +103,8 @@ function constructed(name, scalar, [text]) {
   const Numbers = scalar === 'f64' ? Float64Array : Float32Array;
   return vesica.inRoom((room) => {
     let given = numbersOf(text);
-    const size = name.startsWith('aabb') ? 4 : 6, out = room.take(8 * size), corners = room.take(64);
+    const size = fields[name.slice(0, name.indexOf('_from_'))].length;
+    const out = room.take(8 * size), corners = room.take(64);
     if (name === 'rect_from_corners') {
       new Numbers(vesica.c.memory.buffer, corners, 8).set(given);
       given = [corners];

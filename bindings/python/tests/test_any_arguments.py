@@ -72,6 +72,7 @@ FITTING = {
     "xy": lambda draw: rows(draw, 2),
     "xyr": lambda draw: rows(draw, 3),
     "xyxy": lambda draw: rows(draw, 4),
+    "xyxyr": lambda draw: rows(draw, 5),
     "ends": lambda draw: rows(draw, 4),
     "corners": lambda draw: vesica.corners(vesica.rects(rows(draw, 5))),
     "rect": lambda draw: vesica.rects(rows(draw, 5)),

@@ -187,7 +187,8 @@ class Call:
     def constructed(self):
         """The package makes arrays, by functions of its own; those of the library for one shape are in vesica.c."""
         scalar = {"f64": ctypes.c_double, "f32": ctypes.c_float}[self.scalar]
-        given, made = self.numbers(0), (scalar * (4 if self.function.startswith("aabb") else 6))()
+        kind = vesica.Kind[self.function[: self.function.index("_from_")].upper()]
+        given, made = self.numbers(0), (scalar * len(vesica.FIELDS[kind]))()
         function = getattr(vesica.c, f"vesica_{self.function}_{self.scalar}")
         if self.function == "rect_from_corners":
             given = [(scalar * 8)(*given)]

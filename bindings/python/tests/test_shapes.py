@@ -187,6 +187,29 @@ class Constructors(unittest.TestCase):
         with self.assertRaises(vesica.VesicaError):
             vesica.boxes(vesica.points([[1, 2]]))
 
+    def test_capsules_and_rounded_rectangles(self):
+        self.assertEqual(vesica.capsules([1, 2, 3, 4, 5]).numbers.tolist(), [1, 2, 3, 4, 5])
+        self.assertIs(vesica.capsules([[1, 2, 3, 4, 5]]).kind, vesica.Kind.CAPSULE)
+        upright = [1, 2, 6, 4, 90, 1]
+        self.assertEqual(vesica.round_rects(upright, degrees=True).numbers.tolist(), [1, 2, 0, 1, 2, 1, 1])
+        self.assertEqual(vesica.round_rects([]).numbers.shape, (0, 7))
+        for letter, function in (("d", vesica.c.vesica_round_rect_from_angle_f64), ("f", vesica.c.vesica_round_rect_from_angle_f32)):
+            row = numpy.array([1, 2, 6.1, 4.3, 0.7, 0.3], letter)
+            made = numpy.empty(7, letter)
+            x, y, width, height, angle, radius = row.tolist()
+            self.assertEqual(function(x, y, angle, width, height, radius, made.ctypes.data), 0)
+            self.assertEqual(vesica.round_rects(row).numbers.tolist(), made.tolist())
+            self.assertEqual(vesica.round_rects(row).dtype, made.dtype)
+
+    def test_rounded_rectangles_with_a_wrong_radius(self):
+        rows = [[1, 2, 6, 4, 0, 2], [1, 2, 6, 4, 0, 2.1], [1, 2, 6, 4, 0, -1], [1, 2, -6, -4, 0, -9]]
+        rows += [[1, 2, 6, 4, 0, math.nan], [1, 2, 6, 4, 0, math.inf], [1, 2, math.inf, 4, 0, math.inf]]
+        with self.assertRaisesRegex(vesica.VesicaError, "6 invalid rows, the first is number 1") as caught:
+            vesica.round_rects(rows)
+        self.assertEqual(caught.exception.result[0].numbers.tolist(), [1, 2, 1, 0, 1, 0, 2])
+        self.assertTrue(numpy.isnan(caught.exception.result.numbers[1:]).all())
+        self.assertEqual(rows[0][2], 6)
+
     def test_corners(self):
         corners = [[0, 0], [2, 0], [2, 1], [0, 1]]
         self.assertEqual(vesica.rects_from_corners(corners).numbers.tolist(), [1, 0.5, 1, 0, 1, 0.5])

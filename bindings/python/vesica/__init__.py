@@ -62,6 +62,7 @@ from .shapes import (
     Shapes,
     aabbs,
     boxes,
+    capsules,
     check,
     circles,
     ellipses,
@@ -71,6 +72,7 @@ from .shapes import (
     rect_corners_misfit,
     rects,
     rects_from_corners,
+    round_rects,
     segments,
     shapes,
 )

@@ -306,6 +306,11 @@ def circles(xyr):
     return shapes(Kind.CIRCLE, xyr)
 
 
+def capsules(xyxyr):
+    """Capsules from (n, 5): the ends x0, y0, x1, y1 of a segment, and radius."""
+    return shapes(Kind.CAPSULE, xyxyr)
+
+
 def aabbs(xyxy):
     """Boxes along the axes from (n, 4): min x, min y, max x, max y, as detectors give them."""
     return shapes(Kind.AABB, xyxy)
@@ -338,6 +343,19 @@ def ellipses_in_boxes(array, degrees=False, *, quarters=False, reverse=False):
     return _from_boxes(Kind.ELLIPSE, _ELLIPSES_FROM_BOXES, rows, single, angle_unit(degrees, quarters, reverse))
 
 
+def round_rects(array, degrees=False, *, quarters=False, reverse=False):
+    """Rounded rectangles from (n, 6): x, y, width, height, angle as rects, and the radius of the corners.
+
+    Width and height include the round corners. A radius of more than half of one of them is an invalid row.
+    """
+    rows, single = _rows(array, "round_rects", "x", "y", "width", "height", "angle", "radius")
+    unit, core, radius = angle_unit(degrees, quarters, reverse), numpy.array(rows[:, :5]), rows[:, 5]
+    with numpy.errstate(all="ignore"):
+        core[:, 2:4] -= 2 * radius[:, None]
+    core[radius < 0, 2] = -1  # a negative size, which the library refuses
+    return _from_boxes(Kind.ROUND_RECT, _RECTS_FROM_BOXES, core, single, unit, radius=radius)
+
+
 def boxes(shape, degrees=False, *, quarters=False, reverse=False):
     """The way back: (n, 5) of centre x, y, width, height, angle of rectangles, or of the boxes about ellipses."""
     unit = angle_unit(degrees, quarters, reverse)
@@ -358,7 +376,7 @@ def angle_unit(degrees, quarters, reverse):
     return unit + _declarations.ANGLE_REVERSED if reverse else unit
 
 
-def _from_boxes(kind, functions, rows, single, unit, half_sizes=None):
+def _from_boxes(kind, functions, rows, single, unit, half_sizes=None, radius=None):
     """Shapes that the library makes from rows; half_sizes: what the valid ones have in place of the rows' sizes."""
     if rows.strides[1] != rows.itemsize:
         rows = numpy.ascontiguousarray(rows)
@@ -367,6 +385,9 @@ def _from_boxes(kind, functions, rows, single, unit, half_sizes=None):
     if half_sizes is not None:
         valid = ~numpy.isnan(out[:, 4])
         out[valid, 4:6] = half_sizes[valid]
+    if radius is not None:
+        out = numpy.column_stack((out, radius))
+        out[numpy.isnan(out[:, 4]), 6] = numpy.nan
     made = shapes(kind, out[0] if single else out)
     if code < 0:
         wrong = made.invalid()

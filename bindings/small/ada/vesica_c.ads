@@ -465,6 +465,24 @@ package Vesica_C is
       System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_rect_corners_misfit_f64";
 
+   --  Rounded rectangle from centre, angle and full size, its round corners included: width along the angle, height
+   --  across.
+   function Vesica_Round_Rect_From_Angle_F64 (Cx : IEEE_Float_64; Cy : IEEE_Float_64; Angle : IEEE_Float_64;
+      Width : IEEE_Float_64; Height : IEEE_Float_64; Radius : IEEE_Float_64; Output : System.Address) return
+      Integer_32
+     with Import, Convention => C, External_Name => "vesica_round_rect_from_angle_f64";
+
+   --  Capsule from centre, angle, the length between the ends of its segment, and radius.
+   function Vesica_Capsule_From_Angle_F64 (Cx : IEEE_Float_64; Cy : IEEE_Float_64; Angle : IEEE_Float_64; Length
+      : IEEE_Float_64; Radius : IEEE_Float_64; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_capsule_from_angle_f64";
+
+   --  Capsule from the ends of its segment and its full width, twice the radius: a line of that width with round
+   --  ends.
+   function Vesica_Capsule_From_Width_F64 (X0 : IEEE_Float_64; Y0 : IEEE_Float_64; X1 : IEEE_Float_64; Y1 :
+      IEEE_Float_64; Width : IEEE_Float_64; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_capsule_from_width_f64";
+
    --  Ellipse from centre, angle and half lengths: a along the angle, b across it.
    function Vesica_Ellipse_From_Angle_F64 (Cx : IEEE_Float_64; Cy : IEEE_Float_64; Angle : IEEE_Float_64; A :
       IEEE_Float_64; B : IEEE_Float_64; Output : System.Address) return Integer_32
@@ -763,6 +781,24 @@ package Vesica_C is
    function Vesica_Rect_Corners_Misfit_F32 (Corners : System.Address; R : System.Address; Misfit :
       System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_rect_corners_misfit_f32";
+
+   --  Rounded rectangle from centre, angle and full size, its round corners included: width along the angle, height
+   --  across.
+   function Vesica_Round_Rect_From_Angle_F32 (Cx : IEEE_Float_32; Cy : IEEE_Float_32; Angle : IEEE_Float_32;
+      Width : IEEE_Float_32; Height : IEEE_Float_32; Radius : IEEE_Float_32; Output : System.Address) return
+      Integer_32
+     with Import, Convention => C, External_Name => "vesica_round_rect_from_angle_f32";
+
+   --  Capsule from centre, angle, the length between the ends of its segment, and radius.
+   function Vesica_Capsule_From_Angle_F32 (Cx : IEEE_Float_32; Cy : IEEE_Float_32; Angle : IEEE_Float_32; Length
+      : IEEE_Float_32; Radius : IEEE_Float_32; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_capsule_from_angle_f32";
+
+   --  Capsule from the ends of its segment and its full width, twice the radius: a line of that width with round
+   --  ends.
+   function Vesica_Capsule_From_Width_F32 (X0 : IEEE_Float_32; Y0 : IEEE_Float_32; X1 : IEEE_Float_32; Y1 :
+      IEEE_Float_32; Width : IEEE_Float_32; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_capsule_from_width_f32";
 
    --  Ellipse from centre, angle and half lengths: a along the angle, b across it.
    function Vesica_Ellipse_From_Angle_F32 (Cx : IEEE_Float_32; Cy : IEEE_Float_32; Angle : IEEE_Float_32; A :

@@ -596,6 +596,42 @@ module vesica_c
       type(c_ptr), value :: misfit
     end function
 
+    !> Rounded rectangle from centre, angle and full size, its round corners included: width along the angle, height
+    !> across.
+    integer(c_int32_t) function vesica_round_rect_from_angle_f64(cx, cy, angle, width, height, radius, out) bind(c)
+      import
+      real(c_double), value :: cx
+      real(c_double), value :: cy
+      real(c_double), value :: angle
+      real(c_double), value :: width
+      real(c_double), value :: height
+      real(c_double), value :: radius
+      type(vesica_round_rect_f64), intent(out) :: out
+    end function
+
+    !> Capsule from centre, angle, the length between the ends of its segment, and radius.
+    integer(c_int32_t) function vesica_capsule_from_angle_f64(cx, cy, angle, length, radius, out) bind(c)
+      import
+      real(c_double), value :: cx
+      real(c_double), value :: cy
+      real(c_double), value :: angle
+      real(c_double), value :: length
+      real(c_double), value :: radius
+      type(vesica_capsule_f64), intent(out) :: out
+    end function
+
+    !> Capsule from the ends of its segment and its full width, twice the radius: a line of that width with round
+    !> ends.
+    integer(c_int32_t) function vesica_capsule_from_width_f64(x0, y0, x1, y1, width, out) bind(c)
+      import
+      real(c_double), value :: x0
+      real(c_double), value :: y0
+      real(c_double), value :: x1
+      real(c_double), value :: y1
+      real(c_double), value :: width
+      type(vesica_capsule_f64), intent(out) :: out
+    end function
+
     !> Ellipse from centre, angle and half lengths: a along the angle, b across it.
     integer(c_int32_t) function vesica_ellipse_from_angle_f64(cx, cy, angle, a, b, out) bind(c)
       import
@@ -1130,6 +1166,42 @@ module vesica_c
       real(c_float), intent(in) :: corners(*)
       type(vesica_rect_f32), intent(in) :: r
       type(c_ptr), value :: misfit
+    end function
+
+    !> Rounded rectangle from centre, angle and full size, its round corners included: width along the angle, height
+    !> across.
+    integer(c_int32_t) function vesica_round_rect_from_angle_f32(cx, cy, angle, width, height, radius, out) bind(c)
+      import
+      real(c_float), value :: cx
+      real(c_float), value :: cy
+      real(c_float), value :: angle
+      real(c_float), value :: width
+      real(c_float), value :: height
+      real(c_float), value :: radius
+      type(vesica_round_rect_f32), intent(out) :: out
+    end function
+
+    !> Capsule from centre, angle, the length between the ends of its segment, and radius.
+    integer(c_int32_t) function vesica_capsule_from_angle_f32(cx, cy, angle, length, radius, out) bind(c)
+      import
+      real(c_float), value :: cx
+      real(c_float), value :: cy
+      real(c_float), value :: angle
+      real(c_float), value :: length
+      real(c_float), value :: radius
+      type(vesica_capsule_f32), intent(out) :: out
+    end function
+
+    !> Capsule from the ends of its segment and its full width, twice the radius: a line of that width with round
+    !> ends.
+    integer(c_int32_t) function vesica_capsule_from_width_f32(x0, y0, x1, y1, width, out) bind(c)
+      import
+      real(c_float), value :: x0
+      real(c_float), value :: y0
+      real(c_float), value :: x1
+      real(c_float), value :: y1
+      real(c_float), value :: width
+      type(vesica_capsule_f32), intent(out) :: out
     end function
 
     !> Ellipse from centre, angle and half lengths: a along the angle, b across it.

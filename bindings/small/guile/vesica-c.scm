@@ -149,6 +149,13 @@
 (c vesica_rect_from_corners_f64 int32 '* '*)
 ;; The largest distance from a given corner to the rectangle's corner that corresponds to it.
 (c vesica_rect_corners_misfit_f64 int32 '* '* '*)
+;; Rounded rectangle from centre, angle and full size, its round corners included: width along the angle, height
+;; across.
+(c vesica_round_rect_from_angle_f64 int32 double double double double double double '*)
+;; Capsule from centre, angle, the length between the ends of its segment, and radius.
+(c vesica_capsule_from_angle_f64 int32 double double double double double '*)
+;; Capsule from the ends of its segment and its full width, twice the radius: a line of that width with round ends.
+(c vesica_capsule_from_width_f64 int32 double double double double double '*)
 ;; Ellipse from centre, angle and half lengths: a along the angle, b across it.
 (c vesica_ellipse_from_angle_f64 int32 double double double double double '*)
 ;; Ellipse from centre, radius vector and ratio: one half axis is (wx, wy), the other is ratio times perp(wx, wy).
@@ -280,6 +287,13 @@
 (c vesica_rect_from_corners_f32 int32 '* '*)
 ;; The largest distance from a given corner to the rectangle's corner that corresponds to it.
 (c vesica_rect_corners_misfit_f32 int32 '* '* '*)
+;; Rounded rectangle from centre, angle and full size, its round corners included: width along the angle, height
+;; across.
+(c vesica_round_rect_from_angle_f32 int32 float float float float float float '*)
+;; Capsule from centre, angle, the length between the ends of its segment, and radius.
+(c vesica_capsule_from_angle_f32 int32 float float float float float '*)
+;; Capsule from the ends of its segment and its full width, twice the radius: a line of that width with round ends.
+(c vesica_capsule_from_width_f32 int32 float float float float float '*)
 ;; Ellipse from centre, angle and half lengths: a along the angle, b across it.
 (c vesica_ellipse_from_angle_f32 int32 float float float float float '*)
 ;; Ellipse from centre, radius vector and ratio: one half axis is (wx, wy), the other is ratio times perp(wx, wy).

@@ -405,6 +405,16 @@ function vesica_rect_from_corners_f64(corners: PDouble; output: PVesicaRectF64):
 // The largest distance from a given corner to the rectangle's corner that corresponds to it.
 function vesica_rect_corners_misfit_f64(corners: PDouble; r: PVesicaRectF64; misfit: PDouble): Int32; cdecl;
   external vesica_library;
+// Rounded rectangle from centre, angle and full size, its round corners included: width along the angle, height
+// across.
+function vesica_round_rect_from_angle_f64(cx: Double; cy: Double; angle: Double; width: Double; height: Double;
+  radius: Double; output: PVesicaRoundRectF64): Int32; cdecl; external vesica_library;
+// Capsule from centre, angle, the length between the ends of its segment, and radius.
+function vesica_capsule_from_angle_f64(cx: Double; cy: Double; angle: Double; length: Double; radius: Double;
+  output: PVesicaCapsuleF64): Int32; cdecl; external vesica_library;
+// Capsule from the ends of its segment and its full width, twice the radius: a line of that width with round ends.
+function vesica_capsule_from_width_f64(x0: Double; y0: Double; x1: Double; y1: Double; width: Double; output:
+  PVesicaCapsuleF64): Int32; cdecl; external vesica_library;
 // Ellipse from centre, angle and half lengths: a along the angle, b across it.
 function vesica_ellipse_from_angle_f64(cx: Double; cy: Double; angle: Double; a: Double; b: Double; output:
   PVesicaEllipseF64): Int32; cdecl; external vesica_library;
@@ -588,6 +598,16 @@ function vesica_rect_from_corners_f32(corners: PSingle; output: PVesicaRectF32):
 // The largest distance from a given corner to the rectangle's corner that corresponds to it.
 function vesica_rect_corners_misfit_f32(corners: PSingle; r: PVesicaRectF32; misfit: PSingle): Int32; cdecl;
   external vesica_library;
+// Rounded rectangle from centre, angle and full size, its round corners included: width along the angle, height
+// across.
+function vesica_round_rect_from_angle_f32(cx: Single; cy: Single; angle: Single; width: Single; height: Single;
+  radius: Single; output: PVesicaRoundRectF32): Int32; cdecl; external vesica_library;
+// Capsule from centre, angle, the length between the ends of its segment, and radius.
+function vesica_capsule_from_angle_f32(cx: Single; cy: Single; angle: Single; length: Single; radius: Single;
+  output: PVesicaCapsuleF32): Int32; cdecl; external vesica_library;
+// Capsule from the ends of its segment and its full width, twice the radius: a line of that width with round ends.
+function vesica_capsule_from_width_f32(x0: Single; y0: Single; x1: Single; y1: Single; width: Single; output:
+  PVesicaCapsuleF32): Int32; cdecl; external vesica_library;
 // Ellipse from centre, angle and half lengths: a along the angle, b across it.
 function vesica_ellipse_from_angle_f32(cx: Single; cy: Single; angle: Single; a: Single; b: Single; output:
   PVesicaEllipseF32): Int32; cdecl; external vesica_library;

@@ -142,6 +142,15 @@ our @FUNCTIONS = (
     [vesica_rect_from_corners_f64 => ['double[]', 'opaque'] => 'sint32'],
     # The largest distance from a given corner to the rectangle's corner that corresponds to it.
     [vesica_rect_corners_misfit_f64 => ['double[]', 'opaque', 'opaque'] => 'sint32'],
+    # Rounded rectangle from centre, angle and full size, its round corners included: width along the angle, height
+    # across.
+    [vesica_round_rect_from_angle_f64 => ['double', 'double', 'double', 'double', 'double', 'double',
+        'opaque'] => 'sint32'],
+    # Capsule from centre, angle, the length between the ends of its segment, and radius.
+    [vesica_capsule_from_angle_f64 => ['double', 'double', 'double', 'double', 'double', 'opaque'] => 'sint32'],
+    # Capsule from the ends of its segment and its full width, twice the radius: a line of that width with round
+    # ends.
+    [vesica_capsule_from_width_f64 => ['double', 'double', 'double', 'double', 'double', 'opaque'] => 'sint32'],
     # Ellipse from centre, angle and half lengths: a along the angle, b across it.
     [vesica_ellipse_from_angle_f64 => ['double', 'double', 'double', 'double', 'double', 'opaque'] => 'sint32'],
     # Ellipse from centre, radius vector and ratio: one half axis is (wx, wy), the other is ratio times perp(wx, wy).
@@ -275,6 +284,14 @@ our @FUNCTIONS = (
     [vesica_rect_from_corners_f32 => ['float[]', 'opaque'] => 'sint32'],
     # The largest distance from a given corner to the rectangle's corner that corresponds to it.
     [vesica_rect_corners_misfit_f32 => ['float[]', 'opaque', 'opaque'] => 'sint32'],
+    # Rounded rectangle from centre, angle and full size, its round corners included: width along the angle, height
+    # across.
+    [vesica_round_rect_from_angle_f32 => ['float', 'float', 'float', 'float', 'float', 'float', 'opaque'] => 'sint32'],
+    # Capsule from centre, angle, the length between the ends of its segment, and radius.
+    [vesica_capsule_from_angle_f32 => ['float', 'float', 'float', 'float', 'float', 'opaque'] => 'sint32'],
+    # Capsule from the ends of its segment and its full width, twice the radius: a line of that width with round
+    # ends.
+    [vesica_capsule_from_width_f32 => ['float', 'float', 'float', 'float', 'float', 'opaque'] => 'sint32'],
     # Ellipse from centre, angle and half lengths: a along the angle, b across it.
     [vesica_ellipse_from_angle_f32 => ['float', 'float', 'float', 'float', 'float', 'opaque'] => 'sint32'],
     # Ellipse from centre, radius vector and ratio: one half axis is (wx, wy), the other is ratio times perp(wx, wy).

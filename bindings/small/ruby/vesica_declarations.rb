@@ -139,6 +139,14 @@ module Vesica
     'int vesica_rect_from_corners_f64(void *, void *)',
     # The largest distance from a given corner to the rectangle's corner that corresponds to it.
     'int vesica_rect_corners_misfit_f64(void *, void *, void *)',
+    # Rounded rectangle from centre, angle and full size, its round corners included: width along the angle, height
+    # across.
+    'int vesica_round_rect_from_angle_f64(double, double, double, double, double, double, void *)',
+    # Capsule from centre, angle, the length between the ends of its segment, and radius.
+    'int vesica_capsule_from_angle_f64(double, double, double, double, double, void *)',
+    # Capsule from the ends of its segment and its full width, twice the radius: a line of that width with round
+    # ends.
+    'int vesica_capsule_from_width_f64(double, double, double, double, double, void *)',
     # Ellipse from centre, angle and half lengths: a along the angle, b across it.
     'int vesica_ellipse_from_angle_f64(double, double, double, double, double, void *)',
     # Ellipse from centre, radius vector and ratio: one half axis is (wx, wy), the other is ratio times perp(wx, wy).
@@ -270,6 +278,14 @@ module Vesica
     'int vesica_rect_from_corners_f32(void *, void *)',
     # The largest distance from a given corner to the rectangle's corner that corresponds to it.
     'int vesica_rect_corners_misfit_f32(void *, void *, void *)',
+    # Rounded rectangle from centre, angle and full size, its round corners included: width along the angle, height
+    # across.
+    'int vesica_round_rect_from_angle_f32(float, float, float, float, float, float, void *)',
+    # Capsule from centre, angle, the length between the ends of its segment, and radius.
+    'int vesica_capsule_from_angle_f32(float, float, float, float, float, void *)',
+    # Capsule from the ends of its segment and its full width, twice the radius: a line of that width with round
+    # ends.
+    'int vesica_capsule_from_width_f32(float, float, float, float, float, void *)',
     # Ellipse from centre, angle and half lengths: a along the angle, b across it.
     'int vesica_ellipse_from_angle_f32(float, float, float, float, float, void *)',
     # Ellipse from centre, radius vector and ratio: one half axis is (wx, wy), the other is ratio times perp(wx, wy).

@@ -141,6 +141,30 @@ public final class Vesica {
     return out[0];
   }
 
+  /**
+   * Rounded rectangle from centre, angle in radians, whole sizes with the round corners included, and their radius. A
+   * radius of more than half the width or height is refused.
+   */
+  public static RoundRect roundRect(double cx, double cy, double angle, double width, double height, double radius) {
+    double[] out = new double[7];
+    checked(Native.roundRectFromAngleF64(cx, cy, angle, width, height, radius, out));
+    return RoundRect.of(out);
+  }
+
+  /** Capsule from centre, angle in radians, the length between the ends of its segment, and radius. */
+  public static Capsule capsule(double cx, double cy, double angle, double length, double radius) {
+    double[] out = new double[5];
+    checked(Native.capsuleFromAngleF64(cx, cy, angle, length, radius, out));
+    return Capsule.of(out);
+  }
+
+  /** Capsule from the ends of its segment and its whole width, twice the radius. */
+  public static Capsule capsuleFromWidth(double x0, double y0, double x1, double y1, double width) {
+    double[] out = new double[5];
+    checked(Native.capsuleFromWidthF64(x0, y0, x1, y1, width, out));
+    return Capsule.of(out);
+  }
+
   /** Ellipse from centre, angle in radians, and half lengths: a along the angle, b across it. */
   public static Ellipse ellipse(double cx, double cy, double angle, double a, double b) {
     double[] out = new double[6];

@@ -226,12 +226,17 @@ final class Calls {
   private long constructor() {
     double[] n = numbers(arguments[0]);
     if (!wide) {
-      float[] f = narrow(n), out = new float[function.startsWith("aabb") ? 4 : 6];
+      int count =
+          function.startsWith("aabb") ? 4 : function.startsWith("capsule") ? 5 : function.startsWith("round") ? 7 : 6;
+      float[] f = narrow(n), out = new float[count];
       int code =
           switch (function) {
             case "aabb_from_corners" -> Native.aabbFromCornersF32(f[0], f[1], f[2], f[3], out);
             case "rect_from_angle" -> Native.rectFromAngleF32(f[0], f[1], f[2], f[3], f[4], out);
             case "rect_from_corners" -> Native.rectFromCornersF32(f, out);
+            case "round_rect_from_angle" -> Native.roundRectFromAngleF32(f[0], f[1], f[2], f[3], f[4], f[5], out);
+            case "capsule_from_angle" -> Native.capsuleFromAngleF32(f[0], f[1], f[2], f[3], f[4], out);
+            case "capsule_from_width" -> Native.capsuleFromWidthF32(f[0], f[1], f[2], f[3], f[4], out);
             case "ellipse_from_angle" -> Native.ellipseFromAngleF32(f[0], f[1], f[2], f[3], f[4], out);
             case "ellipse_from_radius_vector" -> Native.ellipseFromRadiusVectorF32(f[0], f[1], f[2], f[3], f[4], out);
             case "ellipse_from_covariance" -> Native.ellipseFromCovarianceF32(f[0], f[1], f[2], f[3], f[4], f[5], out);
@@ -244,6 +249,9 @@ final class Calls {
           case "aabb_from_corners" -> Vesica.aabb(n[0], n[1], n[2], n[3]);
           case "rect_from_angle" -> Vesica.rect(n[0], n[1], n[2], n[3], n[4]);
           case "rect_from_corners" -> Vesica.rectFromCorners(n);
+          case "round_rect_from_angle" -> Vesica.roundRect(n[0], n[1], n[2], n[3], n[4], n[5]);
+          case "capsule_from_angle" -> Vesica.capsule(n[0], n[1], n[2], n[3], n[4]);
+          case "capsule_from_width" -> Vesica.capsuleFromWidth(n[0], n[1], n[2], n[3], n[4]);
           case "ellipse_from_angle" -> Vesica.ellipse(n[0], n[1], n[2], n[3], n[4]);
           case "ellipse_from_radius_vector" -> Vesica.ellipseFromRadiusVector(n[0], n[1], n[2], n[3], n[4]);
           case "ellipse_from_covariance" -> Vesica.ellipseFromCovariance(n[0], n[1], n[2], n[3], n[4], n[5]);

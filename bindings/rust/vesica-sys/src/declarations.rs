@@ -881,6 +881,51 @@ extern "C" {
     ///
     /// Since: 0.1.
     pub fn vesica_rect_corners_misfit_f64(corners: *const f64, r: *const Rect<f64>, misfit: *mut f64) -> i32;
+    /// Rounded rectangle from centre, angle and full size, its round corners included: width along the angle, height
+    /// across.
+    ///
+    /// Requires: the angle in radians, counter-clockwise from +x if y points up; width, height, radius \>= 0.
+    ///
+    /// Returns: 0; the shape is valid.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE, VESICA_E_ARGUMENT (the radius is more than
+    /// half the width or height).
+    ///
+    /// Accuracy: the axis as vesica_rect_from_angle_f64; the radius is exact. The sizes of the rectangle inside, width
+    /// - 2 radius and height - 2 radius, are each rounded once. With radius 0 it is that function's rectangle.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_round_rect_from_angle_f64(cx: f64, cy: f64, angle: f64, width: f64, height: f64, radius: f64,
+        out: *mut RoundRect<f64>) -> i32;
+    /// Capsule from centre, angle, the length between the ends of its segment, and radius.
+    ///
+    /// The angle points from (x0, y0) to (x1, y1). The whole capsule is length + 2 radius long.
+    ///
+    /// Requires: the angle in radians, counter-clockwise from +x if y points up; length, radius \>= 0.
+    ///
+    /// Returns: 0; the shape is valid.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE, VESICA_E_RANGE (an end overflows).
+    ///
+    /// Accuracy: the ends are those of the segment that vesica_rect_from_angle_f64 makes of this length and height 0,
+    /// each coordinate right to 0.51 units in its last place. With centre (0, 0) they are opposite. The radius is
+    /// exact.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_capsule_from_angle_f64(cx: f64, cy: f64, angle: f64, length: f64, radius: f64,
+        out: *mut Capsule<f64>) -> i32;
+    /// Capsule from the ends of its segment and its full width, twice the radius: a line of that width with round ends.
+    ///
+    /// Requires: width \>= 0.
+    ///
+    /// Returns: 0; the shape is valid.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.
+    ///
+    /// Accuracy: exact. Only half an odd multiple of the smallest subnormal number is rounded, to an even multiple.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_capsule_from_width_f64(x0: f64, y0: f64, x1: f64, y1: f64, width: f64, out: *mut Capsule<f64>) -> i32;
     /// Ellipse from centre, angle and half lengths: a along the angle, b across it.
     ///
     /// Requires: the angle in radians, counter-clockwise from +x if y points up; a, b \>= 0.
@@ -1886,6 +1931,51 @@ extern "C" {
     ///
     /// Since: 0.1.
     pub fn vesica_rect_corners_misfit_f32(corners: *const f32, r: *const Rect<f32>, misfit: *mut f32) -> i32;
+    /// Rounded rectangle from centre, angle and full size, its round corners included: width along the angle, height
+    /// across.
+    ///
+    /// Requires: the angle in radians, counter-clockwise from +x if y points up; width, height, radius \>= 0.
+    ///
+    /// Returns: 0; the shape is valid.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE, VESICA_E_ARGUMENT (the radius is more than
+    /// half the width or height).
+    ///
+    /// Accuracy: the axis as vesica_rect_from_angle_f32; the radius is exact. The sizes of the rectangle inside, width
+    /// - 2 radius and height - 2 radius, are each rounded once. With radius 0 it is that function's rectangle.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_round_rect_from_angle_f32(cx: f32, cy: f32, angle: f32, width: f32, height: f32, radius: f32,
+        out: *mut RoundRect<f32>) -> i32;
+    /// Capsule from centre, angle, the length between the ends of its segment, and radius.
+    ///
+    /// The angle points from (x0, y0) to (x1, y1). The whole capsule is length + 2 radius long.
+    ///
+    /// Requires: the angle in radians, counter-clockwise from +x if y points up; length, radius \>= 0.
+    ///
+    /// Returns: 0; the shape is valid.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE, VESICA_E_RANGE (an end overflows).
+    ///
+    /// Accuracy: the ends are those of the segment that vesica_rect_from_angle_f32 makes of this length and height 0,
+    /// each coordinate right to 0.51 units in its last place. With centre (0, 0) they are opposite. The radius is
+    /// exact.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_capsule_from_angle_f32(cx: f32, cy: f32, angle: f32, length: f32, radius: f32,
+        out: *mut Capsule<f32>) -> i32;
+    /// Capsule from the ends of its segment and its full width, twice the radius: a line of that width with round ends.
+    ///
+    /// Requires: width \>= 0.
+    ///
+    /// Returns: 0; the shape is valid.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.
+    ///
+    /// Accuracy: exact. Only half an odd multiple of the smallest subnormal number is rounded, to an even multiple.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_capsule_from_width_f32(x0: f32, y0: f32, x1: f32, y1: f32, width: f32, out: *mut Capsule<f32>) -> i32;
     /// Ellipse from centre, angle and half lengths: a along the angle, b across it.
     ///
     /// Requires: the angle in radians, counter-clockwise from +x if y points up; a, b \>= 0.
@@ -4038,6 +4128,11 @@ pub unsafe trait Scalar: Copy + Default + PartialEq + PartialOrd + core::fmt::De
     unsafe fn rect_from_angle(cx: Self, cy: Self, angle: Self, width: Self, height: Self, out: *mut Rect<Self>) -> i32;
     unsafe fn rect_from_corners(corners: *const Self, out: *mut Rect<Self>) -> i32;
     unsafe fn rect_corners_misfit(corners: *const Self, r: *const Rect<Self>, misfit: *mut Self) -> i32;
+    unsafe fn round_rect_from_angle(cx: Self, cy: Self, angle: Self, width: Self, height: Self, radius: Self,
+        out: *mut RoundRect<Self>) -> i32;
+    unsafe fn capsule_from_angle(cx: Self, cy: Self, angle: Self, length: Self, radius: Self,
+        out: *mut Capsule<Self>) -> i32;
+    unsafe fn capsule_from_width(x0: Self, y0: Self, x1: Self, y1: Self, width: Self, out: *mut Capsule<Self>) -> i32;
     unsafe fn ellipse_from_angle(cx: Self, cy: Self, angle: Self, a: Self, b: Self, out: *mut Ellipse<Self>) -> i32;
     unsafe fn ellipse_from_radius_vector(cx: Self, cy: Self, wx: Self, wy: Self, ratio: Self,
         out: *mut Ellipse<Self>) -> i32;
@@ -4296,6 +4391,20 @@ unsafe impl Scalar for f64 {
     #[inline]
     unsafe fn rect_corners_misfit(corners: *const f64, r: *const Rect<f64>, misfit: *mut f64) -> i32 {
         vesica_rect_corners_misfit_f64(corners, r, misfit)
+    }
+    #[inline]
+    unsafe fn round_rect_from_angle(cx: f64, cy: f64, angle: f64, width: f64, height: f64, radius: f64,
+        out: *mut RoundRect<f64>) -> i32 {
+        vesica_round_rect_from_angle_f64(cx, cy, angle, width, height, radius, out)
+    }
+    #[inline]
+    unsafe fn capsule_from_angle(cx: f64, cy: f64, angle: f64, length: f64, radius: f64,
+        out: *mut Capsule<f64>) -> i32 {
+        vesica_capsule_from_angle_f64(cx, cy, angle, length, radius, out)
+    }
+    #[inline]
+    unsafe fn capsule_from_width(x0: f64, y0: f64, x1: f64, y1: f64, width: f64, out: *mut Capsule<f64>) -> i32 {
+        vesica_capsule_from_width_f64(x0, y0, x1, y1, width, out)
     }
     #[inline]
     unsafe fn ellipse_from_angle(cx: f64, cy: f64, angle: f64, a: f64, b: f64, out: *mut Ellipse<f64>) -> i32 {
@@ -4747,6 +4856,20 @@ unsafe impl Scalar for f32 {
     #[inline]
     unsafe fn rect_corners_misfit(corners: *const f32, r: *const Rect<f32>, misfit: *mut f32) -> i32 {
         vesica_rect_corners_misfit_f32(corners, r, misfit)
+    }
+    #[inline]
+    unsafe fn round_rect_from_angle(cx: f32, cy: f32, angle: f32, width: f32, height: f32, radius: f32,
+        out: *mut RoundRect<f32>) -> i32 {
+        vesica_round_rect_from_angle_f32(cx, cy, angle, width, height, radius, out)
+    }
+    #[inline]
+    unsafe fn capsule_from_angle(cx: f32, cy: f32, angle: f32, length: f32, radius: f32,
+        out: *mut Capsule<f32>) -> i32 {
+        vesica_capsule_from_angle_f32(cx, cy, angle, length, radius, out)
+    }
+    #[inline]
+    unsafe fn capsule_from_width(x0: f32, y0: f32, x1: f32, y1: f32, width: f32, out: *mut Capsule<f32>) -> i32 {
+        vesica_capsule_from_width_f32(x0, y0, x1, y1, width, out)
     }
     #[inline]
     unsafe fn ellipse_from_angle(cx: f32, cy: f32, angle: f32, a: f32, b: f32, out: *mut Ellipse<f32>) -> i32 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //! Shapes from other descriptions. [`sys`](crate::sys) has the whole text of each.
 use crate::error::filled;
-use crate::{Aabb, Ellipse, Error, Rect, Scalar};
+use crate::{Aabb, Capsule, Ellipse, Error, Rect, RoundRect, Scalar};
 
 macro_rules! constructors {
     ($($(#[$text:meta])* $name:ident($($number:ident),*) -> $shape:ident: $function:ident;)*) => {$(
@@ -17,6 +17,13 @@ constructors! {
     aabb(x0, y0, x1, y1) -> Aabb: aabb_from_corners;
     /// Rectangle from centre, angle in radians, and whole sizes: width along the angle, height across it.
     rect(cx, cy, angle, width, height) -> Rect: rect_from_angle;
+    /// Rounded rectangle from centre, angle in radians, whole sizes with the round corners included, and their radius.
+    /// A radius of more than half the width or height is [`Error::Argument`].
+    round_rect(cx, cy, angle, width, height, radius) -> RoundRect: round_rect_from_angle;
+    /// Capsule from centre, angle in radians, the length between the ends of its segment, and radius.
+    capsule(cx, cy, angle, length, radius) -> Capsule: capsule_from_angle;
+    /// Capsule from the ends of its segment and its whole width, twice the radius.
+    capsule_from_width(x0, y0, x1, y1, width) -> Capsule: capsule_from_width;
     /// Ellipse from centre, angle in radians, and half lengths: a along the angle, b across it.
     ellipse(cx, cy, angle, a, b) -> Ellipse: ellipse_from_angle;
     /// Ellipse from a radius vector: one half axis is (wx, wy), the other ratio times its perpendicular.

@@ -359,6 +359,9 @@ fn constructor<T: Number>(call: &Call) -> Option<Outcome> {
             let rect = Rect { cx: r[0], cy: r[1], ux: r[2], uy: r[3], hx: r[4], hy: r[5] };
             rect_corners_misfit(n[..].try_into().unwrap(), &rect).map(|misfit| (0, values(&[misfit])))
         }
+        "round_rect_from_angle" => round_rect(n[0], n[1], n[2], n[3], n[4], n[5]).map(|shape| made(&shape)),
+        "capsule_from_angle" => capsule(n[0], n[1], n[2], n[3], n[4]).map(|shape| made(&shape)),
+        "capsule_from_width" => capsule_from_width(n[0], n[1], n[2], n[3], n[4]).map(|shape| made(&shape)),
         "ellipse_from_angle" => ellipse(n[0], n[1], n[2], n[3], n[4]).map(|shape| made(&shape)),
         "ellipse_from_radius_vector" => {
             ellipse_from_radius_vector(n[0], n[1], n[2], n[3], n[4]).map(|shape| made(&shape))
