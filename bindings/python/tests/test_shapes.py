@@ -193,7 +193,8 @@ class Constructors(unittest.TestCase):
         upright = [1, 2, 6, 4, 90, 1]
         self.assertEqual(vesica.round_rects(upright, degrees=True).numbers.tolist(), [1, 2, 0, 1, 2, 1, 1])
         self.assertEqual(vesica.round_rects([]).numbers.shape, (0, 7))
-        for letter, function in (("d", vesica.c.vesica_round_rect_from_angle_f64), ("f", vesica.c.vesica_round_rect_from_angle_f32)):
+        functions = vesica.c.vesica_round_rect_from_angle_f64, vesica.c.vesica_round_rect_from_angle_f32
+        for letter, function in zip("df", functions):
             row = numpy.array([1, 2, 6.1, 4.3, 0.7, 0.3], letter)
             made = numpy.empty(7, letter)
             x, y, width, height, angle, radius = row.tolist()
