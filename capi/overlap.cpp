@@ -7,6 +7,7 @@
 
 namespace {
 
+using vesica::Common;
 using vesica::ShapeTraits;
 
 template <class Shape>
@@ -14,39 +15,43 @@ constexpr auto kind = static_cast<int32_t>(ShapeTraits<Shape>::kind);
 
 /// For a caller in another environment than the default: the filter too is run in the default one.
 template <class A, class B>
-[[gnu::noinline, gnu::cold]] int32_t overlap_elsewhere(const void* a, const void* b) noexcept {
-  using Pair = int32_t (*)(const void*, const void*, void*) noexcept;
-  return vesica::capi::call_in_default_environment(
-      static_cast<Pair>(vesica::answer_pair<vesica::queries::OverlapOfPair, A, B>), a, b, nullptr);
+[[gnu::noinline, gnu::cold]] int32_t overlap_elsewhere(const void* a, const void* b, Common common) noexcept {
+  return vesica::capi::call_in_default_environment(vesica::overlap_of_pair<A, B>, a, b, common);
 }
 
 /// For pairs that the first filter left undecided in the caller's environment. Called last, so that the callers save no
 /// registers.
 template <class A, class B>
-[[gnu::noinline]] int32_t overlap_undecided(const void* a, const void* b) noexcept {
+[[gnu::noinline]] int32_t overlap_undecided(const void* a, const void* b, Common common) noexcept {
   const int32_t answer =
       vesica::detail::decide_by_second_filter(widen(*static_cast<const A*>(a)), widen(*static_cast<const B*>(b)));
   if (answer >= 0) return answer;
-  if (!vesica::capi::in_default_environment()) return overlap_elsewhere<A, B>(a, b);
-  return vesica::detail::decide_undecided(*static_cast<const A*>(a), *static_cast<const B*>(b));
+  if (!vesica::capi::in_default_environment()) return overlap_elsewhere<A, B>(a, b, common);
+  return vesica::detail::decide_undecided(*static_cast<const A*>(a), *static_cast<const B*>(b), common);
 }
 
 /// The filter's decisions are right in any rounding mode, so no control register is read before it has failed. The C
 /// structs are the core's shapes byte for byte, and are read in place.
 template <class A, class B>
-int32_t overlap_of(const void* a, const void* b) noexcept {
+int32_t overlap_of(const void* a, const void* b, Common common) noexcept {
   if (!vesica::capi::keeps_subnormals()) [[unlikely]]
-    return overlap_elsewhere<A, B>(a, b);
-  const int32_t answer =
-      vesica::detail::decide_by_first_filter(widen(*static_cast<const A*>(a)), widen(*static_cast<const B*>(b)));
+    return overlap_elsewhere<A, B>(a, b, common);
+  const auto first = widen(*static_cast<const A*>(a));
+  const auto second = widen(*static_cast<const B*>(b));
+  int32_t answer;
+  if (vesica::detail::overlap::has_insides_filter<A, B>() && common == Common::insides) {
+    answer = vesica::detail::decide_by_filter<Common::insides>(first, second);
+  } else {
+    answer = vesica::detail::decide_by_first_filter(first, second);
+  }
   if (answer >= 0) [[likely]]
     return answer;
-  return overlap_undecided<A, B>(a, b);
+  return overlap_undecided<A, B>(a, b, common);
 }
 
 /// By the two kinds in the order of shapes.
 struct Overlaps {
-  int32_t (*of[vesica::kind_count][vesica::kind_count])(const void*, const void*) noexcept;
+  int32_t (*of[vesica::kind_count][vesica::kind_count])(const void*, const void*, Common) noexcept;
 };
 template <class T>
 consteval Overlaps overlaps_by_kind() noexcept {
@@ -63,24 +68,33 @@ constinit const Overlaps overlaps = overlaps_by_kind<T>();
 template <class A, class B>
 VESICA_INLINE int32_t overlap_typed(const void* a, const void* b) noexcept {
   if (a == nullptr || b == nullptr) return VESICA_E_NULL;
-  return overlap_of<A, B>(a, b);
+  return overlap_of<A, B>(a, b, Common::any);
 }
 
 template <class T>
-VESICA_INLINE int32_t overlap_by_kind(int32_t kind_a, const void* a, int32_t kind_b, const void* b) noexcept {
+VESICA_INLINE int32_t overlap_by_kind(int32_t kind_a, const void* a, int32_t kind_b, const void* b,
+                                      Common common) noexcept {
   if (a == nullptr || b == nullptr) return VESICA_E_NULL;
   if (!vesica::is_kind(kind_a) || !vesica::is_kind(kind_b)) return VESICA_E_KIND;
-  return kind_a <= kind_b ? overlaps<T>.of[kind_a][kind_b](a, b) : overlaps<T>.of[kind_b][kind_a](b, a);
+  return kind_a <= kind_b ? overlaps<T>.of[kind_a][kind_b](a, b, common) : overlaps<T>.of[kind_b][kind_a](b, a, common);
 }
 
 }  // namespace
 
 int32_t vesica_overlap_f64(int32_t kind_a, const void* a, int32_t kind_b, const void* b) {
-  return overlap_by_kind<double>(kind_a, a, kind_b, b);
+  return overlap_by_kind<double>(kind_a, a, kind_b, b, Common::any);
 }
 
 int32_t vesica_overlap_f32(int32_t kind_a, const void* a, int32_t kind_b, const void* b) {
-  return overlap_by_kind<float>(kind_a, a, kind_b, b);
+  return overlap_by_kind<float>(kind_a, a, kind_b, b, Common::any);
+}
+
+int32_t vesica_interiors_overlap_f64(int32_t kind_a, const void* a, int32_t kind_b, const void* b) {
+  return overlap_by_kind<double>(kind_a, a, kind_b, b, Common::insides);
+}
+
+int32_t vesica_interiors_overlap_f32(int32_t kind_a, const void* a, int32_t kind_b, const void* b) {
+  return overlap_by_kind<float>(kind_a, a, kind_b, b, Common::insides);
 }
 
 #define VESICA_PAIR_OF(a, A, b, B, scalar, T)                                                                   \

@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include "columns.hpp"
-#include "query.hpp"
+#include "queries/overlap.hpp"
 #include "tiles.hpp"
 
 namespace vesica::batch {
@@ -17,17 +17,28 @@ namespace {
 template <class T>
 struct Question {
   const KernelTable& kernels;
+  Common common;
   std::int32_t kind_first, kind_second;
   int fields_first, fields_second;
   const PairKernels<T>& pair;
 
-  Question(const KernelTable& table, std::int32_t first, std::int32_t second) noexcept
+  Question(const KernelTable& table, Common counted, std::int32_t first, std::int32_t second) noexcept
       : kernels(table),
+        common(counted),
         kind_first(first),
         kind_second(second),
         fields_first(field_count(first)),
         fields_second(field_count(second)),
-        pair(table.of(T{})[first][second]) {}
+        pair(has_insides_kernels() ? table.insides(T{}).of[first] : table.of(T{})[first][second]) {}
+
+  /// The kernels of a pair of kinds decide both questions, unless it has kernels of its own for insides.
+  bool has_insides_kernels() const noexcept {
+    return common == Common::insides &&
+           detail::overlap::has_insides_filter(static_cast<Kind>(kind_first), static_cast<Kind>(kind_second));
+  }
+  const PackedKernels<T>& packed() const noexcept {
+    return has_insides_kernels() ? kernels.insides(T{}).packed : kernels.packed(T{});
+  }
 };
 
 /// Answers a block by a kernel, which takes whole vectors only. If elements are left over, the last whole vector of the
@@ -128,13 +139,13 @@ struct Answerer {
 
   /// Answers the pairs that a kernel left undecided by the scalar function.
   [[gnu::noinline]] void finish(const Block<T>& block, std::int32_t undecided) noexcept {
-    const PairFunction overlap = queries::overlap.doubles.of[question.kind_first][question.kind_second];
+    const queries::OverlapFunction overlap = queries::overlap_in_order.of[question.kind_first][question.kind_second];
     for (std::int32_t k = 0; k < undecided; ++k) {
       const std::int32_t i = block.undecided[k];
       double a[max_fields], b[max_fields];
       widen(block.first, question.fields_first, i * block.stride_first, a);
       widen(block.second, question.fields_second, i * block.stride_second, b);
-      const std::int32_t answer = overlap(a, b, nullptr);
+      const std::int32_t answer = overlap(a, b, question.common);
       tally.invalid |= answer < 0;
       tally.overlaps += answer == 1;
       block.out[i] = answer == 1;
@@ -259,7 +270,7 @@ class PackedRecords {
       : first_(first), second_(second), width_(question.kernels.width(T{})), fields_(question.fields_first) {
     if (!has_packed_kernels || first.kind != second.kind || !has_no_gaps(second)) return;
     if (repeat == Repeat::first || has_no_gaps(first)) {
-      kernel_ = question.kernels.packed(T{})[first.kind][static_cast<int>(repeat)];
+      kernel_ = question.packed()[first.kind][static_cast<int>(repeat)];
     }
   }
 
@@ -301,13 +312,13 @@ class PackedRecords {
 
 /// Calls done(begin, length, bytes) for each block of n pairs in step, answered into place(begin).
 template <class T, class Place, class Done>
-Tally in_step(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b, std::int64_t n, Place place,
-              Done done) noexcept {
+Tally in_step(const KernelTable& kernels, Common common, const Shapes<T>& a, const Shapes<T>& b, std::int64_t n,
+              Place place, Done done) noexcept {
   // If both kinds are the same, the second never repeats alone: there are no kernels for it.
   const bool in_order = a.kind < b.kind || (a.kind == b.kind && b.stride != 0);
   const Shapes<T>& first = in_order ? a : b;
   const Shapes<T>& second = in_order ? b : a;
-  const Question<T> question(kernels, first.kind, second.kind);
+  const Question<T> question(kernels, common, first.kind, second.kind);
   const Repeat repeat = first.stride == 0 ? Repeat::first : second.stride == 0 ? Repeat::second : Repeat::none;
   Answerer<T> answerer{question, {}};
   PackedRecords<T> packed(question, repeat, first, second);
@@ -337,20 +348,20 @@ Tally in_step(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b
 }  // namespace
 
 template <class T>
-Tally many(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b, std::int64_t n,
-           std::uint8_t* out) noexcept {
+Tally many(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b, std::int64_t n, std::uint8_t* out,
+           Common common) noexcept {
   return in_step(
-      kernels, a, b, n, [out](std::int64_t begin) { return out + begin; },
+      kernels, common, a, b, n, [out](std::int64_t begin) { return out + begin; },
       [](std::int64_t, std::int32_t, const std::uint8_t*) {});
 }
 
 template <class T>
 Tally select(const KernelTable& kernels, const Shapes<T>& one, const Shapes<T>& many, std::int64_t* out,
-             std::int64_t capacity) noexcept {
+             std::int64_t capacity, Common common) noexcept {
   std::uint8_t bytes[long_block_size];
   std::int64_t found = 0;
   const Tally tally = in_step(
-      kernels, one, many, many.count, [&](std::int64_t) { return bytes; },
+      kernels, common, one, many, many.count, [&](std::int64_t) { return bytes; },
       [&](std::int64_t begin, std::int32_t length, const std::uint8_t* answers) {
         for (std::int32_t i = 0; i < length; ++i) {
           if (answers[i] == 0) continue;
@@ -363,9 +374,9 @@ Tally select(const KernelTable& kernels, const Shapes<T>& one, const Shapes<T>& 
 
 template <class T>
 Tally matrix(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b, std::uint8_t* out,
-             std::ptrdiff_t row_stride) noexcept {
+             std::ptrdiff_t row_stride, Common common) noexcept {
   const bool in_order = a.kind <= b.kind;
-  const Question<T> question(kernels, in_order ? a.kind : b.kind, in_order ? b.kind : a.kind);
+  const Question<T> question(kernels, common, in_order ? a.kind : b.kind, in_order ? b.kind : a.kind);
   const Repeat repeat = in_order ? Repeat::first : Repeat::second;
   Rows<T> rows(question, repeat, kernels.checked(T{}).of[a.kind][b.kind]);
   Columns<T, block_size<T>> row, columns;
@@ -402,24 +413,24 @@ Tally matrix(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b,
 Tally overlap_block(const KernelTable& kernels, std::int32_t kind_first, const double* const* first,
                     std::int32_t kind_second, const double* const* second, std::int32_t n, std::uint8_t* out) noexcept {
   std::int32_t undecided[block_size<double>];
-  const Question<double> question(kernels, kind_first, kind_second);
+  const Question<double> question(kernels, Common::any, kind_first, kind_second);
   Answerer<double> answerer{question, {}};
   Block<double> block = make_block<double>(first, second, Repeat::none, n, out, undecided);
   answerer.answer(block, Repeat::none);
   return answerer.tally;
 }
 
-template Tally many(const KernelTable&, const Shapes<float>&, const Shapes<float>&, std::int64_t,
-                    std::uint8_t*) noexcept;
-template Tally many(const KernelTable&, const Shapes<double>&, const Shapes<double>&, std::int64_t,
-                    std::uint8_t*) noexcept;
-template Tally matrix(const KernelTable&, const Shapes<float>&, const Shapes<float>&, std::uint8_t*,
-                      std::ptrdiff_t) noexcept;
-template Tally matrix(const KernelTable&, const Shapes<double>&, const Shapes<double>&, std::uint8_t*,
-                      std::ptrdiff_t) noexcept;
-template Tally select(const KernelTable&, const Shapes<float>&, const Shapes<float>&, std::int64_t*,
-                      std::int64_t) noexcept;
-template Tally select(const KernelTable&, const Shapes<double>&, const Shapes<double>&, std::int64_t*,
-                      std::int64_t) noexcept;
+template Tally many(const KernelTable&, const Shapes<float>&, const Shapes<float>&, std::int64_t, std::uint8_t*,
+                    Common) noexcept;
+template Tally many(const KernelTable&, const Shapes<double>&, const Shapes<double>&, std::int64_t, std::uint8_t*,
+                    Common) noexcept;
+template Tally matrix(const KernelTable&, const Shapes<float>&, const Shapes<float>&, std::uint8_t*, std::ptrdiff_t,
+                      Common) noexcept;
+template Tally matrix(const KernelTable&, const Shapes<double>&, const Shapes<double>&, std::uint8_t*, std::ptrdiff_t,
+                      Common) noexcept;
+template Tally select(const KernelTable&, const Shapes<float>&, const Shapes<float>&, std::int64_t*, std::int64_t,
+                      Common) noexcept;
+template Tally select(const KernelTable&, const Shapes<double>&, const Shapes<double>&, std::int64_t*, std::int64_t,
+                      Common) noexcept;
 
 }  // namespace vesica::batch

@@ -15,7 +15,7 @@
 
 // exact_stage.cpp
 #define VESICA_EXACT_OVERLAP(keyword, A, B) \
-  keyword std::int32_t detail::decide_undecided(const A<double>&, const B<double>&) noexcept;
+  keyword std::int32_t detail::decide_undecided(const A<double>&, const B<double>&, Common) noexcept;
 #define VESICA_EXACT_STAGE(keyword, A, B)                                                             \
   keyword std::int32_t detail::decide_relation(const A<double>&, const B<double>&) noexcept;          \
   keyword std::int32_t detail::depth::undecided_overlap(const A<double>&, const B<double>&) noexcept; \

@@ -343,6 +343,14 @@ func cOverlap(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t
 	return C.go_overlap_f32(kindA, a, kindB, b)
 }
 
+func cInteriorsOverlap(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t,
+	b C.vesica_go_numbers) C.int32_t {
+	if wide {
+		return C.go_interiors_overlap_f64(kindA, a, kindB, b)
+	}
+	return C.go_interiors_overlap_f32(kindA, a, kindB, b)
+}
+
 func cContains(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers) C.int32_t {
 	if wide {
 		return C.go_contains_f64(kindA, a, kindB, b)
@@ -523,6 +531,13 @@ func cOverlapMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, out *C.char
 	return C.go_overlap_many_f32(a, b, out)
 }
 
+func cInteriorsOverlapMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, out *C.char) C.int64_t {
+	if wide {
+		return C.go_interiors_overlap_many_f64(a, b, out)
+	}
+	return C.go_interiors_overlap_many_f32(a, b, out)
+}
+
 func cRelationMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, out *C.char) C.int64_t {
 	if wide {
 		return C.go_relation_many_f64(a, b, out)
@@ -581,6 +596,14 @@ func cOverlapMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out *C.ch
 	return C.go_overlap_matrix_f32(a, b, out, rowStride)
 }
 
+func cInteriorsOverlapMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out *C.char,
+	rowStride C.ptrdiff_t) C.int64_t {
+	if wide {
+		return C.go_interiors_overlap_matrix_f64(a, b, out, rowStride)
+	}
+	return C.go_interiors_overlap_matrix_f32(a, b, out, rowStride)
+}
+
 func cRelationMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out *C.char, rowStride C.ptrdiff_t) C.int64_t {
 	if wide {
 		return C.go_relation_matrix_f64(a, b, out, rowStride)
@@ -614,6 +637,14 @@ func cOverlapSelect(wide bool, one C.vesica_go_view, many C.vesica_go_view, out 
 		return C.go_overlap_select_f64(one, many, out, capacity)
 	}
 	return C.go_overlap_select_f32(one, many, out, capacity)
+}
+
+func cInteriorsOverlapSelect(wide bool, one C.vesica_go_view, many C.vesica_go_view, out *C.char,
+	capacity C.int64_t) C.int64_t {
+	if wide {
+		return C.go_interiors_overlap_select_f64(one, many, out, capacity)
+	}
+	return C.go_interiors_overlap_select_f32(one, many, out, capacity)
 }
 
 func cNMS(wide bool, shapes C.vesica_go_view, scores *C.char, threshold float64, scratch *C.char, scratchSize C.int64_t,

@@ -42,6 +42,24 @@ static inline int32_t go_overlap_f32(int32_t kind_a, vesica_go_numbers a, int32_
     return vesica_overlap_f32(kind_a, of_a, kind_b, of_b);
 }
 
+static inline int32_t go_interiors_overlap_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b,
+    vesica_go_numbers b) {
+    double of_a[7];
+    memcpy(of_a, &a, sizeof of_a);
+    double of_b[7];
+    memcpy(of_b, &b, sizeof of_b);
+    return vesica_interiors_overlap_f64(kind_a, of_a, kind_b, of_b);
+}
+
+static inline int32_t go_interiors_overlap_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b,
+    vesica_go_numbers b) {
+    float of_a[7];
+    memcpy(of_a, &a, sizeof of_a);
+    float of_b[7];
+    memcpy(of_b, &b, sizeof of_b);
+    return vesica_interiors_overlap_f32(kind_a, of_a, kind_b, of_b);
+}
+
 static inline int32_t go_contains_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b) {
     double of_a[7];
     memcpy(of_a, &a, sizeof of_a);
@@ -327,6 +345,22 @@ static inline int64_t go_overlap_many_f32(vesica_go_view a, vesica_go_view b, ch
     return vesica_overlap_many_f32(&of_a, &of_b, (void *)out);
 }
 
+static inline int64_t go_interiors_overlap_many_f64(vesica_go_view a, vesica_go_view b, char *out) {
+    vesica_shapes_f64 of_a;
+    memcpy(&of_a, &a, sizeof of_a);
+    vesica_shapes_f64 of_b;
+    memcpy(&of_b, &b, sizeof of_b);
+    return vesica_interiors_overlap_many_f64(&of_a, &of_b, (void *)out);
+}
+
+static inline int64_t go_interiors_overlap_many_f32(vesica_go_view a, vesica_go_view b, char *out) {
+    vesica_shapes_f32 of_a;
+    memcpy(&of_a, &a, sizeof of_a);
+    vesica_shapes_f32 of_b;
+    memcpy(&of_b, &b, sizeof of_b);
+    return vesica_interiors_overlap_many_f32(&of_a, &of_b, (void *)out);
+}
+
 static inline int64_t go_relation_many_f64(vesica_go_view a, vesica_go_view b, char *out) {
     vesica_shapes_f64 of_a;
     memcpy(&of_a, &a, sizeof of_a);
@@ -461,6 +495,24 @@ static inline int64_t go_overlap_matrix_f32(vesica_go_view a, vesica_go_view b, 
     return vesica_overlap_matrix_f32(&of_a, &of_b, (void *)out, row_stride);
 }
 
+static inline int64_t go_interiors_overlap_matrix_f64(vesica_go_view a, vesica_go_view b, char *out,
+    ptrdiff_t row_stride) {
+    vesica_shapes_f64 of_a;
+    memcpy(&of_a, &a, sizeof of_a);
+    vesica_shapes_f64 of_b;
+    memcpy(&of_b, &b, sizeof of_b);
+    return vesica_interiors_overlap_matrix_f64(&of_a, &of_b, (void *)out, row_stride);
+}
+
+static inline int64_t go_interiors_overlap_matrix_f32(vesica_go_view a, vesica_go_view b, char *out,
+    ptrdiff_t row_stride) {
+    vesica_shapes_f32 of_a;
+    memcpy(&of_a, &a, sizeof of_a);
+    vesica_shapes_f32 of_b;
+    memcpy(&of_b, &b, sizeof of_b);
+    return vesica_interiors_overlap_matrix_f32(&of_a, &of_b, (void *)out, row_stride);
+}
+
 static inline int64_t go_relation_matrix_f64(vesica_go_view a, vesica_go_view b, char *out, ptrdiff_t row_stride) {
     vesica_shapes_f64 of_a;
     memcpy(&of_a, &a, sizeof of_a);
@@ -539,6 +591,24 @@ static inline int64_t go_overlap_select_f32(vesica_go_view one, vesica_go_view m
     vesica_shapes_f32 of_many;
     memcpy(&of_many, &many, sizeof of_many);
     return vesica_overlap_select_f32(&of_one, &of_many, (void *)out, capacity);
+}
+
+static inline int64_t go_interiors_overlap_select_f64(vesica_go_view one, vesica_go_view many, char *out,
+    int64_t capacity) {
+    vesica_shapes_f64 of_one;
+    memcpy(&of_one, &one, sizeof of_one);
+    vesica_shapes_f64 of_many;
+    memcpy(&of_many, &many, sizeof of_many);
+    return vesica_interiors_overlap_select_f64(&of_one, &of_many, (void *)out, capacity);
+}
+
+static inline int64_t go_interiors_overlap_select_f32(vesica_go_view one, vesica_go_view many, char *out,
+    int64_t capacity) {
+    vesica_shapes_f32 of_one;
+    memcpy(&of_one, &one, sizeof of_one);
+    vesica_shapes_f32 of_many;
+    memcpy(&of_many, &many, sizeof of_many);
+    return vesica_interiors_overlap_select_f32(&of_one, &of_many, (void *)out, capacity);
 }
 
 static inline int32_t go_nms_f64(vesica_go_view shapes, const char *scores, double threshold, char *scratch,

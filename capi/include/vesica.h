@@ -183,6 +183,18 @@ typedef struct {
 VESICA_API int32_t vesica_overlap_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b);
 
 /**
+ * Do the insides of two shapes share a point? Touching does not count.
+ *
+ * The inside is the shape without its outline, as vesica_relation_f64 says. So two rectangles side by side get 0, and
+ * so does a point on the rim of a disc or a segment along an edge. Two segments that cross get 1, and two equal points.
+ * If both shapes have an area, the answer is 1 where vesica_relation_f64 is VESICA_CROSS or more.
+ * Returns: 1 if they do, 0 if not.
+ * Accuracy: exact.
+ * Cost: as vesica_overlap_f64.
+ */
+VESICA_API int32_t vesica_interiors_overlap_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b);
+
+/**
  * Does a contain all of b? A shape contains itself, and whatever touches its outline from inside.
  * Returns: 1 if vesica_relation_f64 is VESICA_CONTAINS, VESICA_CONTAINS_TOUCH or VESICA_EQUAL, else 0.
  * Accuracy: exact.
@@ -578,6 +590,14 @@ VESICA_API int32_t vesica_shapes_from_records_f64(int32_t kind, int64_t count, c
 VESICA_API int64_t vesica_overlap_many_f64(const vesica_shapes_f64 *a, const vesica_shapes_f64 *b, uint8_t *out);
 
 /**
+ * Do the insides of a[i] and b[i] share a point? out[i] is the answer of vesica_interiors_overlap_f64.
+ * Returns: how many are 1.
+ * Cost: as vesica_overlap_many_f64.
+ */
+VESICA_API int64_t vesica_interiors_overlap_many_f64(const vesica_shapes_f64 *a, const vesica_shapes_f64 *b,
+                                                     uint8_t *out);
+
+/**
  * How does a[i] relate to b[i]? out[i] is the answer of vesica_relation_f64.
  * Returns: how many are not VESICA_DISJOINT.
  */
@@ -646,6 +666,13 @@ VESICA_API int64_t vesica_overlap_matrix_f64(const vesica_shapes_f64 *a, const v
                                              ptrdiff_t row_stride);
 
 /**
+ * Do the insides of a[i] and b[j] share a point? The elements of out are answers of vesica_interiors_overlap_f64.
+ * Returns: how many are 1.
+ */
+VESICA_API int64_t vesica_interiors_overlap_matrix_f64(const vesica_shapes_f64 *a, const vesica_shapes_f64 *b,
+                                                       uint8_t *out, ptrdiff_t row_stride);
+
+/**
  * How does a[i] relate to b[j]? The elements of out are answers of vesica_relation_f64.
  * Returns: how many are not VESICA_DISJOINT.
  */
@@ -692,6 +719,13 @@ VESICA_API int64_t vesica_iou_matrix_f64(const vesica_shapes_f64 *a, const vesic
  */
 VESICA_API int64_t vesica_overlap_select_f64(const vesica_shapes_f64 *one, const vesica_shapes_f64 *many, int64_t *out,
                                              int64_t capacity);
+
+/**
+ * Which of many shapes share a point of their insides with that of one? As vesica_overlap_select_f64, with the answers
+ * of vesica_interiors_overlap_f64.
+ */
+VESICA_API int64_t vesica_interiors_overlap_select_f64(const vesica_shapes_f64 *one, const vesica_shapes_f64 *many,
+                                                       int64_t *out, int64_t capacity);
 
 /**
  * How many bytes of scratch do vesica_nms_f64, vesica_suppress_f64 and their float forms need for `count` shapes?
@@ -782,6 +816,8 @@ typedef struct { float depth, x, y; } vesica_penetration_f32;
 VESICA_API int32_t vesica_check_f32(int32_t kind, const void *shape);
 /** As vesica_overlap_f64. */
 VESICA_API int32_t vesica_overlap_f32(int32_t kind_a, const void *a, int32_t kind_b, const void *b);
+/** As vesica_interiors_overlap_f64. */
+VESICA_API int32_t vesica_interiors_overlap_f32(int32_t kind_a, const void *a, int32_t kind_b, const void *b);
 /** As vesica_relation_f64. */
 VESICA_API int32_t vesica_relation_f32(int32_t kind_a, const void *a, int32_t kind_b, const void *b);
 /** As vesica_contains_f64. */
@@ -896,6 +932,9 @@ VESICA_API int32_t vesica_shapes_from_records_f32(int32_t kind, int64_t count, c
                                                   vesica_shapes_f32 *out);
 /** As vesica_overlap_many_f64. */
 VESICA_API int64_t vesica_overlap_many_f32(const vesica_shapes_f32 *a, const vesica_shapes_f32 *b, uint8_t *out);
+/** As vesica_interiors_overlap_many_f64. */
+VESICA_API int64_t vesica_interiors_overlap_many_f32(const vesica_shapes_f32 *a, const vesica_shapes_f32 *b,
+                                                     uint8_t *out);
 /** As vesica_relation_many_f64. */
 VESICA_API int64_t vesica_relation_many_f32(const vesica_shapes_f32 *a, const vesica_shapes_f32 *b, uint8_t *out);
 /** As vesica_contains_many_f64. */
@@ -916,6 +955,9 @@ VESICA_API int64_t vesica_iou_many_f32(const vesica_shapes_f32 *a, const vesica_
 /** As vesica_overlap_matrix_f64. */
 VESICA_API int64_t vesica_overlap_matrix_f32(const vesica_shapes_f32 *a, const vesica_shapes_f32 *b, uint8_t *out,
                                              ptrdiff_t row_stride);
+/** As vesica_interiors_overlap_matrix_f64. */
+VESICA_API int64_t vesica_interiors_overlap_matrix_f32(const vesica_shapes_f32 *a, const vesica_shapes_f32 *b,
+                                                       uint8_t *out, ptrdiff_t row_stride);
 /** As vesica_relation_matrix_f64. */
 VESICA_API int64_t vesica_relation_matrix_f32(const vesica_shapes_f32 *a, const vesica_shapes_f32 *b, uint8_t *out,
                                               ptrdiff_t row_stride);
@@ -931,6 +973,9 @@ VESICA_API int64_t vesica_iou_matrix_f32(const vesica_shapes_f32 *a, const vesic
 /** As vesica_overlap_select_f64. */
 VESICA_API int64_t vesica_overlap_select_f32(const vesica_shapes_f32 *one, const vesica_shapes_f32 *many, int64_t *out,
                                              int64_t capacity);
+/** As vesica_interiors_overlap_select_f64. */
+VESICA_API int64_t vesica_interiors_overlap_select_f32(const vesica_shapes_f32 *one, const vesica_shapes_f32 *many,
+                                                       int64_t *out, int64_t capacity);
 /** As vesica_nms_f64. */
 VESICA_API int32_t vesica_nms_f32(const vesica_shapes_f32 *shapes, const float *scores, float threshold, void *scratch,
                                   int64_t scratch_size, int64_t *keep, int64_t *kept);

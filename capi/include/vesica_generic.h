@@ -24,6 +24,7 @@
 #define vesica_bounds(shape, out) VESICA_ONE_(vesica_bounds, shape, out)
 
 #define vesica_overlap(a, b) VESICA_TWO_(vesica_overlap, a, b)
+#define vesica_interiors_overlap(a, b) VESICA_TWO_(vesica_interiors_overlap, a, b)
 #define vesica_relation(a, b) VESICA_TWO_(vesica_relation, a, b)
 #define vesica_contains(a, b) VESICA_TWO_(vesica_contains, a, b)
 

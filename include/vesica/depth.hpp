@@ -66,7 +66,7 @@ VESICA_COLD std::int32_t undecided_overlap(const A& a, const B& b) noexcept {
     if (check(a) != 0 || check(b) != 0) return error_shape;
     return static_cast<std::int32_t>(overlap_and_depth(exact::form(a), exact::form(b)));
   } else {
-    return decide_undecided(a, b);
+    return decide_undecided(a, b, Common::any);
   }
 }
 

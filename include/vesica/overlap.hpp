@@ -1,16 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-/// overlap(a, b): do two shapes share a point? Exact for every valid input, touching included.
+/// overlap(a, b): do two shapes share a point? Touching counts. interiors_overlap(a, b): do their insides share one?
+/// Touching does not count. Both are exact for every valid input.
+///
+/// The inside of a shape is the shape without its outline, as in relation.hpp. The outline of a segment is its two
+/// ends; a point has none. So the insides of two segments that cross share a point, and so do those of two equal points.
+/// The insides of a disc and of a point on its rim share none.
 ///
 /// Three stages. The pair's filter evaluates the predicate in floating point with a bound on its error and answers
 /// nearly always. What it leaves open, mostly contact, integers of 256 bits decide, unless an ellipse is among the two
 /// or exponents are far apart. The rest is checked for validity and decided in exact arithmetic. There is no epsilon.
+/// Both questions share all stages: a filter with a bound on its error finds only overlaps of insides, and the others
+/// take the contact (contact.hpp) that counts as a parameter. Comparisons alone need a filter for each question.
 ///
 /// Laws, each tested: overlap(a, b) == overlap(b, a); unchanged when both shapes are mirrored, turned by quarter turns,
 /// or scaled by a power of two without leaving the format; overlap(a, a); a shape's bounds overlap whatever it
-/// overlaps.
+/// overlaps. The first three hold for interiors_overlap too; it implies overlap, and agrees with relation and de9im.
 #pragma once
 
 #include <vesica/check.hpp>
+#include <vesica/contact.hpp>
 #include <vesica/filter/by_integers.hpp>
 #include <vesica/overlap/aabb_aabb.hpp>
 #include <vesica/overlap/aabb_ellipse.hpp>
@@ -45,6 +53,32 @@ template <class A, class B>
 filter::DecidedVerdict<bool> first_filter(const A&, const B&) = delete;
 template <class A, class B>
 filter::DecidedVerdict<bool> second_filter(const A&, const B&) = delete;
+
+/// Pairs that comparisons decide have an insides_filter() of their own, unless they are points. Every other filter
+/// finds an overlap only where the insides meet: its value is beyond its bound.
+constexpr bool has_insides_filter(Kind a, Kind b) noexcept {
+  return b == Kind::aabb && (a == Kind::point || a == Kind::aabb);
+}
+template <class A, class B>
+constexpr bool has_insides_filter() noexcept {
+  return has_insides_filter(ShapeTraits<A>::kind, ShapeTraits<B>::kind);
+}
+
+/// The filter of a question, for kinds in order.
+template <Common common, class A, class B>
+VESICA_INLINE constexpr auto filter_of(const A& a, const B& b) noexcept {
+  if constexpr (common == Common::insides && has_insides_filter<A, B>()) {
+    return insides_filter(a, b);
+  } else {
+    return filter(a, b);
+  }
+}
+
+/// The exact stage of overlap().
+template <class A, class B>
+constexpr bool exact(const A& a, const B& b) noexcept {
+  return contact(a, b, Common::any) <= 0;
+}
 }  // namespace overlap
 
 /// 1, 0, or -1 for undecided. Computed by arithmetic, because a branch on the answer would be mispredicted.
@@ -59,9 +93,9 @@ VESICA_INLINE constexpr std::int32_t answer_of(const filter::DecidedVerdict<bool
 }
 
 /// By the pair's filter, for kinds in order.
-template <class A, class B>
+template <Common common = Common::any, class A, class B>
 VESICA_INLINE constexpr std::int32_t decide_by_filter(const A& a, const B& b) noexcept {
-  return answer_of(detail::overlap::filter(a, b));
+  return answer_of(detail::overlap::filter_of<common>(a, b));
 }
 
 /// Pairs whose filter is two filters: a short one that decides most pairs, and a long one.
@@ -86,17 +120,17 @@ VESICA_INLINE constexpr std::int32_t decide_by_second_filter(const A& a, const B
 
 /// The third stage. Invalid shapes get their error here.
 template <class A, class B>
-VESICA_COLD constexpr std::int32_t decide_exactly(const A& a, const B& b) noexcept {
+VESICA_COLD constexpr std::int32_t decide_exactly(const A& a, const B& b, Common common) noexcept {
   if (check(a) != 0 || check(b) != 0) return error_shape;
-  return detail::overlap::exact(a, b) ? 1 : 0;
+  return counts(detail::overlap::contact(a, b, common), common) ? 1 : 0;
 }
 
 /// For pairs in double that a filter left undecided.
 template <class A, class B>
-VESICA_CALLED constexpr std::int32_t decide_undecided(const A& a, const B& b) noexcept {
+VESICA_CALLED constexpr std::int32_t decide_undecided(const A& a, const B& b, Common common) noexcept {
   if constexpr (filter::HasIntegers<A, B>) {
     if (!std::is_constant_evaluated()) {
-      const std::int32_t answer = answer_of(filter::by_integers(a, b));
+      const std::int32_t answer = answer_of(filter::by_integers(a, b, common));
       if (answer >= 0) return answer;
     }
   }
@@ -106,32 +140,38 @@ VESICA_CALLED constexpr std::int32_t decide_undecided(const A& a, const B& b) no
       if (answer >= 0) return answer;
     }
   }
-  return decide_exactly(a, b);
+  return decide_exactly(a, b, common);
 }
 /// Floats are widened here, in the cold code, so that the hot code does not.
 template <template <class> class A, template <class> class B>
-VESICA_COLD constexpr std::int32_t decide_undecided(const A<float>& a, const B<float>& b) noexcept {
-  return decide_undecided(widen(a), widen(b));
+VESICA_COLD constexpr std::int32_t decide_undecided(const A<float>& a, const B<float>& b, Common common) noexcept {
+  return decide_undecided(widen(a), widen(b), common);
 }
 
 template <class A, class B>
 inline constexpr bool in_order = ShapeTraits<A>::kind <= ShapeTraits<B>::kind;
 
+/// Any kinds, in either order. A float is a double exactly, so one path serves both.
+template <Common common, class A, class B>
+VESICA_INLINE constexpr std::int32_t common_point_or_error(const A& a, const B& b) noexcept {
+  if constexpr (!in_order<A, B>) {
+    return common_point_or_error<common>(b, a);
+  } else {
+    if (std::is_constant_evaluated()) return decide_undecided(a, b, common);
+    const std::int32_t answer = decide_by_filter<common>(widen(a), widen(b));
+    if (answer >= 0) [[likely]]
+      return answer;
+    return decide_undecided(a, b, common);
+  }
+}
+
 }  // namespace detail
 
 /// The checked form: 1 when the shapes share a point, 0 when not, error_shape when either is invalid, as the C
-/// functions return. Any kinds, in either order. A float is a double exactly, so one path serves both.
+/// functions return. Any kinds, in either order.
 template <template <class> class A, template <class> class B, class T>
 VESICA_INLINE constexpr std::int32_t overlap_or_error(const A<T>& a, const B<T>& b) noexcept {
-  if constexpr (!detail::in_order<A<T>, B<T>>) {
-    return overlap_or_error(b, a);
-  } else {
-    if (std::is_constant_evaluated()) return detail::decide_undecided(a, b);
-    const std::int32_t answer = detail::decide_by_filter(widen(a), widen(b));
-    if (answer >= 0) [[likely]]
-      return answer;
-    return detail::decide_undecided(a, b);
-  }
+  return detail::common_point_or_error<Common::any>(a, b);
 }
 
 /// True if two shapes of any kinds, in either order, share a point. For valid shapes: an invalid one overlaps nothing.
@@ -139,6 +179,18 @@ VESICA_INLINE constexpr std::int32_t overlap_or_error(const A<T>& a, const B<T>&
 template <template <class> class A, template <class> class B, class T>
 VESICA_INLINE constexpr bool overlap(const A<T>& a, const B<T>& b) noexcept {
   return overlap_or_error(a, b) == 1;
+}
+
+/// The checked form: 1 when the insides share a point, 0 when not, error_shape when either shape is invalid.
+template <template <class> class A, template <class> class B, class T>
+VESICA_INLINE constexpr std::int32_t interiors_overlap_or_error(const A<T>& a, const B<T>& b) noexcept {
+  return detail::common_point_or_error<Common::insides>(a, b);
+}
+
+/// True if the insides of two shapes of any kinds, in either order, share a point. For valid shapes, as overlap().
+template <template <class> class A, template <class> class B, class T>
+VESICA_INLINE constexpr bool interiors_overlap(const A<T>& a, const B<T>& b) noexcept {
+  return interiors_overlap_or_error(a, b) == 1;
 }
 
 }  // namespace vesica

@@ -53,7 +53,7 @@ constexpr Relation place_on(const Segment<double>& s, const Point<double>& p) no
 template <class A, class B>
 VESICA_COLD constexpr std::int32_t decide_relation(const A& a, const B& b) noexcept {
   if constexpr (is_told_by_overlap<A, B>) {
-    const std::int32_t meets = decide_undecided(a, b);
+    const std::int32_t meets = decide_undecided(a, b, Common::any);
     return meets == 1 ? static_cast<std::int32_t>(place_on(b, a)) : meets;  // 0 is Relation::disjoint
   }
   if (check(a) != 0 || check(b) != 0) return error_shape;

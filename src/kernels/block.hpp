@@ -65,6 +65,18 @@ consteval void fill_packed(PackedKernels<T>& kernels) noexcept {
   }
 }
 
+template <class T>
+consteval void fill_insides(InsidesKernels<T>& kernels) noexcept {
+  fill<Insides, Point, Aabb, T>(kernels.of[static_cast<int>(Kind::point)].general);
+  fill<Insides, Point, Aabb, T>(kernels.of[static_cast<int>(Kind::point)].unit);
+  fill<Insides, Aabb, Aabb, T>(kernels.of[static_cast<int>(Kind::aabb)].general);
+  fill<Insides, Aabb, Aabb, T>(kernels.of[static_cast<int>(Kind::aabb)].unit);
+  if constexpr (has_long_vectors) {
+    enter_packed<Insides, Aabb, Repeat::none>(kernels.packed);
+    enter_packed<Insides, Aabb, Repeat::first>(kernels.packed);
+  }
+}
+
 /// Floats as doubles, exactly.
 VESICA_KERNEL void widen_column(Unaligned<float> from, std::int32_t n, double* to) noexcept {
   std::int32_t i = 0;
@@ -89,6 +101,8 @@ consteval KernelTable make_table(const char* name, const QueryTable& queries, co
   table.checked_f64 = make_checked_kernels<double>();
   fill_packed(table.packed_f32);
   fill_packed(table.packed_f64);
+  fill_insides(table.insides_f32);
+  fill_insides(table.insides_f64);
   return table;
 }
 

@@ -18,6 +18,14 @@ struct General {
   }
 };
 
+/// For the insides of points or AABBs and AABBs.
+struct Insides {
+  template <class A, class B>
+  VESICA_INLINE static auto filter(const A& a, const B& b) noexcept {
+    return detail::overlap::insides_filter(a, b);
+  }
+};
+
 /// For axes of unit length. All but the first are filters in two halves: see HalfDone.
 ///
 /// Gains on arrays of columns in cache, double / float, AVX-512 (Zen 5): two rectangles 2.7 / 4.5, a circle and an

@@ -68,6 +68,13 @@ inline constexpr bool has_packed_kernels = true;
 inline constexpr bool has_packed_kernels = false;
 #endif
 
+/// Kernels for insides of points or AABBs and AABBs, whose comparisons decide touching too. By the first kind.
+template <class T>
+struct InsidesKernels {
+  PairKernels<T> of[kind_count];
+  PackedKernels<T> packed;
+};
+
 /// Checked kernels: for the shape of a row against a block of columns that was checked before, by the two kinds. Only
 /// rectangles and ellipses have them.
 template <class T>
@@ -125,6 +132,8 @@ struct KernelTable {
   CheckedKernels<double> checked_f64;
   PackedKernels<float> packed_f32;
   PackedKernels<double> packed_f64;
+  InsidesKernels<float> insides_f32;
+  InsidesKernels<double> insides_f64;
 
   std::int32_t width(float) const noexcept { return width_f32; }
   std::int32_t width(double) const noexcept { return width_f64; }
@@ -136,6 +145,8 @@ struct KernelTable {
   const CheckedKernels<double>& checked(double) const noexcept { return checked_f64; }
   const PackedKernels<float>& packed(float) const noexcept { return packed_f32; }
   const PackedKernels<double>& packed(double) const noexcept { return packed_f64; }
+  const InsidesKernels<float>& insides(float) const noexcept { return insides_f32; }
+  const InsidesKernels<double>& insides(double) const noexcept { return insides_f64; }
 };
 
 /// The instruction sets built for this machine's architecture. The portable one is a single lane and runs anywhere; the

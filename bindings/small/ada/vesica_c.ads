@@ -304,6 +304,11 @@ package Vesica_C is
       return Integer_32
      with Import, Convention => C, External_Name => "vesica_overlap_f64";
 
+   --  Do the insides of two shapes share a point?
+   function Vesica_Interiors_Overlap_F64 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B :
+      System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_interiors_overlap_f64";
+
    --  Does a contain all of b?
    function Vesica_Contains_F64 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B :
       System.Address) return Integer_32
@@ -515,6 +520,11 @@ package Vesica_C is
       Integer_64
      with Import, Convention => C, External_Name => "vesica_overlap_many_f64";
 
+   --  Do the insides of a[i] and b[i] share a point? out[i] is the answer of vesica_interiors_overlap_f64.
+   function Vesica_Interiors_Overlap_Many_F64 (A : System.Address; B : System.Address; Output : System.Address)
+      return Integer_64
+     with Import, Convention => C, External_Name => "vesica_interiors_overlap_many_f64";
+
    --  How does a[i] relate to b[i]? out[i] is the answer of vesica_relation_f64.
    function Vesica_Relation_Many_F64 (A : System.Address; B : System.Address; Output : System.Address) return
       Integer_64
@@ -555,6 +565,11 @@ package Vesica_C is
       Row_Stride : ptrdiff_t) return Integer_64
      with Import, Convention => C, External_Name => "vesica_overlap_matrix_f64";
 
+   --  Do the insides of a[i] and b[j] share a point?
+   function Vesica_Interiors_Overlap_Matrix_F64 (A : System.Address; B : System.Address; Output : System.Address;
+      Row_Stride : ptrdiff_t) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_interiors_overlap_matrix_f64";
+
    --  How does a[i] relate to b[j]?
    function Vesica_Relation_Matrix_F64 (A : System.Address; B : System.Address; Output : System.Address;
       Row_Stride : ptrdiff_t) return Integer_64
@@ -579,6 +594,11 @@ package Vesica_C is
    function Vesica_Overlap_Select_F64 (One : System.Address; Many : System.Address; Output : System.Address;
       Capacity : Integer_64) return Integer_64
      with Import, Convention => C, External_Name => "vesica_overlap_select_f64";
+
+   --  Which of many shapes share a point of their insides with that of one?
+   function Vesica_Interiors_Overlap_Select_F64 (One : System.Address; Many : System.Address; Output :
+      System.Address; Capacity : Integer_64) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_interiors_overlap_select_f64";
 
    --  How many bytes of scratch do vesica_nms_f64, vesica_suppress_f64 and their float forms need for `count`
    --  shapes?
@@ -628,6 +648,11 @@ package Vesica_C is
    function Vesica_Overlap_F32 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B : System.Address)
       return Integer_32
      with Import, Convention => C, External_Name => "vesica_overlap_f32";
+
+   --  Do the insides of two shapes share a point?
+   function Vesica_Interiors_Overlap_F32 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B :
+      System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_interiors_overlap_f32";
 
    --  How does a relate to b?
    function Vesica_Relation_F32 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B :
@@ -832,6 +857,11 @@ package Vesica_C is
       Integer_64
      with Import, Convention => C, External_Name => "vesica_overlap_many_f32";
 
+   --  Do the insides of a[i] and b[i] share a point? out[i] is the answer of vesica_interiors_overlap_f32.
+   function Vesica_Interiors_Overlap_Many_F32 (A : System.Address; B : System.Address; Output : System.Address)
+      return Integer_64
+     with Import, Convention => C, External_Name => "vesica_interiors_overlap_many_f32";
+
    --  How does a[i] relate to b[i]? out[i] is the answer of vesica_relation_f32.
    function Vesica_Relation_Many_F32 (A : System.Address; B : System.Address; Output : System.Address) return
       Integer_64
@@ -872,6 +902,11 @@ package Vesica_C is
       Row_Stride : ptrdiff_t) return Integer_64
      with Import, Convention => C, External_Name => "vesica_overlap_matrix_f32";
 
+   --  Do the insides of a[i] and b[j] share a point?
+   function Vesica_Interiors_Overlap_Matrix_F32 (A : System.Address; B : System.Address; Output : System.Address;
+      Row_Stride : ptrdiff_t) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_interiors_overlap_matrix_f32";
+
    --  How does a[i] relate to b[j]?
    function Vesica_Relation_Matrix_F32 (A : System.Address; B : System.Address; Output : System.Address;
       Row_Stride : ptrdiff_t) return Integer_64
@@ -896,6 +931,11 @@ package Vesica_C is
    function Vesica_Overlap_Select_F32 (One : System.Address; Many : System.Address; Output : System.Address;
       Capacity : Integer_64) return Integer_64
      with Import, Convention => C, External_Name => "vesica_overlap_select_f32";
+
+   --  Which of many shapes share a point of their insides with that of one?
+   function Vesica_Interiors_Overlap_Select_F32 (One : System.Address; Many : System.Address; Output :
+      System.Address; Capacity : Integer_64) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_interiors_overlap_select_f32";
 
    --  Greedy non-maximum suppression: takes shapes in the order of their scores, highest first, and keeps each one
    --  whose vesica_iou_f32 with every shape kept before is at most the threshold.

@@ -304,6 +304,15 @@ module vesica_c
       real(c_double), intent(in) :: b(*)
     end function
 
+    !> Do the insides of two shapes share a point?
+    integer(c_int32_t) function vesica_interiors_overlap_f64(kind_a, a, kind_b, b) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_double), intent(in) :: a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_double), intent(in) :: b(*)
+    end function
+
     !> Does a contain all of b?
     integer(c_int32_t) function vesica_contains_f64(kind_a, a, kind_b, b) bind(c)
       import
@@ -696,6 +705,14 @@ module vesica_c
       type(c_ptr), value :: out
     end function
 
+    !> Do the insides of a[i] and b[i] share a point? out[i] is the answer of vesica_interiors_overlap_f64.
+    integer(c_int64_t) function vesica_interiors_overlap_many_f64(a, b, out) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: a
+      type(vesica_shapes_f64), intent(in) :: b
+      type(c_ptr), value :: out
+    end function
+
     !> How does a[i] relate to b[i]? out[i] is the answer of vesica_relation_f64.
     integer(c_int64_t) function vesica_relation_many_f64(a, b, out) bind(c)
       import
@@ -771,6 +788,15 @@ module vesica_c
       integer(c_ptrdiff_t), value :: row_stride
     end function
 
+    !> Do the insides of a[i] and b[j] share a point?
+    integer(c_int64_t) function vesica_interiors_overlap_matrix_f64(a, b, out, row_stride) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: a
+      type(vesica_shapes_f64), intent(in) :: b
+      type(c_ptr), value :: out
+      integer(c_ptrdiff_t), value :: row_stride
+    end function
+
     !> How does a[i] relate to b[j]?
     integer(c_int64_t) function vesica_relation_matrix_f64(a, b, out, row_stride) bind(c)
       import
@@ -809,6 +835,15 @@ module vesica_c
 
     !> Which of many shapes overlap one?
     integer(c_int64_t) function vesica_overlap_select_f64(one, many, out, capacity) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: one
+      type(vesica_shapes_f64), intent(in) :: many
+      type(c_ptr), value :: out
+      integer(c_int64_t), value :: capacity
+    end function
+
+    !> Which of many shapes share a point of their insides with that of one?
+    integer(c_int64_t) function vesica_interiors_overlap_select_f64(one, many, out, capacity) bind(c)
       import
       type(vesica_shapes_f64), intent(in) :: one
       type(vesica_shapes_f64), intent(in) :: many
@@ -882,6 +917,15 @@ module vesica_c
 
     !> Do two shapes share a point?
     integer(c_int32_t) function vesica_overlap_f32(kind_a, a, kind_b, b) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_float), intent(in) :: a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_float), intent(in) :: b(*)
+    end function
+
+    !> Do the insides of two shapes share a point?
+    integer(c_int32_t) function vesica_interiors_overlap_f32(kind_a, a, kind_b, b) bind(c)
       import
       integer(c_int32_t), value :: kind_a
       real(c_float), intent(in) :: a(*)
@@ -1268,6 +1312,14 @@ module vesica_c
       type(c_ptr), value :: out
     end function
 
+    !> Do the insides of a[i] and b[i] share a point? out[i] is the answer of vesica_interiors_overlap_f32.
+    integer(c_int64_t) function vesica_interiors_overlap_many_f32(a, b, out) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: a
+      type(vesica_shapes_f32), intent(in) :: b
+      type(c_ptr), value :: out
+    end function
+
     !> How does a[i] relate to b[i]? out[i] is the answer of vesica_relation_f32.
     integer(c_int64_t) function vesica_relation_many_f32(a, b, out) bind(c)
       import
@@ -1343,6 +1395,15 @@ module vesica_c
       integer(c_ptrdiff_t), value :: row_stride
     end function
 
+    !> Do the insides of a[i] and b[j] share a point?
+    integer(c_int64_t) function vesica_interiors_overlap_matrix_f32(a, b, out, row_stride) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: a
+      type(vesica_shapes_f32), intent(in) :: b
+      type(c_ptr), value :: out
+      integer(c_ptrdiff_t), value :: row_stride
+    end function
+
     !> How does a[i] relate to b[j]?
     integer(c_int64_t) function vesica_relation_matrix_f32(a, b, out, row_stride) bind(c)
       import
@@ -1381,6 +1442,15 @@ module vesica_c
 
     !> Which of many shapes overlap one?
     integer(c_int64_t) function vesica_overlap_select_f32(one, many, out, capacity) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: one
+      type(vesica_shapes_f32), intent(in) :: many
+      type(c_ptr), value :: out
+      integer(c_int64_t), value :: capacity
+    end function
+
+    !> Which of many shapes share a point of their insides with that of one?
+    integer(c_int64_t) function vesica_interiors_overlap_select_f32(one, many, out, capacity) bind(c)
       import
       type(vesica_shapes_f32), intent(in) :: one
       type(vesica_shapes_f32), intent(in) :: many

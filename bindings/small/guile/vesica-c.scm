@@ -75,6 +75,8 @@
 
 ;; Do two shapes share a point?
 (c vesica_overlap_f64 int32 int32 '* int32 '*)
+;; Do the insides of two shapes share a point?
+(c vesica_interiors_overlap_f64 int32 int32 '* int32 '*)
 ;; Does a contain all of b?
 (c vesica_contains_f64 int32 int32 '* int32 '*)
 ;; How does a relate to b?
@@ -168,6 +170,8 @@
 (c vesica_shapes_from_records_f64 int32 int32 int64 '* ptrdiff_t '*)
 ;; Do a[i] and b[i] share a point? out[i] is the answer of vesica_overlap_f64.
 (c vesica_overlap_many_f64 int64 '* '* '*)
+;; Do the insides of a[i] and b[i] share a point? out[i] is the answer of vesica_interiors_overlap_f64.
+(c vesica_interiors_overlap_many_f64 int64 '* '* '*)
 ;; How does a[i] relate to b[i]? out[i] is the answer of vesica_relation_f64.
 (c vesica_relation_many_f64 int64 '* '* '*)
 ;; Does a[i] contain all of b[i]? out[i] is the answer of vesica_contains_f64.
@@ -184,6 +188,8 @@
 (c vesica_iou_many_f64 int64 '* '* '*)
 ;; Do a[i] and b[j] share a point?
 (c vesica_overlap_matrix_f64 int64 '* '* '* ptrdiff_t)
+;; Do the insides of a[i] and b[j] share a point?
+(c vesica_interiors_overlap_matrix_f64 int64 '* '* '* ptrdiff_t)
 ;; How does a[i] relate to b[j]?
 (c vesica_relation_matrix_f64 int64 '* '* '* ptrdiff_t)
 ;; Does a[i] contain all of b[j]?
@@ -194,6 +200,8 @@
 (c vesica_iou_matrix_f64 int64 '* '* '* ptrdiff_t)
 ;; Which of many shapes overlap one?
 (c vesica_overlap_select_f64 int64 '* '* '* int64)
+;; Which of many shapes share a point of their insides with that of one?
+(c vesica_interiors_overlap_select_f64 int64 '* '* '* int64)
 ;; How many bytes of scratch do vesica_nms_f64, vesica_suppress_f64 and their float forms need for `count` shapes?
 (c vesica_nms_scratch int64 int64)
 ;; Greedy non-maximum suppression: takes shapes in the order of their scores, highest first, and keeps each one whose
@@ -217,6 +225,8 @@
 (c vesica_check_f32 int32 int32 '*)
 ;; Do two shapes share a point?
 (c vesica_overlap_f32 int32 int32 '* int32 '*)
+;; Do the insides of two shapes share a point?
+(c vesica_interiors_overlap_f32 int32 int32 '* int32 '*)
 ;; How does a relate to b?
 (c vesica_relation_f32 int32 int32 '* int32 '*)
 ;; Does a contain all of b?
@@ -306,6 +316,8 @@
 (c vesica_shapes_from_records_f32 int32 int32 int64 '* ptrdiff_t '*)
 ;; Do a[i] and b[i] share a point? out[i] is the answer of vesica_overlap_f32.
 (c vesica_overlap_many_f32 int64 '* '* '*)
+;; Do the insides of a[i] and b[i] share a point? out[i] is the answer of vesica_interiors_overlap_f32.
+(c vesica_interiors_overlap_many_f32 int64 '* '* '*)
 ;; How does a[i] relate to b[i]? out[i] is the answer of vesica_relation_f32.
 (c vesica_relation_many_f32 int64 '* '* '*)
 ;; Does a[i] contain all of b[i]? out[i] is the answer of vesica_contains_f32.
@@ -322,6 +334,8 @@
 (c vesica_iou_many_f32 int64 '* '* '*)
 ;; Do a[i] and b[j] share a point?
 (c vesica_overlap_matrix_f32 int64 '* '* '* ptrdiff_t)
+;; Do the insides of a[i] and b[j] share a point?
+(c vesica_interiors_overlap_matrix_f32 int64 '* '* '* ptrdiff_t)
 ;; How does a[i] relate to b[j]?
 (c vesica_relation_matrix_f32 int64 '* '* '* ptrdiff_t)
 ;; Does a[i] contain all of b[j]?
@@ -332,6 +346,8 @@
 (c vesica_iou_matrix_f32 int64 '* '* '* ptrdiff_t)
 ;; Which of many shapes overlap one?
 (c vesica_overlap_select_f32 int64 '* '* '* int64)
+;; Which of many shapes share a point of their insides with that of one?
+(c vesica_interiors_overlap_select_f32 int64 '* '* '* int64)
 ;; Greedy non-maximum suppression: takes shapes in the order of their scores, highest first, and keeps each one whose
 ;; vesica_iou_f32 with every shape kept before is at most the threshold.
 (c vesica_nms_f32 int32 '* '* float '* int64 '* '*)

@@ -300,6 +300,9 @@ type
 // Do two shapes share a point?
 function vesica_overlap_f64(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer): Int32; cdecl; external
   vesica_library;
+// Do the insides of two shapes share a point?
+function vesica_interiors_overlap_f64(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer): Int32; cdecl; external
+  vesica_library;
 // Does a contain all of b?
 function vesica_contains_f64(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer): Int32; cdecl; external
   vesica_library;
@@ -433,6 +436,9 @@ function vesica_shapes_from_records_f64(kind: Int32; count: Int64; base: Pointer
 // Do a[i] and b[i] share a point? out[i] is the answer of vesica_overlap_f64.
 function vesica_overlap_many_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; output: PByte): Int64; cdecl; external
   vesica_library;
+// Do the insides of a[i] and b[i] share a point? out[i] is the answer of vesica_interiors_overlap_f64.
+function vesica_interiors_overlap_many_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; output: PByte): Int64; cdecl;
+  external vesica_library;
 // How does a[i] relate to b[i]? out[i] is the answer of vesica_relation_f64.
 function vesica_relation_many_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; output: PByte): Int64; cdecl; external
   vesica_library;
@@ -457,6 +463,9 @@ function vesica_iou_many_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; output: P
 // Do a[i] and b[j] share a point?
 function vesica_overlap_matrix_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; output: PByte; row_stride: PtrInt):
   Int64; cdecl; external vesica_library;
+// Do the insides of a[i] and b[j] share a point?
+function vesica_interiors_overlap_matrix_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; output: PByte; row_stride:
+  PtrInt): Int64; cdecl; external vesica_library;
 // How does a[i] relate to b[j]?
 function vesica_relation_matrix_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; output: PByte; row_stride: PtrInt):
   Int64; cdecl; external vesica_library;
@@ -472,6 +481,9 @@ function vesica_iou_matrix_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; output:
 // Which of many shapes overlap one?
 function vesica_overlap_select_f64(one: PVesicaShapesF64; many: PVesicaShapesF64; output: PInt64; capacity: Int64):
   Int64; cdecl; external vesica_library;
+// Which of many shapes share a point of their insides with that of one?
+function vesica_interiors_overlap_select_f64(one: PVesicaShapesF64; many: PVesicaShapesF64; output: PInt64;
+  capacity: Int64): Int64; cdecl; external vesica_library;
 // How many bytes of scratch do vesica_nms_f64, vesica_suppress_f64 and their float forms need for `count` shapes?
 function vesica_nms_scratch(count: Int64): Int64; cdecl; external vesica_library;
 // Greedy non-maximum suppression: takes shapes in the order of their scores, highest first, and keeps each one whose
@@ -496,6 +508,9 @@ function vesica_isa_name: PChar; cdecl; external vesica_library;
 function vesica_check_f32(kind: Int32; shape: Pointer): Int32; cdecl; external vesica_library;
 // Do two shapes share a point?
 function vesica_overlap_f32(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer): Int32; cdecl; external
+  vesica_library;
+// Do the insides of two shapes share a point?
+function vesica_interiors_overlap_f32(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer): Int32; cdecl; external
   vesica_library;
 // How does a relate to b?
 function vesica_relation_f32(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer): Int32; cdecl; external
@@ -626,6 +641,9 @@ function vesica_shapes_from_records_f32(kind: Int32; count: Int64; base: Pointer
 // Do a[i] and b[i] share a point? out[i] is the answer of vesica_overlap_f32.
 function vesica_overlap_many_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; output: PByte): Int64; cdecl; external
   vesica_library;
+// Do the insides of a[i] and b[i] share a point? out[i] is the answer of vesica_interiors_overlap_f32.
+function vesica_interiors_overlap_many_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; output: PByte): Int64; cdecl;
+  external vesica_library;
 // How does a[i] relate to b[i]? out[i] is the answer of vesica_relation_f32.
 function vesica_relation_many_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; output: PByte): Int64; cdecl; external
   vesica_library;
@@ -650,6 +668,9 @@ function vesica_iou_many_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; output: P
 // Do a[i] and b[j] share a point?
 function vesica_overlap_matrix_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; output: PByte; row_stride: PtrInt):
   Int64; cdecl; external vesica_library;
+// Do the insides of a[i] and b[j] share a point?
+function vesica_interiors_overlap_matrix_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; output: PByte; row_stride:
+  PtrInt): Int64; cdecl; external vesica_library;
 // How does a[i] relate to b[j]?
 function vesica_relation_matrix_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; output: PByte; row_stride: PtrInt):
   Int64; cdecl; external vesica_library;
@@ -665,6 +686,9 @@ function vesica_iou_matrix_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; output:
 // Which of many shapes overlap one?
 function vesica_overlap_select_f32(one: PVesicaShapesF32; many: PVesicaShapesF32; output: PInt64; capacity: Int64):
   Int64; cdecl; external vesica_library;
+// Which of many shapes share a point of their insides with that of one?
+function vesica_interiors_overlap_select_f32(one: PVesicaShapesF32; many: PVesicaShapesF32; output: PInt64;
+  capacity: Int64): Int64; cdecl; external vesica_library;
 // Greedy non-maximum suppression: takes shapes in the order of their scores, highest first, and keeps each one whose
 // vesica_iou_f32 with every shape kept before is at most the threshold.
 function vesica_nms_f32(shapes: PVesicaShapesF32; scores: PSingle; threshold: Single; scratch: Pointer;

@@ -68,6 +68,8 @@ our %CONSTANTS = (
 our @FUNCTIONS = (
     # Do two shapes share a point?
     [vesica_overlap_f64 => ['sint32', 'double[]', 'sint32', 'double[]'] => 'sint32'],
+    # Do the insides of two shapes share a point?
+    [vesica_interiors_overlap_f64 => ['sint32', 'double[]', 'sint32', 'double[]'] => 'sint32'],
     # Does a contain all of b?
     [vesica_contains_f64 => ['sint32', 'double[]', 'sint32', 'double[]'] => 'sint32'],
     # How does a relate to b?
@@ -164,6 +166,8 @@ our @FUNCTIONS = (
     [vesica_shapes_from_records_f64 => ['sint32', 'sint64', 'opaque', 'sint64', 'opaque'] => 'sint32'],
     # Do a[i] and b[i] share a point? out[i] is the answer of vesica_overlap_f64.
     [vesica_overlap_many_f64 => ['opaque', 'opaque', 'opaque'] => 'sint64'],
+    # Do the insides of a[i] and b[i] share a point? out[i] is the answer of vesica_interiors_overlap_f64.
+    [vesica_interiors_overlap_many_f64 => ['opaque', 'opaque', 'opaque'] => 'sint64'],
     # How does a[i] relate to b[i]? out[i] is the answer of vesica_relation_f64.
     [vesica_relation_many_f64 => ['opaque', 'opaque', 'opaque'] => 'sint64'],
     # Does a[i] contain all of b[i]? out[i] is the answer of vesica_contains_f64.
@@ -181,6 +185,8 @@ our @FUNCTIONS = (
     [vesica_iou_many_f64 => ['opaque', 'opaque', 'opaque'] => 'sint64'],
     # Do a[i] and b[j] share a point?
     [vesica_overlap_matrix_f64 => ['opaque', 'opaque', 'opaque', 'sint64'] => 'sint64'],
+    # Do the insides of a[i] and b[j] share a point?
+    [vesica_interiors_overlap_matrix_f64 => ['opaque', 'opaque', 'opaque', 'sint64'] => 'sint64'],
     # How does a[i] relate to b[j]?
     [vesica_relation_matrix_f64 => ['opaque', 'opaque', 'opaque', 'sint64'] => 'sint64'],
     # Does a[i] contain all of b[j]?
@@ -191,6 +197,8 @@ our @FUNCTIONS = (
     [vesica_iou_matrix_f64 => ['opaque', 'opaque', 'opaque', 'sint64'] => 'sint64'],
     # Which of many shapes overlap one?
     [vesica_overlap_select_f64 => ['opaque', 'opaque', 'opaque', 'sint64'] => 'sint64'],
+    # Which of many shapes share a point of their insides with that of one?
+    [vesica_interiors_overlap_select_f64 => ['opaque', 'opaque', 'opaque', 'sint64'] => 'sint64'],
     # How many bytes of scratch do vesica_nms_f64, vesica_suppress_f64 and their float forms need for `count` shapes?
     [vesica_nms_scratch => ['sint64'] => 'sint64'],
     # Greedy non-maximum suppression: takes shapes in the order of their scores, highest first, and keeps each one
@@ -214,6 +222,8 @@ our @FUNCTIONS = (
     [vesica_check_f32 => ['sint32', 'float[]'] => 'sint32'],
     # Do two shapes share a point?
     [vesica_overlap_f32 => ['sint32', 'float[]', 'sint32', 'float[]'] => 'sint32'],
+    # Do the insides of two shapes share a point?
+    [vesica_interiors_overlap_f32 => ['sint32', 'float[]', 'sint32', 'float[]'] => 'sint32'],
     # How does a relate to b?
     [vesica_relation_f32 => ['sint32', 'float[]', 'sint32', 'float[]'] => 'sint32'],
     # Does a contain all of b?
@@ -305,6 +315,8 @@ our @FUNCTIONS = (
     [vesica_shapes_from_records_f32 => ['sint32', 'sint64', 'opaque', 'sint64', 'opaque'] => 'sint32'],
     # Do a[i] and b[i] share a point? out[i] is the answer of vesica_overlap_f32.
     [vesica_overlap_many_f32 => ['opaque', 'opaque', 'opaque'] => 'sint64'],
+    # Do the insides of a[i] and b[i] share a point? out[i] is the answer of vesica_interiors_overlap_f32.
+    [vesica_interiors_overlap_many_f32 => ['opaque', 'opaque', 'opaque'] => 'sint64'],
     # How does a[i] relate to b[i]? out[i] is the answer of vesica_relation_f32.
     [vesica_relation_many_f32 => ['opaque', 'opaque', 'opaque'] => 'sint64'],
     # Does a[i] contain all of b[i]? out[i] is the answer of vesica_contains_f32.
@@ -322,6 +334,8 @@ our @FUNCTIONS = (
     [vesica_iou_many_f32 => ['opaque', 'opaque', 'opaque'] => 'sint64'],
     # Do a[i] and b[j] share a point?
     [vesica_overlap_matrix_f32 => ['opaque', 'opaque', 'opaque', 'sint64'] => 'sint64'],
+    # Do the insides of a[i] and b[j] share a point?
+    [vesica_interiors_overlap_matrix_f32 => ['opaque', 'opaque', 'opaque', 'sint64'] => 'sint64'],
     # How does a[i] relate to b[j]?
     [vesica_relation_matrix_f32 => ['opaque', 'opaque', 'opaque', 'sint64'] => 'sint64'],
     # Does a[i] contain all of b[j]?
@@ -332,6 +346,8 @@ our @FUNCTIONS = (
     [vesica_iou_matrix_f32 => ['opaque', 'opaque', 'opaque', 'sint64'] => 'sint64'],
     # Which of many shapes overlap one?
     [vesica_overlap_select_f32 => ['opaque', 'opaque', 'opaque', 'sint64'] => 'sint64'],
+    # Which of many shapes share a point of their insides with that of one?
+    [vesica_interiors_overlap_select_f32 => ['opaque', 'opaque', 'opaque', 'sint64'] => 'sint64'],
     # Greedy non-maximum suppression: takes shapes in the order of their scores, highest first, and keeps each one
     # whose vesica_iou_f32 with every shape kept before is at most the threshold.
     [vesica_nms_f32 => ['opaque', 'opaque', 'float', 'opaque', 'sint64', 'opaque', 'opaque'] => 'sint32'],

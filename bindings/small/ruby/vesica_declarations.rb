@@ -65,6 +65,8 @@ module Vesica
   DECLARATIONS = [
     # Do two shapes share a point?
     'int vesica_overlap_f64(int, void *, int, void *)',
+    # Do the insides of two shapes share a point?
+    'int vesica_interiors_overlap_f64(int, void *, int, void *)',
     # Does a contain all of b?
     'int vesica_contains_f64(int, void *, int, void *)',
     # How does a relate to b?
@@ -159,6 +161,8 @@ module Vesica
     'int vesica_shapes_from_records_f64(int, int64_t, void *, ptrdiff_t, void *)',
     # Do a[i] and b[i] share a point? out[i] is the answer of vesica_overlap_f64.
     'int64_t vesica_overlap_many_f64(void *, void *, void *)',
+    # Do the insides of a[i] and b[i] share a point? out[i] is the answer of vesica_interiors_overlap_f64.
+    'int64_t vesica_interiors_overlap_many_f64(void *, void *, void *)',
     # How does a[i] relate to b[i]? out[i] is the answer of vesica_relation_f64.
     'int64_t vesica_relation_many_f64(void *, void *, void *)',
     # Does a[i] contain all of b[i]? out[i] is the answer of vesica_contains_f64.
@@ -175,6 +179,8 @@ module Vesica
     'int64_t vesica_iou_many_f64(void *, void *, void *)',
     # Do a[i] and b[j] share a point?
     'int64_t vesica_overlap_matrix_f64(void *, void *, void *, ptrdiff_t)',
+    # Do the insides of a[i] and b[j] share a point?
+    'int64_t vesica_interiors_overlap_matrix_f64(void *, void *, void *, ptrdiff_t)',
     # How does a[i] relate to b[j]?
     'int64_t vesica_relation_matrix_f64(void *, void *, void *, ptrdiff_t)',
     # Does a[i] contain all of b[j]?
@@ -185,6 +191,8 @@ module Vesica
     'int64_t vesica_iou_matrix_f64(void *, void *, void *, ptrdiff_t)',
     # Which of many shapes overlap one?
     'int64_t vesica_overlap_select_f64(void *, void *, void *, int64_t)',
+    # Which of many shapes share a point of their insides with that of one?
+    'int64_t vesica_interiors_overlap_select_f64(void *, void *, void *, int64_t)',
     # How many bytes of scratch do vesica_nms_f64, vesica_suppress_f64 and their float forms need for `count` shapes?
     'int64_t vesica_nms_scratch(int64_t)',
     # Greedy non-maximum suppression: takes shapes in the order of their scores, highest first, and keeps each one
@@ -208,6 +216,8 @@ module Vesica
     'int vesica_check_f32(int, void *)',
     # Do two shapes share a point?
     'int vesica_overlap_f32(int, void *, int, void *)',
+    # Do the insides of two shapes share a point?
+    'int vesica_interiors_overlap_f32(int, void *, int, void *)',
     # How does a relate to b?
     'int vesica_relation_f32(int, void *, int, void *)',
     # Does a contain all of b?
@@ -298,6 +308,8 @@ module Vesica
     'int vesica_shapes_from_records_f32(int, int64_t, void *, ptrdiff_t, void *)',
     # Do a[i] and b[i] share a point? out[i] is the answer of vesica_overlap_f32.
     'int64_t vesica_overlap_many_f32(void *, void *, void *)',
+    # Do the insides of a[i] and b[i] share a point? out[i] is the answer of vesica_interiors_overlap_f32.
+    'int64_t vesica_interiors_overlap_many_f32(void *, void *, void *)',
     # How does a[i] relate to b[i]? out[i] is the answer of vesica_relation_f32.
     'int64_t vesica_relation_many_f32(void *, void *, void *)',
     # Does a[i] contain all of b[i]? out[i] is the answer of vesica_contains_f32.
@@ -314,6 +326,8 @@ module Vesica
     'int64_t vesica_iou_many_f32(void *, void *, void *)',
     # Do a[i] and b[j] share a point?
     'int64_t vesica_overlap_matrix_f32(void *, void *, void *, ptrdiff_t)',
+    # Do the insides of a[i] and b[j] share a point?
+    'int64_t vesica_interiors_overlap_matrix_f32(void *, void *, void *, ptrdiff_t)',
     # How does a[i] relate to b[j]?
     'int64_t vesica_relation_matrix_f32(void *, void *, void *, ptrdiff_t)',
     # Does a[i] contain all of b[j]?
@@ -324,6 +338,8 @@ module Vesica
     'int64_t vesica_iou_matrix_f32(void *, void *, void *, ptrdiff_t)',
     # Which of many shapes overlap one?
     'int64_t vesica_overlap_select_f32(void *, void *, void *, int64_t)',
+    # Which of many shapes share a point of their insides with that of one?
+    'int64_t vesica_interiors_overlap_select_f32(void *, void *, void *, int64_t)',
     # Greedy non-maximum suppression: takes shapes in the order of their scores, highest first, and keeps each one
     # whose vesica_iou_f32 with every shape kept before is at most the threshold.
     'int vesica_nms_f32(void *, void *, float, void *, int64_t, void *, void *)',

@@ -260,8 +260,8 @@ class ExactPair {
   }
   template <class B>
   VESICA_CALLED static Contact contact(const exact::Box& a, const B& b, const exact::Length& radius) noexcept {
-    if (closer(a, b, radius)) return Contact::inside;
-    return within(a, b, radius) ? Contact::touch : Contact::none;
+    const int found = exact::contact(a, b, radius, Common::insides);
+    return found < 0 ? Contact::inside : found == 0 ? Contact::touch : Contact::none;
   }
   template <class A, class B>
   VESICA_CALLED static Contact contact(const A& a, const B& b) noexcept {

@@ -89,21 +89,28 @@ struct VisibleEdges {
   }
 };
 
-/// contact(), or what is at most `enough` if it is.
-VESICA_CALLED constexpr int contact(const Box& box, const Ellipse& ellipse, int enough) noexcept {
+/// contact(), or a contact that counts already.
+VESICA_CALLED constexpr int contact(const Box& box, const Ellipse& ellipse, Common common) noexcept {
   const VisibleEdges edges(box, ellipse);
-  return edges.centre_inside ? -1 : edges.gap(enough);
+  return edges.centre_inside ? -1 : edges.gap(static_cast<int>(common));
 }
 
 }  // namespace detail
 
 /// -1 when the inside of an ellipse that is not degenerate meets the box, 0 when only its outline does, 1 when they are
 /// disjoint. The inside of the ellipse is open, so if it meets the box, it also meets the box's relative inside.
-constexpr int contact(const Box& box, const Ellipse& ellipse) noexcept { return detail::contact(box, ellipse, -1); }
+constexpr int contact(const Box& box, const Ellipse& ellipse) noexcept {
+  return detail::contact(box, ellipse, Common::insides);
+}
+
+/// contact() of a box and any ellipse, or a contact that counts already.
+VESICA_CALLED constexpr int contact(const Box& box, const Ellipse& ellipse, Common common) noexcept {
+  return degenerate(ellipse) ? contact(box, as_box(ellipse)) : detail::contact(box, ellipse, common);
+}
 
 /// True if a box and an ellipse share a point.
-VESICA_CALLED constexpr bool overlap(const Box& box, const Ellipse& ellipse) noexcept {
-  return degenerate(ellipse) ? overlap(box, as_box(ellipse)) : detail::contact(box, ellipse, 0) <= 0;
+constexpr bool overlap(const Box& box, const Ellipse& ellipse) noexcept {
+  return contact(box, ellipse, Common::any) <= 0;
 }
 
 /// How far a box stays within an ellipse that is not degenerate: 1 clear of the outline, 0 up to it, -1 not within.

@@ -2,14 +2,16 @@
 /// Discs, exactly, in polynomials of low degree: touching discs on integer grids are common input, so speed counts.
 #pragma once
 
-#include <vesica/exact/form.hpp>
+#include <vesica/exact/box_box.hpp>
 #include <vesica/relation_code.hpp>
 
 namespace vesica::exact {
 
-/// True if the offset (dx, dy) is at most r long. Degree 2.
-constexpr bool within(const Length& dx, const Length& dy, const Length& r) noexcept {
-  return compare(square(dx) + square(dy), square(r)) <= 0;
+/// The contact of a point and a disc of radius r >= 0 whose centre is at (dx, dy) from it. Two equal points have their
+/// insides in common. Degree 2.
+constexpr int contact(const Length& dx, const Length& dy, const Length& r) noexcept {
+  const int sign = compare(square(dx) + square(dy), square(r));
+  return sign == 0 && r.sign == 0 ? -1 : sign;
 }
 
 /// A box and the centre of a disc, in the frame of the box and in units of |u|.
@@ -37,8 +39,10 @@ constexpr int contact(const Box& box, const Circle<double>& disc) noexcept {
   return compare(square(x) + square(y), square(from_double(disc.r)) * f.uu);
 }
 
-/// True if a box and a disc share a point.
-constexpr bool overlap(const Box& box, const Circle<double>& disc) noexcept { return contact(box, disc) <= 0; }
+/// The contact of a box and any disc.
+constexpr int contact_of_any(const Box& box, const Circle<double>& disc) noexcept {
+  return disc.r == 0 ? contact(box, form(Point<double>{disc.cx, disc.cy})) : contact(box, disc);
+}
 
 /// How far a box stays within a disc: 1 clear of the rim, 0 up to it, -1 not within. Degree 6.
 constexpr int clearance(const Box& box, const Circle<double>& disc) noexcept {

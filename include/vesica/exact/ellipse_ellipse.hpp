@@ -11,26 +11,27 @@ namespace vesica::exact {
 
 namespace detail {
 
-/// True if the ellipses of a cubic share a point: if both inner coefficients are non-negative, or the discriminant is
-/// not positive. Then p has one real root, which is negative, or a multiple one.
-constexpr bool share_a_point(const Cubic& p) noexcept {
-  return (p.c1.sign >= 0 && p.c2.sign >= 0) || discriminant_sign(p) <= 0;
-}
+/// The contact of the ellipses of a cubic. Their insides meet if p > 0 for all x > 0: if both inner coefficients are
+/// non-negative, or p has one real root, which is negative. They touch if p has a multiple root.
+constexpr int contact(const Cubic& p) noexcept { return p.c1.sign >= 0 && p.c2.sign >= 0 ? -1 : discriminant_sign(p); }
 
-/// Overlap of ellipses that are not degenerate. Not inlined: boxes do not need this stack.
-VESICA_CALLED constexpr bool overlap_by_cubic(const Ellipse& e, const Ellipse& f) noexcept {
+/// The contact of ellipses that are not degenerate. Not inlined: boxes do not need this stack.
+VESICA_CALLED constexpr int contact_by_cubic(const Ellipse& e, const Ellipse& f) noexcept {
   const Cubic p = cubic(e, f);
-  return share_a_point(p);
+  return contact(p);
 }
 
 }  // namespace detail
 
-/// True if two ellipses share a point.
-constexpr bool overlap(const Ellipse& e, const Ellipse& f) noexcept {
-  if (degenerate(e)) return overlap(as_box(e), f);
-  if (degenerate(f)) return overlap(as_box(f), e);
-  return detail::overlap_by_cubic(e, f);
+/// The contact of two ellipses, or one that counts already.
+constexpr int contact(const Ellipse& e, const Ellipse& f, Common common) noexcept {
+  if (degenerate(e)) return contact(as_box(e), f, common);
+  if (degenerate(f)) return contact(as_box(f), e, common);
+  return detail::contact_by_cubic(e, f);
 }
+
+/// True if two ellipses share a point.
+constexpr bool overlap(const Ellipse& e, const Ellipse& f) noexcept { return contact(e, f, Common::any) <= 0; }
 
 namespace detail {
 

@@ -2,6 +2,7 @@
 /// The two forms the exact stage knows. Each shape becomes one without rounding, by the mapping of form/form.hpp.
 #pragma once
 
+#include <vesica/contact.hpp>
 #include <vesica/exact/compare.hpp>
 #include <vesica/form/form.hpp>
 

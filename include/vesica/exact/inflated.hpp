@@ -68,9 +68,8 @@ constexpr int clearance(const InflatedBox& a, const InflatedBox& b) noexcept {
 
 constexpr Relation relate(const InflatedBox& a, const InflatedBox& b) noexcept {
   if (a.radius.sign == 0 && b.radius.sign == 0) return relate(a.core, b.core);
-  const auto radii = a.radius + b.radius;
-  if (!within(a.core, b.core, radii)) return Relation::disjoint;
-  const int touching = closer(a.core, b.core, radii) ? -1 : 0;
+  const int touching = contact(a.core, b.core, a.radius + b.radius, Common::insides);
+  if (touching > 0) return Relation::disjoint;
   return detail::relation_of(touching, clearance(a, b), clearance(b, a));
 }
 

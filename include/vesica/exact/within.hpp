@@ -19,12 +19,12 @@ struct CornerGap {
   }
 };
 
-/// True if any corner of a is at most `reach` from b; (dx, dy) leads from b's centre to a's. In b's frame, in units of
-/// |u|, the corners are p +- g +- h. A box without a size has fewer. One that is behind another needs no test; nor does
-/// one that a corner of b is closest to, where these are known to be too far from a. `strictly`: closer than `reach`.
-/// Degree 6.
-constexpr bool corner_within(const Box& a, const Box& b, const Length& dx, const Length& dy, const Length& reach,
-                             bool corners_of_b_are_far, bool strictly) noexcept {
+/// The least squared distance of a corner of a from b, compared with the square of `reach` > 0: -1, 0 or 1, or what
+/// counts already. (dx, dy) leads from b's centre to a's. In b's frame, in units of |u|, the corners are p +- g +- h. A
+/// box without a size has fewer. One that is behind another needs no test; nor does one that a corner of b is closest
+/// to, where the corners of b were tested. Degree 6.
+constexpr int compare_corners(const Box& a, const Box& b, const Length& dx, const Length& dy, const Length& reach,
+                              bool corners_of_b_are_known, Common common) noexcept {
   const auto uu = dot(b.ux, b.uy, b.ux, b.uy), c = dot(b.ux, b.uy, a.ux, a.uy), s = cross(b.ux, b.uy, a.ux, a.uy);
   const auto p0 = dot(b.ux, b.uy, dx, dy), p1 = cross(b.ux, b.uy, dx, dy);
   const auto g0 = a.hx * c, g1 = a.hx * s, h0 = a.hy * s, h1 = a.hy * c, ex = b.hx * uu, ey = b.hy * uu;
@@ -37,9 +37,10 @@ constexpr bool corner_within(const Box& a, const Box& b, const Length& dx, const
       auto x = abs(across > 0 ? k0 - h0 : k0 + h0) - ex, y = abs(across > 0 ? k1 + h1 : k1 - h1) - ey;
       if (x.sign < 0) x = {};
       if (y.sign < 0) y = {};
-      if (!(corners_of_b_are_far && x.sign > 0 && y.sign > 0)) gap[count++] = {x, y};
+      if (!(corners_of_b_are_known && x.sign > 0 && y.sign > 0)) gap[count++] = {x, y};
     }
   }
+  int least = 1;
   for (int i = 0; i < count; ++i) {
     bool is_first = true;
     for (int j = 0; j < count && is_first; ++j) {
@@ -47,9 +48,10 @@ constexpr bool corner_within(const Box& a, const Box& b, const Length& dx, const
     }
     if (!is_first) continue;
     const int compared = compare(square(gap[i].x) + square(gap[i].y), squared_reach);
-    if (strictly ? compared < 0 : compared <= 0) return true;
+    if (counts(compared, common)) return compared;
+    least = compared < least ? compared : least;
   }
-  return false;
+  return least;
 }
 
 /// True if two intervals, as for gap(), share at least `depth` > 0, given its square.
@@ -71,19 +73,21 @@ constexpr bool deep(const Box& a, const Box& b, const Length& depth) noexcept {
 
 }  // namespace detail
 
+/// The contact of two boxes if one reaches `reach` >= 0 farther each way, or one that counts already.
+constexpr int contact(const Box& a, const Box& b, const Length& reach, Common common) noexcept {
+  if (reach.sign == 0) return contact(a, b);
+  const Length dx = a.cx - b.cx, dy = a.cy - b.cy;
+  const int of_a = detail::compare_corners(a, b, dx, dy, reach, false, common);
+  if (counts(of_a, common)) return of_a;
+  const int of_b = detail::compare_corners(b, a, integer(-1) * dx, integer(-1) * dy, reach, true, common);
+  if (counts(of_b, common)) return of_b;
+  return overlap(a, b) ? -1 : of_a < of_b ? of_a : of_b;
+}
+
 /// True if two boxes are at most `reach` apart; with reach < 0, if they overlap at least -reach deep.
 constexpr bool within(const Box& a, const Box& b, const Length& reach) noexcept {
   if (reach.sign < 0) return detail::deep(a, b, -reach);
-  const Length dx = a.cx - b.cx, dy = a.cy - b.cy;
-  return detail::corner_within(a, b, dx, dy, reach, false, false) ||
-         detail::corner_within(b, a, integer(-1) * dx, integer(-1) * dy, reach, true, false) || overlap(a, b);
-}
-
-/// True if two boxes are less than `reach` > 0 apart.
-constexpr bool closer(const Box& a, const Box& b, const Length& reach) noexcept {
-  const Length dx = a.cx - b.cx, dy = a.cy - b.cy;
-  return detail::corner_within(a, b, dx, dy, reach, false, true) ||
-         detail::corner_within(b, a, integer(-1) * dx, integer(-1) * dy, reach, true, true) || overlap(a, b);
+  return contact(a, b, reach, Common::any) <= 0;
 }
 
 }  // namespace vesica::exact

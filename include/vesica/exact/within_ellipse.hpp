@@ -32,10 +32,10 @@ struct Corner {
   int i, j;
 };
 
-/// The answer, or the corners that have it.
+/// The contact, or the corners that have it.
 struct ClosestParts {
-  enum { no, yes, by_corners } answer;
-  int count;
+  int contact;
+  int count;  ///< of corners; 0 if the contact is known
   Corner corner[2];
 };
 
@@ -51,24 +51,21 @@ VESICA_CALLED constexpr EdgePart closest_part(const Number<6>& p00, const Number
   return sign_with_root(p01, -to, p00) > 0 ? EdgePart::far_end : EdgePart::side;
 }
 
-/// True if x <= sqrt(p00) + R for the square of R; `strictly`, if x is less.
-VESICA_CALLED constexpr bool side_within(const Number<6>& p00, const Number<3>& x, const Number<4>& squared,
-                                         bool strictly) noexcept {
+/// The sign of x - sqrt(p00) - R for the square of R > 0.
+VESICA_CALLED constexpr int side_contact(const Number<6>& p00, const Number<3>& x, const Number<4>& squared) noexcept {
   const Number<6> m = square(x) - p00 - squared;
-  if (m.sign <= 0) return true;
-  const int compared = compare_product_with_square(integer(4) * squared, p00, m);
-  return strictly ? compared > 0 : compared >= 0;
+  return m.sign <= 0 ? -1 : -compare_product_with_square(integer(4) * squared, p00, m);
 }
 
 /// Not inlined: corners do not need this stack.
-VESICA_CALLED constexpr ClosestParts closest_parts(const Box& box, const Ellipse& ellipse, const Length& reach,
-                                                   bool strictly) noexcept {
+VESICA_CALLED constexpr ClosestParts closest_parts(const Box& box, const Ellipse& ellipse,
+                                                   const Length& reach) noexcept {
   const VisibleEdges edges(box, ellipse);
-  if (edges.centre_inside || edges.gap(0) <= 0) return {ClosestParts::yes, 0, {}};
+  if (edges.centre_inside || edges.gap(0) <= 0) return {-1, 0, {}};
   const auto& [c, s, near_x, near_y, far_x, far_y, a, b, turn_x, turn_y, inside] = edges;
   const Number<6> p01 = (square(a) - square(b)) * (c * s);
   const Number<4> squared = square(reach) * dot(box.ux, box.uy, box.ux, box.uy);
-  ClosestParts parts{ClosestParts::by_corners, 0, {}};
+  ClosestParts parts{1, 0, {}};
   // The edges of a segment are it and its end: then it alone is looked at.
   const bool sees_y = near_y.sign > 0 && !(box.hx.sign == 0 && near_x.sign > 0);
   const bool sees_x = near_x.sign > 0 && !(box.hy.sign == 0 && sees_y);
@@ -76,61 +73,56 @@ VESICA_CALLED constexpr ClosestParts closest_parts(const Box& box, const Ellipse
   if (sees_x) {
     const Number<6> p00 = square(a * c) + square(b * s);
     const EdgePart part = closest_part(p00, p01, near_x, near_y, far_y);
-    if (part == EdgePart::side) {
-      return {side_within(p00, near_x, squared, strictly) ? ClosestParts::yes : ClosestParts::no, 0, {}};
-    }
+    if (part == EdgePart::side) return {side_contact(p00, near_x, squared), 0, {}};
     has_near_corner = part == EdgePart::near_end;
     parts.corner[parts.count++] = {turn_x, has_near_corner ? turn_y : -turn_y};
   }
   if (sees_y) {
     const Number<6> p11 = square(a * s) + square(b * c);
     const EdgePart part = closest_part(p11, p01, near_y, near_x, far_x);
-    if (part == EdgePart::side) {
-      return {side_within(p11, near_y, squared, strictly) ? ClosestParts::yes : ClosestParts::no, 0, {}};
-    }
+    if (part == EdgePart::side) return {side_contact(p11, near_y, squared), 0, {}};
     const bool is_near = part == EdgePart::near_end;
     if (!(is_near && has_near_corner)) parts.corner[parts.count++] = {is_near ? turn_x : -turn_x, turn_y};
   }
   return parts;
 }
 
-/// True if a corner is at most reach > 0 away from an ellipse; `strictly`, if it is less. Not inlined, as above.
-VESICA_CALLED constexpr bool corner_within(const Box& box, const Corner& corner, const Ellipse& ellipse,
-                                           const Length& reach, bool strictly) noexcept {
+/// The contact of an ellipse and the disc of radius reach > 0 about a corner. Not inlined, as above.
+VESICA_CALLED constexpr int corner_contact(const Box& box, const Corner& corner, const Ellipse& ellipse,
+                                           const Length& reach) noexcept {
   const auto [i, j] = corner;
   const Length dx = box.cx - ellipse.cx, dy = box.cy - ellipse.cy;
   const Number<2> x = add(add(Number<2>(dx), box.hx * box.ux, i), box.hy * box.uy, -j);
   const Number<2> y = add(add(Number<2>(dy), box.hx * box.uy, i), box.hy * box.ux, j);
   const Cubic p = disc_cubic(reach, x, y, ellipse);
-  return (p.c1.sign >= 0 && p.c2.sign >= 0) || discriminant_sign(p) < (strictly ? 0 : 1);
-}
-
-constexpr bool within(const Box& box, const Ellipse& ellipse, const Length& reach, bool strictly) noexcept {
-  if (box.hx.sign == 0 && box.hy.sign == 0) return corner_within(box, {1, 1}, ellipse, reach, strictly);
-  const ClosestParts parts = closest_parts(box, ellipse, reach, strictly);
-  if (parts.answer != ClosestParts::by_corners) return parts.answer == ClosestParts::yes;
-  for (int k = 0; k < parts.count; ++k) {
-    if (corner_within(box, parts.corner[k], ellipse, reach, strictly)) return true;
-  }
-  return false;
+  return contact(p);
 }
 
 }  // namespace detail
 
+/// The contact of a box and an ellipse if one reaches `reach` >= 0 farther each way, or one that counts already.
+constexpr int contact(const Box& box, const Ellipse& ellipse, const Length& reach, Common common) noexcept {
+  if (degenerate(ellipse)) return contact(box, as_box(ellipse), reach, common);
+  if (reach.sign == 0) return contact(box, ellipse, common);
+  if (box.hx.sign == 0 && box.hy.sign == 0) return detail::corner_contact(box, {1, 1}, ellipse, reach);
+  const detail::ClosestParts parts = detail::closest_parts(box, ellipse, reach);
+  int least = parts.contact;
+  for (int k = 0; k < parts.count && !counts(least, common); ++k) {
+    const int of_corner = detail::corner_contact(box, parts.corner[k], ellipse, reach);
+    least = of_corner < least ? of_corner : least;
+  }
+  return least;
+}
+
 /// True if a box and an ellipse are at most `reach` apart; with reach < 0, if they overlap at least -reach deep. That
 /// is answered for a point, where the ellipse contains the disc of that radius, and for an ellipse without an area.
 constexpr bool within(const Box& box, const Ellipse& ellipse, const Length& reach) noexcept {
-  if (degenerate(ellipse)) return within(box, as_box(ellipse), reach);
   if (reach.sign < 0) {
+    if (degenerate(ellipse)) return within(box, as_box(ellipse), reach);
     const Ellipse disc{box.cx, box.cy, from_double(1), {}, -reach, -reach};
     return relation(ellipse, disc) >= Relation::contains;
   }
-  return reach.sign == 0 ? overlap(box, ellipse) : detail::within(box, ellipse, reach, false);
-}
-
-/// True if they are less than `reach` > 0 apart.
-constexpr bool closer(const Box& box, const Ellipse& ellipse, const Length& reach) noexcept {
-  return degenerate(ellipse) ? closer(box, as_box(ellipse), reach) : detail::within(box, ellipse, reach, true);
+  return contact(box, ellipse, reach, Common::any) <= 0;
 }
 
 }  // namespace vesica::exact

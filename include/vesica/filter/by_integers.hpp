@@ -16,6 +16,7 @@
 #pragma once
 
 #include <type_traits>
+#include <vesica/contact.hpp>
 #include <vesica/filter/box.hpp>
 #include <vesica/filter/comparison.hpp>
 #include <vesica/filter/wide_integer.hpp>
@@ -116,29 +117,33 @@ VESICA_INLINE constexpr Wide<3> reach(std::int64_t half_size, const Wide<2>& alo
   return product(Wide<1>{{static_cast<std::uint64_t>(half_size)}}, along);
 }
 
-/// Do offset and half sides leave a gap, after shifts to one unit? Only rectangles' and places' units differ.
+/// Do offset and half sides leave a gap, after shifts to one unit? Only rectangles' and places' units differ. If only
+/// insides count, sides that just touch have a gap too; two equal points have none.
 template <class A, class B>
-VESICA_INLINE constexpr bool is_gap(const Wide<2>& offset, const Wide<3>& of_a, const Wide<3>& of_b,
-                                    const Units& units) noexcept {
+VESICA_INLINE constexpr bool is_gap(const Wide<2>& offset, const Wide<3>& of_a, const Wide<3>& of_b, const Units& units,
+                                    Common common) noexcept {
+  const bool less = both(common == Common::insides, (offset.limb[0] | offset.limb[1]) != 0);
   if constexpr (!is_rect<A> && !is_rect<B>) {
-    return (of_a + of_b - shifted<3>(offset, 0)).is_negative();
+    return difference(of_a + of_b, shifted<3>(offset, 0), less).is_negative();
   } else if constexpr (is_rect<A> && is_rect<B>) {
-    return (shifted<4>(of_a + of_b, units.shift_rects) - shifted<4>(offset, units.shift_places)).is_negative();
+    return difference(shifted<4>(of_a + of_b, units.shift_rects), shifted<4>(offset, units.shift_places), less)
+        .is_negative();
   } else {
     const Wide<3>& of_rect = is_rect<A> ? of_a : of_b;
     const Wide<3> between = shifted<3>(offset, 0) - (is_rect<A> ? of_b : of_a);
     if (between.is_negative()) return false;
-    return (shifted<4>(of_rect, units.shift_rects) - shifted<4>(between, units.shift_places)).is_negative();
+    return difference(shifted<4>(of_rect, units.shift_rects), shifted<4>(between, units.shift_places), less)
+        .is_negative();
   }
 }
 
 /// Is there a gap along an axis of a? Separating axes, as exact/box_box.hpp.
 template <class A, class B>
-VESICA_INLINE constexpr bool has_gap(const IntegerBox& a, const IntegerBox& b, const WideVector& d,
-                                     const Units& units) noexcept {
+VESICA_INLINE constexpr bool has_gap(const IntegerBox& a, const IntegerBox& b, const WideVector& d, const Units& units,
+                                     Common common) noexcept {
   const Wide<2> uu = dot(a.axis, a.axis), c = dot(a.axis, b.axis), s = cross(a.axis, b.axis);
-  return either(is_gap<A, B>(dot(a.axis, d), reach(a.hx, uu), reach(b.hx, c) + reach(b.hy, s), units),
-                is_gap<A, B>(cross(a.axis, d), reach(a.hy, uu), reach(b.hx, s) + reach(b.hy, c), units));
+  return either(is_gap<A, B>(dot(a.axis, d), reach(a.hx, uu), reach(b.hx, c) + reach(b.hy, s), units, common),
+                is_gap<A, B>(cross(a.axis, d), reach(a.hy, uu), reach(b.hx, s) + reach(b.hy, c), units, common));
 }
 
 /// How far a point is beyond a half side along an axis, or 0.
@@ -149,16 +154,17 @@ VESICA_INLINE constexpr Wide<4> beyond(const Wide<2>& offset, const Wide<3>& hal
   return gap.is_negative() ? Wide<4>{} : gap;
 }
 
-/// Is a centre within a radius, or the sum of two, of a shape? As exact/disc.hpp.
+/// Is a centre within a radius, or the sum of two, of a shape? As exact/disc.hpp. If only insides count, the radius is
+/// not 0.
 template <class Shape>
 VESICA_INLINE constexpr bool is_within(const IntegerBox& a, const WideVector& d, std::int64_t radius,
-                                       const Units& units) noexcept {
+                                       const Units& units, Common common) noexcept {
   const Wide<2> uu = dot(a.axis, a.axis);
   const Wide<4> x = beyond<Shape>(dot(a.axis, d), reach(a.hx, uu), units);
   const Wide<4> y = beyond<Shape>(cross(a.axis, d), reach(a.hy, uu), units);
   const Wide<1> r{{static_cast<std::uint64_t>(radius)}};
   const Wide<8> reached = shifted<8>(product(product(r, r), uu), 2 * units.shift_radii);
-  return !(reached - (product(x, x) + product(y, y))).is_negative();
+  return !difference(reached, product(x, x) + product(y, y), common == Common::insides).is_negative();
 }
 
 /// Pairs that by_integers() decides: of shapes that have magnitudes(). Comparisons decide points and AABBs.
@@ -169,10 +175,11 @@ concept HasIntegers = requires(const A& a, const B& b) {
 }
 &&!(detail::form::FormOf<A>::is_upright && detail::form::FormOf<B>::is_upright);
 
-/// Decides if two shapes overlap. Undecided where numbers do not fit their units, or a shape is invalid.
+/// Decides if two shapes overlap. Undecided where numbers do not fit their units, or a shape is invalid; for insides
+/// also where a disc's radius is 0.
 template <class A, class B>
 requires HasIntegers<A, B>
-constexpr Verdict<bool> by_integers(const A& a, const B& b) noexcept {
+constexpr Verdict<bool> by_integers(const A& a, const B& b, Common common = Common::any) noexcept {
   Units units(magnitudes(a), magnitudes(b));
   if (!units.are_usable()) return {false, false};
   const IntegerBox p = integers(a, units), q = integers(b, units);
@@ -182,9 +189,10 @@ constexpr Verdict<bool> by_integers(const A& a, const B& b) noexcept {
     std::int64_t radius = 0;
     if constexpr (is_circle<A>) radius = radius + units.radii.number(a.r), valid = both(valid, a.r >= 0);
     if constexpr (is_circle<B>) radius = radius + units.radii.number(b.r), valid = both(valid, b.r >= 0);
-    overlap = is_circle<A> ? is_within<B>(q, d, radius, units) : is_within<A>(p, d, radius, units);
+    valid = both(valid, either(common == Common::any, radius > 0));
+    overlap = is_circle<A> ? is_within<B>(q, d, radius, units, common) : is_within<A>(p, d, radius, units, common);
   } else {
-    overlap = !either(has_gap<A, B>(p, q, d, units), has_gap<B, A>(q, p, d, units));
+    overlap = !either(has_gap<A, B>(p, q, d, units, common), has_gap<B, A>(q, p, d, units, common));
   }
   return compared(both(valid, units.divide()), overlap);
 }

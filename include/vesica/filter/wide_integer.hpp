@@ -20,11 +20,11 @@ struct Wide {
 
 namespace limbs = exact::detail;
 
-/// `complement` is ~0 for a difference, whose last carry is 1.
+/// a + b + carry; `complement` is ~0 for a - b - 1 + carry.
 template <int n>
-VESICA_INLINE constexpr Wide<n> sum(const Wide<n>& a, const Wide<n>& b, std::uint64_t complement) noexcept {
+VESICA_INLINE constexpr Wide<n> sum(const Wide<n>& a, const Wide<n>& b, std::uint64_t complement,
+                                    std::uint64_t carry) noexcept {
   Wide<n> sum{};
-  std::uint64_t carry = complement & 1;
 #pragma GCC unroll 8
   for (int i = 0; i < n; ++i) {
     const limbs::LimbPair limb = limbs::add_limbs(a.limb[i], b.limb[i] ^ complement, carry);
@@ -35,11 +35,16 @@ VESICA_INLINE constexpr Wide<n> sum(const Wide<n>& a, const Wide<n>& b, std::uin
 }
 template <int n>
 VESICA_INLINE constexpr Wide<n> operator+(const Wide<n>& a, const Wide<n>& b) noexcept {
-  return sum(a, b, 0);
+  return sum(a, b, 0, 0);
+}
+/// a - b - less, where less is 0 or 1.
+template <int n>
+VESICA_INLINE constexpr Wide<n> difference(const Wide<n>& a, const Wide<n>& b, bool less) noexcept {
+  return sum(a, b, ~std::uint64_t{0}, less ? 0 : 1);
 }
 template <int n>
 VESICA_INLINE constexpr Wide<n> operator-(const Wide<n>& a, const Wide<n>& b) noexcept {
-  return sum(a, b, ~std::uint64_t{0});
+  return difference(a, b, false);
 }
 
 /// The product of two natural numbers.

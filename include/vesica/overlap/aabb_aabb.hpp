@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// AABB against AABB: intervals that meet in both coordinates. Comparisons alone are exact.
+/// AABB against AABB: intervals that meet in both coordinates. Comparisons alone are exact. The inside of an interval
+/// of one point is that point.
 #pragma once
 
 #include <vesica/filter/comparison.hpp>
@@ -24,6 +25,20 @@ VESICA_INLINE auto filter(const Aabb<double>& a, const Aabb<double>& b) noexcept
 }
 #endif
 
-constexpr bool exact(const Aabb<double>& a, const Aabb<double>& b) noexcept { return filter<double>(a, b).overlap; }
+template <class V>
+VESICA_INLINE constexpr auto insides_of_intervals_meet(V a_min, V a_max, V b_min, V b_max) noexcept {
+  return either(both(a_min < b_max, b_min < a_max), both(a_min == b_max, b_min == a_max));
+}
+
+template <class V>
+VESICA_INLINE constexpr auto insides_filter(const Aabb<V>& a, const Aabb<V>& b) noexcept {
+  const auto in_x = insides_of_intervals_meet(a.min_x, a.max_x, b.min_x, b.max_x);
+  const auto in_y = insides_of_intervals_meet(a.min_y, a.max_y, b.min_y, b.max_y);
+  return filter::compared(both(filter::valid_aabb(a), filter::valid_aabb(b)), both(in_x, in_y));
+}
+
+constexpr int contact(const Aabb<double>& a, const Aabb<double>& b, Common) noexcept {
+  return insides_filter<double>(a, b).overlap ? -1 : filter<double>(a, b).overlap ? 0 : 1;
+}
 
 }  // namespace vesica::detail::overlap

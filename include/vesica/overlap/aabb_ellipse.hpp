@@ -12,8 +12,8 @@ VESICA_INLINE constexpr auto filter(const Aabb<V>& aabb, const Ellipse<V>& ellip
   return filter::box_ellipse(filter::box(aabb), ellipse, filter::offset(filter::place(aabb), filter::place(ellipse)));
 }
 
-constexpr bool exact(const Aabb<double>& aabb, const Ellipse<double>& ellipse) noexcept {
-  return exact::overlap(exact::form(aabb), exact::form(ellipse));
+constexpr int contact(const Aabb<double>& aabb, const Ellipse<double>& ellipse, Common common) noexcept {
+  return exact::contact(exact::form(aabb), exact::form(ellipse), common);
 }
 
 }  // namespace vesica::detail::overlap

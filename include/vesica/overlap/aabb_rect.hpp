@@ -13,8 +13,8 @@ VESICA_INLINE constexpr auto filter(const Aabb<V>& aabb, const Rect<V>& rect) no
                          filter::offset(filter::place(aabb), filter::place(rect)));
 }
 
-constexpr bool exact(const Aabb<double>& aabb, const Rect<double>& rect) noexcept {
-  return exact::overlap(exact::form(aabb), exact::form(rect));
+constexpr int contact(const Aabb<double>& aabb, const Rect<double>& rect, Common) noexcept {
+  return exact::contact(exact::form(aabb), exact::form(rect));
 }
 
 }  // namespace vesica::detail::overlap

@@ -12,8 +12,8 @@ VESICA_INLINE constexpr auto filter(const Circle<V>& circle, const Aabb<V>& aabb
   return filter::disc_aabb(circle, aabb);
 }
 
-constexpr bool exact(const Circle<double>& circle, const Aabb<double>& aabb) noexcept {
-  return exact::overlap(exact::form(aabb), circle);
+constexpr int contact(const Circle<double>& circle, const Aabb<double>& aabb, Common) noexcept {
+  return exact::contact_of_any(exact::form(aabb), circle);
 }
 
 }  // namespace vesica::detail::overlap

@@ -12,10 +12,10 @@ VESICA_INLINE constexpr auto filter(const Circle<V>& a, const Circle<V>& b) noex
   return filter::disc_disc(filter::offset(filter::place(a), filter::place(b)), a.r, b.r);
 }
 
-constexpr bool exact(const Circle<double>& a, const Circle<double>& b) noexcept {
+constexpr int contact(const Circle<double>& a, const Circle<double>& b, Common) noexcept {
   const exact::Length dx = exact::from_double(b.cx) - exact::from_double(a.cx);
   const exact::Length dy = exact::from_double(b.cy) - exact::from_double(a.cy);
-  return exact::within(dx, dy, exact::from_double(a.r) + exact::from_double(b.r));
+  return exact::contact(dx, dy, exact::from_double(a.r) + exact::from_double(b.r));
 }
 
 }  // namespace vesica::detail::overlap

@@ -27,8 +27,8 @@ VESICA_INLINE filter::DecidedVerdict<bool> filter(const Circle<double>& circle,
 }
 #endif
 
-constexpr bool exact(const Circle<double>& circle, const Ellipse<double>& ellipse) noexcept {
-  return exact::overlap(exact::form(circle), exact::form(ellipse));
+constexpr int contact(const Circle<double>& circle, const Ellipse<double>& ellipse, Common common) noexcept {
+  return exact::contact(exact::form(circle), exact::form(ellipse), common);
 }
 
 }  // namespace vesica::detail::overlap

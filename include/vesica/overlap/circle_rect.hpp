@@ -12,8 +12,8 @@ VESICA_INLINE constexpr auto filter(const Circle<V>& circle, const Rect<V>& rect
   return filter::disc_box(filter::box(rect), filter::offset(filter::place(rect), filter::place(circle)), circle.r);
 }
 
-constexpr bool exact(const Circle<double>& circle, const Rect<double>& rect) noexcept {
-  return exact::overlap(exact::form(rect), circle);
+constexpr int contact(const Circle<double>& circle, const Rect<double>& rect, Common) noexcept {
+  return exact::contact_of_any(exact::form(rect), circle);
 }
 
 }  // namespace vesica::detail::overlap

@@ -26,8 +26,8 @@ VESICA_INLINE filter::DecidedVerdict<bool> filter(const Ellipse<double>& a, cons
 }
 #endif
 
-constexpr bool exact(const Ellipse<double>& a, const Ellipse<double>& b) noexcept {
-  return exact::overlap(exact::form(a), exact::form(b));
+constexpr int contact(const Ellipse<double>& a, const Ellipse<double>& b, Common common) noexcept {
+  return exact::contact(exact::form(a), exact::form(b), common);
 }
 
 }  // namespace vesica::detail::overlap

@@ -41,28 +41,39 @@ VESICA_INLINE constexpr auto filter(const A& a, const B& b) noexcept {
   return filter_within(a, b, decltype(form::inflated(b).radius)(0.0f));
 }
 
-/// Valid shapes, not two ellipses: are they at most `distance` apart? It may be negative, except that -distance may
-/// exceed the radius of a core only if the core is a point or the other shape is no ellipse.
-template <class A, class B>
-constexpr bool exactly_within(const A& a, const B& b, double distance) noexcept {
+/// action(core, core, reach) for valid shapes, not two ellipses: their cores, an ellipse last, and the sum of radii and
+/// distance.
+template <class A, class B, class Action>
+constexpr auto with_cores(const A& a, const B& b, double distance, Action action) noexcept {
   if constexpr (is_ellipse<A>) {
-    return exactly_within(b, a, distance);
+    return with_cores(b, a, distance, action);
   } else {
     const auto p = form::inflated(a);
     const auto q = form::inflated(b);
     const exact::Length reach =
         exact::from_double(p.radius) + exact::from_double(q.radius) + exact::from_double(distance);
-    return exact::within(exact::form(p.core), exact::form(q.core), reach);
+    return action(exact::form(p.core), exact::form(q.core), reach);
   }
 }
 
+/// Are they at most `distance` apart? It may be negative, except that -distance may exceed the radius of a core only if
+/// the core is a point or the other shape is no ellipse.
+template <class A, class B>
+constexpr bool exactly_within(const A& a, const B& b, double distance) noexcept {
+  return with_cores(a, b, distance, [](const auto& p, const auto& q, const exact::Length& reach) {
+    return exact::within(p, q, reach);
+  });
+}
+
 template <class A, form::Inflated B>
-constexpr bool exact(const A& a, const B& b) noexcept {
-  return exactly_within(a, b, 0);
+constexpr int contact(const A& a, const B& b, Common common) noexcept {
+  return with_cores(a, b, 0, [common](const auto& p, const auto& q, const exact::Length& reach) {
+    return exact::contact(p, q, reach, common);
+  });
 }
 
 /// 1 if the shapes are at most `distance` apart, 0 if not, -1 if that is not certain. By the distance of nearest(),
-/// which is right to 4u of the scale; 16u are taken.
+/// which is right to 4u of the scale; 16u are taken. At distance 0, 1 stands for insides that meet.
 template <class B>
 VESICA_COLD std::int32_t estimate_within(const Ellipse<double>& a, const B& b, double distance) noexcept {
   if (check(a) != 0 || check(b) != 0 || !(a.a > 0 && a.b > 0)) return -1;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Point against AABB: between min and max in both coordinates. Comparisons alone are exact.
+/// Point against AABB: between min and max in both coordinates. Comparisons alone are exact. The inside of an interval
+/// of one point is that point.
 #pragma once
 
 #include <vesica/filter/comparison.hpp>
@@ -24,8 +25,20 @@ VESICA_INLINE auto filter(const Point<double>& point, const Aabb<double>& aabb) 
 }
 #endif
 
-constexpr bool exact(const Point<double>& point, const Aabb<double>& aabb) noexcept {
-  return filter<double>(point, aabb).overlap;
+template <class V>
+VESICA_INLINE constexpr auto inside_of_interval(V x, V min, V max) noexcept {
+  return either(both(min < x, x < max), both(min == x, x == max));
+}
+
+template <class V>
+VESICA_INLINE constexpr auto insides_filter(const Point<V>& point, const Aabb<V>& aabb) noexcept {
+  const auto in_x = inside_of_interval(point.x, aabb.min_x, aabb.max_x);
+  const auto in_y = inside_of_interval(point.y, aabb.min_y, aabb.max_y);
+  return filter::compared(both(filter::valid_aabb(aabb), filter::all_finite(point.x, point.y)), both(in_x, in_y));
+}
+
+constexpr int contact(const Point<double>& point, const Aabb<double>& aabb, Common) noexcept {
+  return insides_filter<double>(point, aabb).overlap ? -1 : filter<double>(point, aabb).overlap ? 0 : 1;
 }
 
 }  // namespace vesica::detail::overlap

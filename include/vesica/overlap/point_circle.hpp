@@ -12,10 +12,10 @@ VESICA_INLINE constexpr auto filter(const Point<V>& point, const Circle<V>& circ
   return filter::point_disc(filter::offset(filter::place(point), filter::place(circle)), circle.r);
 }
 
-constexpr bool exact(const Point<double>& point, const Circle<double>& circle) noexcept {
+constexpr int contact(const Point<double>& point, const Circle<double>& circle, Common) noexcept {
   const exact::Length dx = exact::from_double(circle.cx) - exact::from_double(point.x);
   const exact::Length dy = exact::from_double(circle.cy) - exact::from_double(point.y);
-  return exact::within(dx, dy, exact::from_double(circle.r));
+  return exact::contact(dx, dy, exact::from_double(circle.r));
 }
 
 }  // namespace vesica::detail::overlap

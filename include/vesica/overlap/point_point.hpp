@@ -20,6 +20,8 @@ VESICA_INLINE auto filter(const Point<double>& a, const Point<double>& b) noexce
 }
 #endif
 
-constexpr bool exact(const Point<double>& a, const Point<double>& b) noexcept { return filter<double>(a, b).overlap; }
+constexpr int contact(const Point<double>& a, const Point<double>& b, Common) noexcept {
+  return filter<double>(a, b).overlap ? -1 : 1;
+}
 
 }  // namespace vesica::detail::overlap

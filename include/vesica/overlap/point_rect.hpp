@@ -12,8 +12,8 @@ VESICA_INLINE constexpr auto filter(const Point<V>& point, const Rect<V>& rect) 
   return filter::point_box(filter::box(rect), filter::offset(filter::place(rect), filter::place(point)));
 }
 
-constexpr bool exact(const Point<double>& point, const Rect<double>& rect) noexcept {
-  return exact::overlap(exact::form(point), exact::form(rect));
+constexpr int contact(const Point<double>& point, const Rect<double>& rect, Common) noexcept {
+  return exact::contact(exact::form(point), exact::form(rect));
 }
 
 }  // namespace vesica::detail::overlap

@@ -13,8 +13,8 @@ VESICA_INLINE constexpr auto filter(const Point<V>& point, const Segment<V>& seg
   return filter::point_box(filter::box(segment), filter::offset(filter::place(segment), filter::place(point)));
 }
 
-constexpr bool exact(const Point<double>& point, const Segment<double>& segment) noexcept {
-  return exact::overlap(exact::form(point), exact::form(segment));
+constexpr int contact(const Point<double>& point, const Segment<double>& segment, Common) noexcept {
+  return exact::contact(exact::form(point), exact::form(segment));
 }
 
 }  // namespace vesica::detail::overlap

@@ -12,8 +12,8 @@ VESICA_INLINE constexpr auto filter(const Rect<V>& rect, const Ellipse<V>& ellip
   return filter::box_ellipse(filter::box(rect), ellipse, filter::offset(filter::place(rect), filter::place(ellipse)));
 }
 
-constexpr bool exact(const Rect<double>& rect, const Ellipse<double>& ellipse) noexcept {
-  return exact::overlap(exact::form(rect), exact::form(ellipse));
+constexpr int contact(const Rect<double>& rect, const Ellipse<double>& ellipse, Common common) noexcept {
+  return exact::contact(exact::form(rect), exact::form(ellipse), common);
 }
 
 }  // namespace vesica::detail::overlap

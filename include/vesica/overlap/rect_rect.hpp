@@ -12,8 +12,8 @@ VESICA_INLINE constexpr auto filter(const Rect<V>& a, const Rect<V>& b) noexcept
   return filter::box_box(filter::box(a), filter::box(b), filter::offset(filter::place(a), filter::place(b)));
 }
 
-constexpr bool exact(const Rect<double>& a, const Rect<double>& b) noexcept {
-  return exact::overlap(exact::form(a), exact::form(b));
+constexpr int contact(const Rect<double>& a, const Rect<double>& b, Common) noexcept {
+  return exact::contact(exact::form(a), exact::form(b));
 }
 
 }  // namespace vesica::detail::overlap

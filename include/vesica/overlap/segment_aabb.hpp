@@ -13,8 +13,8 @@ VESICA_INLINE constexpr auto filter(const Segment<V>& segment, const Aabb<V>& aa
                          filter::offset(filter::place(segment), filter::place(aabb)));
 }
 
-constexpr bool exact(const Segment<double>& segment, const Aabb<double>& aabb) noexcept {
-  return exact::overlap(exact::form(segment), exact::form(aabb));
+constexpr int contact(const Segment<double>& segment, const Aabb<double>& aabb, Common) noexcept {
+  return exact::contact(exact::form(segment), exact::form(aabb));
 }
 
 }  // namespace vesica::detail::overlap

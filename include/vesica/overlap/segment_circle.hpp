@@ -13,8 +13,8 @@ VESICA_INLINE constexpr auto filter(const Segment<V>& segment, const Circle<V>& 
                           circle.r);
 }
 
-constexpr bool exact(const Segment<double>& segment, const Circle<double>& circle) noexcept {
-  return exact::overlap(exact::form(segment), circle);
+constexpr int contact(const Segment<double>& segment, const Circle<double>& circle, Common) noexcept {
+  return exact::contact_of_any(exact::form(segment), circle);
 }
 
 }  // namespace vesica::detail::overlap

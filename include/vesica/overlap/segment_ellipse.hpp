@@ -13,8 +13,8 @@ VESICA_INLINE constexpr auto filter(const Segment<V>& segment, const Ellipse<V>&
                              filter::offset(filter::place(segment), filter::place(ellipse)));
 }
 
-constexpr bool exact(const Segment<double>& segment, const Ellipse<double>& ellipse) noexcept {
-  return exact::overlap(exact::form(segment), exact::form(ellipse));
+constexpr int contact(const Segment<double>& segment, const Ellipse<double>& ellipse, Common common) noexcept {
+  return exact::contact(exact::form(segment), exact::form(ellipse), common);
 }
 
 }  // namespace vesica::detail::overlap

@@ -13,8 +13,8 @@ VESICA_INLINE constexpr auto filter(const Segment<V>& segment, const Rect<V>& re
                          filter::offset(filter::place(segment), filter::place(rect)));
 }
 
-constexpr bool exact(const Segment<double>& segment, const Rect<double>& rect) noexcept {
-  return exact::overlap(exact::form(segment), exact::form(rect));
+constexpr int contact(const Segment<double>& segment, const Rect<double>& rect, Common) noexcept {
+  return exact::contact(exact::form(segment), exact::form(rect));
 }
 
 }  // namespace vesica::detail::overlap

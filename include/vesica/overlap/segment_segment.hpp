@@ -12,8 +12,8 @@ VESICA_INLINE constexpr auto filter(const Segment<V>& a, const Segment<V>& b) no
   return filter::box_box(filter::box(a), filter::box(b), filter::offset(filter::place(a), filter::place(b)));
 }
 
-constexpr bool exact(const Segment<double>& a, const Segment<double>& b) noexcept {
-  return exact::overlap(exact::form(a), exact::form(b));
+constexpr int contact(const Segment<double>& a, const Segment<double>& b, Common) noexcept {
+  return exact::contact(exact::form(a), exact::form(b));
 }
 
 }  // namespace vesica::detail::overlap

@@ -335,6 +335,22 @@ extern "C" {
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32;
+    /// Do the insides of two shapes share a point? Touching does not count.
+    ///
+    /// The inside is the shape without its outline, as vesica_relation_f64 says. So two rectangles side by side get 0,
+    /// and so does a point on the rim of a disc or a segment along an edge. Two segments that cross get 1, and two
+    /// equal points. If both shapes have an area, the answer is 1 where vesica_relation_f64 is VESICA_CROSS or more.
+    ///
+    /// Returns: 1 if they do, 0 if not.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
+    ///
+    /// Accuracy: exact.
+    ///
+    /// Cost: as vesica_overlap_f64.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_interiors_overlap_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32;
     /// Does a contain all of b? A shape contains itself, and whatever touches its outline from inside.
     ///
     /// Returns: 1 if vesica_relation_f64 is VESICA_CONTAINS, VESICA_CONTAINS_TOUCH or VESICA_EQUAL, else 0.
@@ -1019,6 +1035,26 @@ extern "C" {
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_many_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut u8) -> i64;
+    /// Do the insides of a\[i\] and b\[i\] share a point? out\[i\] is the answer of vesica_interiors_overlap_f64.
+    ///
+    /// Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers
+    /// as the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+    ///
+    /// Returns: how many are 1.
+    ///
+    /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+    /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
+    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, an array that exceeds the
+    /// address space).
+    ///
+    /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
+    /// layout.
+    ///
+    /// Cost: as vesica_overlap_many_f64.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_interiors_overlap_many_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut u8) -> i64;
     /// How does a\[i\] relate to b\[i\]? out\[i\] is the answer of vesica_relation_f64.
     ///
     /// Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers
@@ -1196,6 +1232,29 @@ extern "C" {
     /// Since: 0.1.
     pub fn vesica_overlap_matrix_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut u8,
         row_stride: isize) -> i64;
+    /// Do the insides of a\[i\] and b\[j\] share a point? The elements of out are answers of
+    /// vesica_interiors_overlap_f64.
+    ///
+    /// Requires: room for a matrix: out\[i \* row_stride + j\] is the result for a\[i\] and b\[j\]. row_stride counts
+    /// elements of out. With two or more rows its magnitude is at least b's count; if it is negative, rows run
+    /// backwards in memory.
+    ///
+    /// Returns: how many are 1.
+    ///
+    /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+    /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+    /// written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
+    /// negative count, an unused member that is not 0 or NULL, rows that overlap, or an array or rows that exceed the
+    /// address space).
+    ///
+    /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
+    /// layout.
+    ///
+    /// Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_interiors_overlap_matrix_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut u8,
+        row_stride: isize) -> i64;
     /// How does a\[i\] relate to b\[j\]? The elements of out are answers of vesica_relation_f64.
     ///
     /// Requires: room for a matrix: out\[i \* row_stride + j\] is the result for a\[i\] and b\[j\]. row_stride counts
@@ -1303,6 +1362,12 @@ extern "C" {
     /// Since: 0.1.
     pub fn vesica_overlap_select_f64(one: *const Shapes<f64>, many: *const Shapes<f64>, out: *mut i64,
         capacity: i64) -> i64;
+    /// Which of many shapes share a point of their insides with that of one? As vesica_overlap_select_f64, with the
+    /// answers of vesica_interiors_overlap_f64.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_interiors_overlap_select_f64(one: *const Shapes<f64>, many: *const Shapes<f64>, out: *mut i64,
+        capacity: i64) -> i64;
     /// How many bytes of scratch do vesica_nms_f64, vesica_suppress_f64 and their float forms need for `count` shapes?
     ///
     /// Returns: 0.4 MB, and for each shape at most 140 bytes, about 97 from 10,000 shapes on.
@@ -1396,6 +1461,22 @@ extern "C" {
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32;
+    /// Do the insides of two shapes share a point? Touching does not count.
+    ///
+    /// The inside is the shape without its outline, as vesica_relation_f32 says. So two rectangles side by side get 0,
+    /// and so does a point on the rim of a disc or a segment along an edge. Two segments that cross get 1, and two
+    /// equal points. If both shapes have an area, the answer is 1 where vesica_relation_f32 is VESICA_CROSS or more.
+    ///
+    /// Returns: 1 if they do, 0 if not.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
+    ///
+    /// Accuracy: exact.
+    ///
+    /// Cost: as vesica_overlap_f32.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_interiors_overlap_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32;
     /// How does a relate to b? The answer is one of the eight relations of the region connection calculus (RCC-8).
     ///
     /// The outline of a shape with area is the curve around it. The outline of a segment, or of a shape with one size
@@ -2069,6 +2150,26 @@ extern "C" {
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_many_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut u8) -> i64;
+    /// Do the insides of a\[i\] and b\[i\] share a point? out\[i\] is the answer of vesica_interiors_overlap_f32.
+    ///
+    /// Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers
+    /// as the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+    ///
+    /// Returns: how many are 1.
+    ///
+    /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+    /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+    /// written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
+    /// (counts that are negative or do not agree, an unused member that is not 0 or NULL, an array that exceeds the
+    /// address space).
+    ///
+    /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
+    /// layout.
+    ///
+    /// Cost: as vesica_overlap_many_f32.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_interiors_overlap_many_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut u8) -> i64;
     /// How does a\[i\] relate to b\[i\]? out\[i\] is the answer of vesica_relation_f32.
     ///
     /// Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers
@@ -2246,6 +2347,29 @@ extern "C" {
     /// Since: 0.1.
     pub fn vesica_overlap_matrix_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut u8,
         row_stride: isize) -> i64;
+    /// Do the insides of a\[i\] and b\[j\] share a point? The elements of out are answers of
+    /// vesica_interiors_overlap_f32.
+    ///
+    /// Requires: room for a matrix: out\[i \* row_stride + j\] is the result for a\[i\] and b\[j\]. row_stride counts
+    /// elements of out. With two or more rows its magnitude is at least b's count; if it is negative, rows run
+    /// backwards in memory.
+    ///
+    /// Returns: how many are 1.
+    ///
+    /// Errors: VESICA_E_SHAPE if an element is invalid, else VESICA_E_RANGE if a number of an element's results would
+    /// overflow: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
+    /// written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
+    /// negative count, an unused member that is not 0 or NULL, rows that overlap, or an array or rows that exceed the
+    /// address space).
+    ///
+    /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
+    /// layout.
+    ///
+    /// Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_interiors_overlap_matrix_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut u8,
+        row_stride: isize) -> i64;
     /// How does a\[i\] relate to b\[j\]? The elements of out are answers of vesica_relation_f32.
     ///
     /// Requires: room for a matrix: out\[i \* row_stride + j\] is the result for a\[i\] and b\[j\]. row_stride counts
@@ -2352,6 +2476,12 @@ extern "C" {
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_select_f32(one: *const Shapes<f32>, many: *const Shapes<f32>, out: *mut i64,
+        capacity: i64) -> i64;
+    /// Which of many shapes share a point of their insides with that of one? As vesica_overlap_select_f32, with the
+    /// answers of vesica_interiors_overlap_f32.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_interiors_overlap_select_f32(one: *const Shapes<f32>, many: *const Shapes<f32>, out: *mut i64,
         capacity: i64) -> i64;
     /// Greedy non-maximum suppression: takes shapes in the order of their scores, highest first, and keeps each one
     /// whose vesica_iou_f32 with every shape kept before is at most the threshold.
@@ -4089,6 +4219,7 @@ extern "C" {
 #[allow(missing_docs, clippy::missing_safety_doc, clippy::too_many_arguments)]
 pub unsafe trait Scalar: Copy + Default + PartialEq + PartialOrd + core::fmt::Debug + 'static {
     unsafe fn overlap(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32;
+    unsafe fn interiors_overlap(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32;
     unsafe fn contains(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32;
     unsafe fn relation(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32;
     unsafe fn nearest(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
@@ -4142,6 +4273,7 @@ pub unsafe trait Scalar: Copy + Default + PartialEq + PartialOrd + core::fmt::De
     unsafe fn shapes_from_records(kind: i32, count: i64, base: *const c_void, stride: isize,
         out: *mut Shapes<Self>) -> i32;
     unsafe fn overlap_many(a: *const Shapes<Self>, b: *const Shapes<Self>, out: *mut u8) -> i64;
+    unsafe fn interiors_overlap_many(a: *const Shapes<Self>, b: *const Shapes<Self>, out: *mut u8) -> i64;
     unsafe fn relation_many(a: *const Shapes<Self>, b: *const Shapes<Self>, out: *mut u8) -> i64;
     unsafe fn contains_many(a: *const Shapes<Self>, b: *const Shapes<Self>, out: *mut u8) -> i64;
     unsafe fn nearest_many(a: *const Shapes<Self>, b: *const Shapes<Self>, distance: *mut Self, ax: *mut Self,
@@ -4153,11 +4285,15 @@ pub unsafe trait Scalar: Copy + Default + PartialEq + PartialOrd + core::fmt::De
     unsafe fn area_many(a: *const Shapes<Self>, b: *const Shapes<Self>, out: *mut Self) -> i64;
     unsafe fn iou_many(a: *const Shapes<Self>, b: *const Shapes<Self>, out: *mut Self) -> i64;
     unsafe fn overlap_matrix(a: *const Shapes<Self>, b: *const Shapes<Self>, out: *mut u8, row_stride: isize) -> i64;
+    unsafe fn interiors_overlap_matrix(a: *const Shapes<Self>, b: *const Shapes<Self>, out: *mut u8,
+        row_stride: isize) -> i64;
     unsafe fn relation_matrix(a: *const Shapes<Self>, b: *const Shapes<Self>, out: *mut u8, row_stride: isize) -> i64;
     unsafe fn contains_matrix(a: *const Shapes<Self>, b: *const Shapes<Self>, out: *mut u8, row_stride: isize) -> i64;
     unsafe fn area_matrix(a: *const Shapes<Self>, b: *const Shapes<Self>, out: *mut Self, row_stride: isize) -> i64;
     unsafe fn iou_matrix(a: *const Shapes<Self>, b: *const Shapes<Self>, out: *mut Self, row_stride: isize) -> i64;
     unsafe fn overlap_select(one: *const Shapes<Self>, many: *const Shapes<Self>, out: *mut i64, capacity: i64) -> i64;
+    unsafe fn interiors_overlap_select(one: *const Shapes<Self>, many: *const Shapes<Self>, out: *mut i64,
+        capacity: i64) -> i64;
     unsafe fn nms(shapes: *const Shapes<Self>, scores: *const Self, threshold: Self, scratch: *mut c_void,
         scratch_size: i64, keep: *mut i64, kept: *mut i64) -> i32;
     unsafe fn rects_from_boxes(boxes: *const Self, count: i64, stride: isize, angle: i32, out: *mut Rect<Self>) -> i64;
@@ -4244,6 +4380,10 @@ unsafe impl Scalar for f64 {
     #[inline]
     unsafe fn overlap(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32 {
         vesica_overlap_f64(kind_a, a, kind_b, b)
+    }
+    #[inline]
+    unsafe fn interiors_overlap(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32 {
+        vesica_interiors_overlap_f64(kind_a, a, kind_b, b)
     }
     #[inline]
     unsafe fn contains(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32 {
@@ -4434,6 +4574,10 @@ unsafe impl Scalar for f64 {
         vesica_overlap_many_f64(a, b, out)
     }
     #[inline]
+    unsafe fn interiors_overlap_many(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut u8) -> i64 {
+        vesica_interiors_overlap_many_f64(a, b, out)
+    }
+    #[inline]
     unsafe fn relation_many(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut u8) -> i64 {
         vesica_relation_many_f64(a, b, out)
     }
@@ -4469,6 +4613,11 @@ unsafe impl Scalar for f64 {
         vesica_overlap_matrix_f64(a, b, out, row_stride)
     }
     #[inline]
+    unsafe fn interiors_overlap_matrix(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut u8,
+        row_stride: isize) -> i64 {
+        vesica_interiors_overlap_matrix_f64(a, b, out, row_stride)
+    }
+    #[inline]
     unsafe fn relation_matrix(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut u8, row_stride: isize) -> i64 {
         vesica_relation_matrix_f64(a, b, out, row_stride)
     }
@@ -4487,6 +4636,11 @@ unsafe impl Scalar for f64 {
     #[inline]
     unsafe fn overlap_select(one: *const Shapes<f64>, many: *const Shapes<f64>, out: *mut i64, capacity: i64) -> i64 {
         vesica_overlap_select_f64(one, many, out, capacity)
+    }
+    #[inline]
+    unsafe fn interiors_overlap_select(one: *const Shapes<f64>, many: *const Shapes<f64>, out: *mut i64,
+        capacity: i64) -> i64 {
+        vesica_interiors_overlap_select_f64(one, many, out, capacity)
     }
     #[inline]
     unsafe fn nms(shapes: *const Shapes<f64>, scores: *const f64, threshold: f64, scratch: *mut c_void,
@@ -4711,6 +4865,10 @@ unsafe impl Scalar for f32 {
         vesica_overlap_f32(kind_a, a, kind_b, b)
     }
     #[inline]
+    unsafe fn interiors_overlap(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32 {
+        vesica_interiors_overlap_f32(kind_a, a, kind_b, b)
+    }
+    #[inline]
     unsafe fn contains(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void) -> i32 {
         vesica_contains_f32(kind_a, a, kind_b, b)
     }
@@ -4899,6 +5057,10 @@ unsafe impl Scalar for f32 {
         vesica_overlap_many_f32(a, b, out)
     }
     #[inline]
+    unsafe fn interiors_overlap_many(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut u8) -> i64 {
+        vesica_interiors_overlap_many_f32(a, b, out)
+    }
+    #[inline]
     unsafe fn relation_many(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut u8) -> i64 {
         vesica_relation_many_f32(a, b, out)
     }
@@ -4934,6 +5096,11 @@ unsafe impl Scalar for f32 {
         vesica_overlap_matrix_f32(a, b, out, row_stride)
     }
     #[inline]
+    unsafe fn interiors_overlap_matrix(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut u8,
+        row_stride: isize) -> i64 {
+        vesica_interiors_overlap_matrix_f32(a, b, out, row_stride)
+    }
+    #[inline]
     unsafe fn relation_matrix(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut u8, row_stride: isize) -> i64 {
         vesica_relation_matrix_f32(a, b, out, row_stride)
     }
@@ -4952,6 +5119,11 @@ unsafe impl Scalar for f32 {
     #[inline]
     unsafe fn overlap_select(one: *const Shapes<f32>, many: *const Shapes<f32>, out: *mut i64, capacity: i64) -> i64 {
         vesica_overlap_select_f32(one, many, out, capacity)
+    }
+    #[inline]
+    unsafe fn interiors_overlap_select(one: *const Shapes<f32>, many: *const Shapes<f32>, out: *mut i64,
+        capacity: i64) -> i64 {
+        vesica_interiors_overlap_select_f32(one, many, out, capacity)
     }
     #[inline]
     unsafe fn nms(shapes: *const Shapes<f32>, scores: *const f32, threshold: f32, scratch: *mut c_void,
