@@ -61,11 +61,11 @@ batch::Shapes<T> columns_of(int32_t kind, const void* const* field, int64_t coun
   return shapes;
 }
 
-/// Which of n pairs overlap.
-template <class T>
+/// Which of n pairs have a common point that counts.
+template <class T, Common common = Common::any>
 void decide_overlap(int32_t kind_a, const void* const* a, int64_t count_a, int32_t kind_b, const void* const* b,
                     int64_t n, uint8_t* out) noexcept {
-  batch::many<T>(kernels(), columns_of<T>(kind_a, a, count_a), columns_of<T>(kind_b, b, n), n, out);
+  batch::many<T>(kernels(), columns_of<T>(kind_a, a, count_a), columns_of<T>(kind_b, b, n), n, out, common);
 }
 
 }  // namespace vesica::capi

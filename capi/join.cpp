@@ -21,6 +21,7 @@ void decide_contains(int32_t kind_a, const void* const* a, int64_t count_a, int3
 template <class T>
 index::Decide decider(int32_t query) noexcept {
   if (query == VESICA_JOIN_BOUNDS) return nullptr;
+  if (query == VESICA_JOIN_INTERIORS) return decide_overlap<T, vesica::Common::insides>;
   return query == VESICA_JOIN_OVERLAP ? decide_overlap<T> : decide_contains<T>;
 }
 
@@ -29,9 +30,9 @@ template <class T>
 int32_t check_side(int32_t query, const void* from, const CShapesOf<T>* sets, int32_t set_count,
                    index::Sets& view) noexcept {
   if (query == VESICA_JOIN_BOUNDS) return check_index(from);
+  const bool contains = query == VESICA_JOIN_CONTAINS || query == VESICA_JOIN_INSIDE;
   const int32_t error = first_error(
-      check_index(from),
-      view_sets<T>(sets, set_count, view, query == VESICA_JOIN_OVERLAP ? vesica::has_core : vesica::has_form));
+      check_index(from), view_sets<T>(sets, set_count, view, contains ? vesica::has_form : vesica::has_core));
   if (error != 0) return error;
   return view.items == index::View(from).items() ? 0 : VESICA_E_ARGUMENT;
 }
@@ -48,7 +49,7 @@ int64_t join(int32_t query, const void* index_a, const CShapesOf<T>* sets_a, int
   const int32_t error = first_error(check_side<T>(query, index_a, sets_a, set_count_a, a),
                                     check_side<T>(query, index_b, sets_b, set_count_b, b));
   if (error != 0) return error;
-  if (query < VESICA_JOIN_OVERLAP || query > VESICA_JOIN_INSIDE) return VESICA_E_ARGUMENT;
+  if (query < VESICA_JOIN_OVERLAP || query > VESICA_JOIN_INTERIORS) return VESICA_E_ARGUMENT;
   if (parts < 1 || part < 0 || part >= parts || capacity < 0) return VESICA_E_ARGUMENT;
   if (!aligned(scratch) || scratch_size < index::join_scratch_bytes()) return VESICA_E_ARGUMENT;
   const index::Join all{index_kernels(),

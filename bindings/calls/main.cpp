@@ -75,6 +75,7 @@ template <class T>
 void all_of_two(const Array<T>& a, const Array<T>& b) {
   using Closest = typename Structs<T>::ClosestPoints;
   code_of_two("overlap", call::overlap, a, b);
+  code_of_two("interiors_overlap", call::interiors_overlap, a, b);
   code_of_two("relation", call::relation, a, b);
   code_of_two("contains", call::contains, a, b);
   crossings(a, b);
@@ -234,6 +235,7 @@ void all_many(const Array<T>& a, const Array<T>& b) {
     return call::depth_many(T{}, &x, &y, out, out + n, out + 2 * n);
   };
   many<std::uint8_t>("overlap_many", of_bytes(call::overlap_many), a, b, 1);
+  many<std::uint8_t>("interiors_overlap_many", of_bytes(call::interiors_overlap_many), a, b, 1);
   many<std::uint8_t>("relation_many", of_bytes(call::relation_many), a, b, 1);
   many<std::uint8_t>("contains_many", of_bytes(call::contains_many), a, b, 1);
   many<T>("nearest_many", of_points(call::nearest_many), a, b, 5);
@@ -256,18 +258,19 @@ void matrix(const char* name, Call call, const Array<T>& a, const Array<T>& b) {
 template <class T>
 void all_matrices(const Array<T>& a, const Array<T>& b) {
   matrix<std::uint8_t>("overlap_matrix", call::overlap_matrix, a, b);
+  matrix<std::uint8_t>("interiors_overlap_matrix", call::interiors_overlap_matrix, a, b);
   matrix<std::uint8_t>("relation_matrix", call::relation_matrix, a, b);
   matrix<std::uint8_t>("contains_matrix", call::contains_matrix, a, b);
   matrix<T>("area_matrix", call::area_matrix, a, b);
   matrix<T>("iou_matrix", call::iou_matrix, a, b);
 }
 
-template <class T>
-void select(const Array<T>& one, const Array<T>& many) {
+template <class T, class Call>
+void select(const char* name, Call call, const Array<T>& one, const Array<T>& many) {
   std::vector<std::int64_t> out(many.count() + 1, -1);
   const auto view_one = one.view(), view_many = many.view();
-  begin<T>("overlap_select"), argument(one), argument(many);
-  result(call::overlap_select(T{}, &view_one, &view_many, out.data(), static_cast<std::int64_t>(out.size())));
+  begin<T>(name), argument(one), argument(many);
+  result(call(T{}, &view_one, &view_many, out.data(), static_cast<std::int64_t>(out.size())));
   out.resize(static_cast<std::size_t>(std::find(out.begin(), out.end(), -1) - out.begin()));
   values(out);
   end();
@@ -296,8 +299,10 @@ void arrays() {
   all_many(points, series<T>(VESICA_SEGMENT, 3));
   all_matrices(boxes, points);
   all_matrices(with_invalid(boxes), ellipses);
-  select(sample<T>(VESICA_CIRCLE, 1, 0), rects);
-  select(sample<T>(VESICA_ELLIPSE, 1, 0), with_invalid(boxes));
+  select("overlap_select", call::overlap_select, sample<T>(VESICA_CIRCLE, 1, 0), rects);
+  select("overlap_select", call::overlap_select, sample<T>(VESICA_ELLIPSE, 1, 0), with_invalid(boxes));
+  select("interiors_overlap_select", call::interiors_overlap_select, sample<T>(VESICA_CIRCLE, 1, 0), rects);
+  select("interiors_overlap_select", call::interiors_overlap_select, sample<T>(VESICA_AABB, 1, 0), with_invalid(boxes));
   nms(rects, std::vector<T>{0.5, 0.25, 0.75, 0.875, 0.125, 0.375, 0.625}, T(0.25));
   nms(with_invalid(boxes), std::vector<T>{1, 2, 3, 4, 5}, T(0.125));
   nms(boxes, std::vector<T>{1, 2, 3, 4, 5}, T(1.5));
@@ -382,7 +387,7 @@ void indexes() {
   const Built<T> b({with_invalid(series<T>(VESICA_AABB, 4)), series<T>(VESICA_ELLIPSE, 3)});
   index_questions(a);
   index_questions(b);
-  for (int query = VESICA_JOIN_OVERLAP; query <= VESICA_JOIN_INSIDE; ++query) join(query, a, b);
+  for (int query = VESICA_JOIN_OVERLAP; query <= VESICA_JOIN_INTERIORS; ++query) join(query, a, b);
   join(VESICA_JOIN_OVERLAP, a, a);
   nearest(a, sample<T>(VESICA_SEGMENT, 9, 0), 3, infinity);
   nearest(b, sample<T>(VESICA_SEGMENT, 9, 0), 7, T(4));

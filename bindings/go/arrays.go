@@ -183,6 +183,11 @@ func OverlapMany[T Float](a, b Array[T], out []bool) (int, error) {
 	return many(cOverlapMany, a, b, out)
 }
 
+// InteriorsOverlapMany sets out[i]: do the insides of a[i] and b[i] share a point? It returns how many do.
+func InteriorsOverlapMany[T Float](a, b Array[T], out []bool) (int, error) {
+	return many(cInteriorsOverlapMany, a, b, out)
+}
+
 // RelationMany sets out[i]: how does a[i] relate to b[i]? It returns how many are not disjoint.
 func RelationMany[T Float](a, b Array[T], out []Relation) (int, error) {
 	return many(cRelationMany, a, b, out)
@@ -272,6 +277,12 @@ func OverlapMatrix[T Float](a, b Array[T], out []bool) (int, error) {
 	return matrix(cOverlapMatrix, a, b, out)
 }
 
+// InteriorsOverlapMatrix tells of each of a whether its inside shares a point with that of each of b. It returns how many
+// pairs do.
+func InteriorsOverlapMatrix[T Float](a, b Array[T], out []bool) (int, error) {
+	return matrix(cInteriorsOverlapMatrix, a, b, out)
+}
+
 // RelationMatrix tells how each of a relates to each of b. It returns how many are not disjoint.
 func RelationMatrix[T Float](a, b Array[T], out []Relation) (int, error) {
 	return matrix(cRelationMatrix, a, b, out)
@@ -291,12 +302,24 @@ func IoUMatrix[T Float](a, b Array[T], out []T) (int, error) { return matrix(cIO
 // OverlapSelect gives the indices of those of many that overlap one, in ascending order. With ErrShape too, if it is
 // one of many that is invalid: it is not among them.
 func OverlapSelect[T Float](one Shape, many Array[T]) ([]int64, error) {
+	return selected(cOverlapSelect, one, many)
+}
+
+// InteriorsOverlapSelect gives the indices of those of many whose insides share a point with that of one; otherwise as
+// OverlapSelect.
+func InteriorsOverlapSelect[T Float](one Shape, many Array[T]) ([]int64, error) {
+	return selected(cInteriorsOverlapSelect, one, many)
+}
+
+func selected[T Float](
+	function func(bool, C.vesica_go_view, C.vesica_go_view, *C.char, C.int64_t) C.int64_t, one Shape, many Array[T],
+) ([]int64, error) {
 	single, err := arrayOfOne[T](one)
 	if err != nil {
 		return nil, err
 	}
 	out := make([]int64, many.Len()+1)
-	_, err = count(cOverlapSelect(isWide[T](), single.view, many.view, first(out), C.int64_t(len(out))))
+	_, err = count(function(isWide[T](), single.view, many.view, first(out), C.int64_t(len(out))))
 	if err != nil && err != ErrShape {
 		return nil, err
 	}

@@ -117,6 +117,9 @@ func ofOneOrTwo[T Float](function string, arguments []string) outcome {
 	case "overlap":
 		yes, err := Overlap(a, b)
 		return whole(truth(yes), err)
+	case "interiors_overlap":
+		yes, err := InteriorsOverlap(a, b)
+		return whole(truth(yes), err)
 	case "relation":
 		relation, err := RelationOf(a, b)
 		return whole(int(relation), err)
@@ -413,6 +416,8 @@ func ofArrays[T Float](function string, arguments []string) outcome {
 	switch function {
 	case "overlap_many":
 		return ofBools(OverlapMany(a, b, bools))
+	case "interiors_overlap_many":
+		return ofBools(InteriorsOverlapMany(a, b, bools))
 	case "contains_many":
 		return ofBools(ContainsMany(a, b, bools))
 	case "relation_many":
@@ -429,6 +434,8 @@ func ofArrays[T Float](function string, arguments []string) outcome {
 		return ofColumns(3)(DepthMany(a, b, PenetrationColumns[T]{column(0), column(1), column(2)}))
 	case "overlap_matrix":
 		return ofBools(OverlapMatrix(a, b, bools))
+	case "interiors_overlap_matrix":
+		return ofBools(InteriorsOverlapMatrix(a, b, bools))
 	case "contains_matrix":
 		return ofBools(ContainsMatrix(a, b, bools))
 	case "relation_matrix":
@@ -447,6 +454,9 @@ func ofArrays[T Float](function string, arguments []string) outcome {
 		return ofColumns(1)(BoundaryDistanceMatrix(a, b, column(0)))
 	case "depth_matrix":
 		return ofColumns(1)(DepthMatrix(a, b, column(0)))
+	case "interiors_overlap_select":
+		indices, err := InteriorsOverlapSelect(single[T](arguments[0]), b)
+		return outcome{len(indices), err, floats(indices)}
 	case "overlap_select":
 		indices, err := OverlapSelect(single[T](arguments[0]), b)
 		return outcome{len(indices), err, floats(indices)}

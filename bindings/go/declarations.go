@@ -97,6 +97,8 @@ const (
 	JoinContains JoinQuery = 2
 	// JoinInside: b contains a
 	JoinInside JoinQuery = 3
+	// JoinInteriors: their insides share a point, as by vesica_interiors_overlap_f64
+	JoinInteriors JoinQuery = 4
 )
 
 // Ratio is what a shared area is compared with.

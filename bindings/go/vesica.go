@@ -142,6 +142,12 @@ func Overlap[A, B Shape](a A, b B) (bool, error) {
 	return code == 1, err
 }
 
+// InteriorsOverlap tells whether the insides of two shapes share a point. Touching does not count. Exact.
+func InteriorsOverlap[A, B Shape](a A, b B) (bool, error) {
+	code, err := codeOf(cInteriorsOverlap, a, b)
+	return code == 1, err
+}
+
 // RelationOf tells how a relates to b. Exact.
 func RelationOf[A, B Shape](a A, b B) (Relation, error) {
 	code, err := codeOf(cRelation, a, b)

@@ -9,6 +9,7 @@ const queries = {
   bounds: constants.JOIN_BOUNDS,
   contains: constants.JOIN_CONTAINS,
   inside: constants.JOIN_INSIDE,
+  interiors: constants.JOIN_INTERIORS,
 };
 const pairsACall = 1 << 14;
 

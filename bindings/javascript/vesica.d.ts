@@ -154,7 +154,7 @@ export interface ImpactTime extends Impact<number> {
 }
 export interface FirstImpact extends Impact<number> { item: number }
 
-export type Query = 'overlap' | 'bounds' | 'contains' | 'inside';
+export type Query = 'overlap' | 'bounds' | 'contains' | 'inside' | 'interiors';
 export interface Joining {
   /** Another index, of the same scalar type and load(); this one if left out: then pairs are a < b. */
   with?: Index;
@@ -254,6 +254,10 @@ export class Vesica {
   overlap(a: Shape, b: Shape): boolean;
   overlap(a: ShapeArray, b: Many, options?: { out?: Uint8Array }): Uint8Array;
   overlap(a: Many, b: ShapeArray, options?: { out?: Uint8Array }): Uint8Array;
+  /** Do the insides of a and b share a point? Touching does not count. */
+  interiorsOverlap(a: Shape, b: Shape): boolean;
+  interiorsOverlap(a: ShapeArray, b: Many, options?: { out?: Uint8Array }): Uint8Array;
+  interiorsOverlap(a: Many, b: ShapeArray, options?: { out?: Uint8Array }): Uint8Array;
   /** How does a relate to b? Arrays have numbers: see `relations`. */
   relation(a: Shape, b: Shape): Relation;
   relation(a: ShapeArray, b: Many, options?: { out?: Uint8Array }): Uint8Array;
@@ -307,6 +311,7 @@ export class Vesica {
 
   /** Every pair: the answer for a[i] and b[j] is element i * b.length + j. */
   overlapMatrix(a: ShapeArray, b: ShapeArray): Uint8Array;
+  interiorsOverlapMatrix(a: ShapeArray, b: ShapeArray): Uint8Array;
   relationMatrix(a: ShapeArray, b: ShapeArray): Uint8Array;
   containsMatrix(a: ShapeArray, b: ShapeArray): Uint8Array;
   areaMatrix(a: ShapeArray, b: ShapeArray): Numbers;
@@ -342,6 +347,8 @@ export class Vesica {
 
   /** The indices of those of many that overlap one. */
   overlapSelect(one: Shape, many: ShapeArray): number[];
+  /** The indices of those of many whose insides share a point with that of one. */
+  interiorsOverlapSelect(one: Shape, many: ShapeArray): number[];
   /** Where outlines meet, in order along a's. */
   crossings(a: Shape, b: Shape): Crossings;
   shapeArea(shape: Shape): number;

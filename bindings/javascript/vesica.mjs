@@ -137,6 +137,9 @@ export class Vesica {
   overlap(a, b, options) {
     return this.#codes('overlap', a, b, options, (code) => code === 1);
   }
+  interiorsOverlap(a, b, options) {
+    return this.#codes('interiors_overlap', a, b, options, (code) => code === 1);
+  }
   relation(a, b, options) {
     return this.#codes('relation', a, b, options, (code) => relations[code]);
   }
@@ -189,6 +192,9 @@ export class Vesica {
   overlapMatrix(a, b) {
     return this.#matrix('overlap', Uint8Array, a, b);
   }
+  interiorsOverlapMatrix(a, b) {
+    return this.#matrix('interiors_overlap', Uint8Array, a, b);
+  }
   relationMatrix(a, b) {
     return this.#matrix('relation', Uint8Array, a, b);
   }
@@ -229,11 +235,17 @@ export class Vesica {
   }
 
   overlapSelect(one, many) {
+    return this.#selected('overlap', one, many);
+  }
+  interiorsOverlapSelect(one, many) {
+    return this.#selected('interiors_overlap', one, many);
+  }
+  #selected(name, one, many) {
     return this.inRoom((room) => {
       const { scalar, a, b } = this.operands(one, many, room);
       if (!isArray(many)) throw new TypeError('many is an array of shapes, as shapes() makes it');
       const out = room.take(8 * many.length + 8);
-      const code = Number(this.c[`vesica_overlap_select_${scalar}`](a, b, out, BigInt(many.length)));
+      const code = Number(this.c[`vesica_${name}_select_${scalar}`](a, b, out, BigInt(many.length)));
       const indices = Array.from(new BigInt64Array(this.#memory.buffer, out, many.length), Number);
       // With an invalid shape, which is never selected, -1 follows the others.
       return this.#answer(code, indices.slice(0, code < 0 ? indices.indexOf(-1) : code));

@@ -34,10 +34,11 @@ extern "C" {
 /* ---- Constants ---- */
 
 /* Which pairs a join finds: those of item a of one index and item b of another for which this holds. */
-#define VESICA_JOIN_OVERLAP 0  /**< a and b overlap, as by vesica_overlap_f64 */
-#define VESICA_JOIN_BOUNDS 1   /**< their bounds in the indexes do: all pairs that overlap, and some that do not */
-#define VESICA_JOIN_CONTAINS 2 /**< a contains b, as by vesica_contains_f64 */
-#define VESICA_JOIN_INSIDE 3   /**< b contains a */
+#define VESICA_JOIN_OVERLAP 0   /**< a and b overlap, as by vesica_overlap_f64 */
+#define VESICA_JOIN_BOUNDS 1    /**< their bounds in the indexes do: all pairs that overlap, and some that do not */
+#define VESICA_JOIN_CONTAINS 2  /**< a contains b, as by vesica_contains_f64 */
+#define VESICA_JOIN_INSIDE 3    /**< b contains a */
+#define VESICA_JOIN_INTERIORS 4 /**< their insides share a point, as by vesica_interiors_overlap_f64 */
 
 /* ---- Memory ----
  * Since: 0.1.
@@ -178,7 +179,7 @@ VESICA_API int64_t vesica_index_select_f64(const void *index, const vesica_shape
  * The order of pairs depends on the bytes of the indexes and the query alone.
  * The work may be divided into `parts` of about equal work, which may run at the same time, each with its own scratch.
  * The pairs of all parts, one part after the other, are those of a call with part 0 and parts 1.
- * Requires: query is VESICA_JOIN_OVERLAP ... VESICA_JOIN_INSIDE. sets_a and sets_b are those of the indexes; with
+ * Requires: query is VESICA_JOIN_OVERLAP ... VESICA_JOIN_INTERIORS. sets_a and sets_b are those of the indexes; with
  * VESICA_JOIN_BOUNDS they are ignored. 0 <= part < parts. scratch_size >= vesica_join_scratch(); nothing is kept in the
  * scratch between calls. out_a and out_b have room for `capacity` items. With capacity 0, they and state may be NULL.
  * Returns: the number of pairs written; with capacity 0, how many the whole part has.

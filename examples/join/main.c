@@ -24,6 +24,7 @@ static const char usage[] =
     "\n"
     "  --contains   pairs of which the first contains the second\n"
     "  --inside     pairs of which the second contains the first\n"
+    "  --interiors  pairs whose insides share a point: those that only touch are left out\n"
     "  --bounds     pairs whose bounding boxes meet, and a few more\n"
     "  --count      how many there are, and no pairs\n"
     "  --kind KIND  what all shapes are (point segment circle aabb rect ellipse capsule\n"
@@ -40,8 +41,10 @@ static int read_option(const char* text, struct options* options) {
   static const struct {
     const char* name;
     int32_t query;
-  } queries[] = {
-      {"--contains", VESICA_JOIN_CONTAINS}, {"--inside", VESICA_JOIN_INSIDE}, {"--bounds", VESICA_JOIN_BOUNDS}};
+  } queries[] = {{"--contains", VESICA_JOIN_CONTAINS},
+                 {"--inside", VESICA_JOIN_INSIDE},
+                 {"--interiors", VESICA_JOIN_INTERIORS},
+                 {"--bounds", VESICA_JOIN_BOUNDS}};
   for (size_t i = 0; i < sizeof queries / sizeof *queries; i++) {
     if (strcmp(text, queries[i].name) != 0) continue;
     options->query = queries[i].query;

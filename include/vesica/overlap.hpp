@@ -3,7 +3,7 @@
 /// Touching does not count. Both are exact for every valid input.
 ///
 /// The inside of a shape is the shape without its outline, as in relation.hpp. The outline of a segment is its two
-/// ends; a point has none. So the insides of two segments that cross share a point, and so do those of two equal points.
+/// ends; a point has none. So the insides of two segments that cross share a point, and of two equal points too.
 /// The insides of a disc and of a point on its rim share none.
 ///
 /// Three stages. The pair's filter evaluates the predicate in floating point with a bound on its error and answers

@@ -54,6 +54,7 @@ VESICA_INLINE TwoDoubles::Mask operator<(TwoDoubles a, TwoDoubles b) noexcept { 
 VESICA_INLINE TwoDoubles::Mask operator<=(TwoDoubles a, TwoDoubles b) noexcept { return {_mm_cmple_pd(a.v, b.v)}; }
 VESICA_INLINE TwoDoubles::Mask operator==(TwoDoubles a, TwoDoubles b) noexcept { return {_mm_cmpeq_pd(a.v, b.v)}; }
 VESICA_INLINE TwoDoubles::Mask both(TwoDoubles::Mask a, TwoDoubles::Mask b) noexcept { return {_mm_and_pd(a.v, b.v)}; }
+VESICA_INLINE TwoDoubles::Mask either(TwoDoubles::Mask a, TwoDoubles::Mask b) noexcept { return {_mm_or_pd(a.v, b.v)}; }
 /// The first numbers of a and b, and the second ones.
 VESICA_INLINE TwoDoubles firsts(TwoDoubles a, TwoDoubles b) noexcept { return _mm_unpacklo_pd(a.v, b.v); }
 VESICA_INLINE TwoDoubles seconds(TwoDoubles a, TwoDoubles b) noexcept { return _mm_unpackhi_pd(a.v, b.v); }
@@ -67,6 +68,9 @@ VESICA_INLINE TwoDoubles::Mask operator<=(TwoDoubles a, TwoDoubles b) noexcept {
 VESICA_INLINE TwoDoubles::Mask operator==(TwoDoubles a, TwoDoubles b) noexcept { return {numbers(a.v == b.v)}; }
 VESICA_INLINE TwoDoubles::Mask both(TwoDoubles::Mask a, TwoDoubles::Mask b) noexcept {
   return {numbers(bits(a) & bits(b))};
+}
+VESICA_INLINE TwoDoubles::Mask either(TwoDoubles::Mask a, TwoDoubles::Mask b) noexcept {
+  return {numbers(bits(a) | bits(b))};
 }
 VESICA_INLINE TwoDoubles firsts(TwoDoubles a, TwoDoubles b) noexcept { return {a.first(), b.first()}; }
 VESICA_INLINE TwoDoubles seconds(TwoDoubles a, TwoDoubles b) noexcept { return {a.second(), b.second()}; }

@@ -75,6 +75,7 @@ struct Face<double> {
   using Shapes = vesica_shapes_f64;
   static constexpr auto check = vesica_check_f64;
   static constexpr auto overlap = vesica_overlap_f64;
+  static constexpr auto interiors_overlap = vesica_interiors_overlap_f64;
   static constexpr auto relation = vesica_relation_f64;
   static constexpr auto contains = vesica_contains_f64;
   static constexpr auto nearest = vesica_nearest_f64;
@@ -93,8 +94,11 @@ struct Face<double> {
   static constexpr auto boxes_from_shapes = vesica_boxes_from_shapes_f64;
   static constexpr auto corners_of_shapes = vesica_corners_of_shapes_f64;
   static constexpr auto overlap_many = vesica_overlap_many_f64;
+  static constexpr auto interiors_overlap_many = vesica_interiors_overlap_many_f64;
   static constexpr auto overlap_matrix = vesica_overlap_matrix_f64;
+  static constexpr auto interiors_overlap_matrix = vesica_interiors_overlap_matrix_f64;
   static constexpr auto overlap_select = vesica_overlap_select_f64;
+  static constexpr auto interiors_overlap_select = vesica_interiors_overlap_select_f64;
   static constexpr auto relation_many = vesica_relation_many_f64;
   static constexpr auto relation_matrix = vesica_relation_matrix_f64;
   static constexpr auto contains_many = vesica_contains_many_f64;
@@ -154,6 +158,7 @@ struct Face<float> {
   using Shapes = vesica_shapes_f32;
   static constexpr auto check = vesica_check_f32;
   static constexpr auto overlap = vesica_overlap_f32;
+  static constexpr auto interiors_overlap = vesica_interiors_overlap_f32;
   static constexpr auto relation = vesica_relation_f32;
   static constexpr auto contains = vesica_contains_f32;
   static constexpr auto nearest = vesica_nearest_f32;
@@ -172,8 +177,11 @@ struct Face<float> {
   static constexpr auto boxes_from_shapes = vesica_boxes_from_shapes_f32;
   static constexpr auto corners_of_shapes = vesica_corners_of_shapes_f32;
   static constexpr auto overlap_many = vesica_overlap_many_f32;
+  static constexpr auto interiors_overlap_many = vesica_interiors_overlap_many_f32;
   static constexpr auto overlap_matrix = vesica_overlap_matrix_f32;
+  static constexpr auto interiors_overlap_matrix = vesica_interiors_overlap_matrix_f32;
   static constexpr auto overlap_select = vesica_overlap_select_f32;
+  static constexpr auto interiors_overlap_select = vesica_interiors_overlap_select_f32;
   static constexpr auto relation_many = vesica_relation_many_f32;
   static constexpr auto relation_matrix = vesica_relation_matrix_f32;
   static constexpr auto contains_many = vesica_contains_many_f32;

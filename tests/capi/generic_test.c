@@ -166,6 +166,7 @@ static void test_float(void) {
 #define EXPECT_PAIR(scalar, T, a, KIND_A, b, KIND_B)                                                          \
   do {                                                                                                        \
     EXPECT_ANSWER(vesica_overlap, scalar, T, a, KIND_A, b, KIND_B);                                           \
+    EXPECT_ANSWER(vesica_interiors_overlap, scalar, T, a, KIND_A, b, KIND_B);                                 \
     EXPECT_ANSWER(vesica_relation, scalar, T, a, KIND_A, b, KIND_B);                                          \
     EXPECT_ANSWER(vesica_contains, scalar, T, a, KIND_A, b, KIND_B);                                          \
     EXPECT_RESULT(vesica_nearest, scalar, T, vesica_closest_points_##scalar, a, KIND_A, b, KIND_B);           \

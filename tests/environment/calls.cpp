@@ -328,7 +328,7 @@ Bytes ask_join(const Inputs& inputs) {
   std::vector<std::int64_t> out_a(inputs.pairs.size() * inputs.pairs.size()), out_b(out_a.size());
   std::vector<T> distance(out_a.size());
   Bytes bytes;
-  for (std::int32_t query = VESICA_JOIN_OVERLAP; query <= VESICA_JOIN_INSIDE; ++query) {
+  for (std::int32_t query = VESICA_JOIN_OVERLAP; query <= VESICA_JOIN_INTERIORS; ++query) {
     std::int64_t state[4] = {};
     append(bytes, join(query, index_a.units.data(), &a, 1, index_b.units.data(), &b, 1, 0, 1, join_scratch.units.data(),
                        join_scratch.size, out_a.data(), out_b.data(), static_cast<std::int64_t>(out_a.size()), state));
@@ -533,6 +533,7 @@ Bytes ask_soft(const Inputs& inputs) {
 #define SCALAR_CALLS(s, T)                                                                                           \
   {                                                                                                                  \
     {"check", ask_check<T, vesica_check_##s>}, {"overlap", ask_code<T, vesica_overlap_##s>},                         \
+        {"interiors_overlap", ask_code<T, vesica_interiors_overlap_##s>},                                            \
         {"relation", ask_code<T, vesica_relation_##s>}, {"contains", ask_code<T, vesica_contains_##s>},              \
         {"nearest", ask_pair<T, vesica_closest_points_##s, vesica_nearest_##s>},                                     \
         {"boundary_distance", ask_pair<T, vesica_closest_points_##s, vesica_boundary_distance_##s>},                 \
@@ -564,6 +565,8 @@ Bytes ask_soft(const Inputs& inputs) {
 #define BATCH_CALLS(s, T)                                                                                             \
   {                                                                                                                   \
     {"overlap_many", ask_many<T, vesica_shapes_##s, std::uint8_t, vesica_overlap_many_##s, 1>},                       \
+        {"interiors_overlap_many",                                                                                    \
+         ask_many<T, vesica_shapes_##s, std::uint8_t, vesica_interiors_overlap_many_##s, 1>},                         \
         {"relation_many", ask_many<T, vesica_shapes_##s, std::uint8_t, vesica_relation_many_##s, 1>},                 \
         {"contains_many", ask_many<T, vesica_shapes_##s, std::uint8_t, vesica_contains_many_##s, 1>},                 \
         {"nearest_many", ask_many<T, vesica_shapes_##s, T, vesica_nearest_many_##s, 5>},                              \
@@ -572,6 +575,8 @@ Bytes ask_soft(const Inputs& inputs) {
         {"area_many", ask_many<T, vesica_shapes_##s, T, vesica_area_many_##s, 1>},                                    \
         {"iou_many", ask_many<T, vesica_shapes_##s, T, vesica_iou_many_##s, 1>},                                      \
         {"overlap_matrix", ask_matrix<T, vesica_shapes_##s, std::uint8_t, vesica_overlap_matrix_##s>},                \
+        {"interiors_overlap_matrix",                                                                                  \
+         ask_matrix<T, vesica_shapes_##s, std::uint8_t, vesica_interiors_overlap_matrix_##s>},                        \
         {"relation_matrix", ask_matrix<T, vesica_shapes_##s, std::uint8_t, vesica_relation_matrix_##s>},              \
         {"contains_matrix", ask_matrix<T, vesica_shapes_##s, std::uint8_t, vesica_contains_matrix_##s>},              \
         {"area_matrix", ask_matrix<T, vesica_shapes_##s, T, vesica_area_matrix_##s>},                                 \
@@ -587,6 +592,7 @@ Bytes ask_soft(const Inputs& inputs) {
         {"ratio arrays", ask_ratio_arrays<T>}, {"suppress", ask_suppress<T>}, {"boxes", ask_boxes<T>},                \
         {"index steps", ask_steps<T>},                                                                                \
         {"overlap_select", ask_select<T, vesica_shapes_##s, vesica_overlap_select_##s>},                              \
+        {"interiors_overlap_select", ask_select<T, vesica_shapes_##s, vesica_interiors_overlap_select_##s>},          \
         {"nms", ask_nms<T, vesica_shapes_##s, vesica_nms_##s>},                                                       \
         {"casts", ask_casts<T, vesica_shapes_##s, vesica_impact_##s, vesica_cast_many_##s, vesica_cast_first_##s>},   \
         {"index", ask_index<T, vesica_shapes_##s, vesica_impact_##s, vesica_index_build_##s, vesica_index_select_##s, \

@@ -25,8 +25,10 @@ std::int64_t many(unsigned which, const Shapes& a, const Shapes& b, std::int64_t
       return F::area_many(&a, &b, room<T>(memory, n));
     case 7:
       return F::iou_many(&a, &b, room<T>(memory, n));
+    case 8:
+      return F::interiors_overlap_many(&a, &b, room<std::uint8_t>(memory, n));
     default:
-      return F::ratio_many(static_cast<std::int32_t>(which) - 8, &a, &b, room<T>(memory, n));
+      return F::ratio_many(static_cast<std::int32_t>(which) - 9, &a, &b, room<T>(memory, n));
   }
 }
 
@@ -52,8 +54,10 @@ std::int64_t matrix(unsigned which, const Shapes& a, const Shapes& b, std::ptrdi
       return F::boundary_distance_matrix(&a, &b, room<T>(memory, size), row);
     case 7:
       return F::depth_matrix(&a, &b, room<T>(memory, size), row);
+    case 8:
+      return F::interiors_overlap_matrix(&a, &b, room<std::uint8_t>(memory, size), row);
     default:
-      return F::ratio_matrix(static_cast<std::int32_t>(which) - 8, &a, &b, room<T>(memory, size), row);
+      return F::ratio_matrix(static_cast<std::int32_t>(which) - 9, &a, &b, room<T>(memory, size), row);
   }
 }
 
@@ -84,13 +88,13 @@ void call_suppression(Bytes& bytes, Memory& memory) {
 
 template <class T>
 void call(Bytes& bytes, Memory& memory) {
-  constexpr unsigned first_matrix = 16, from_records = 29, select = 30, suppression = 31;
-  const unsigned which = bytes.below(32);
+  constexpr unsigned first_matrix = 17, from_records = 31, select = 32, select_insides = 33, suppression = 34;
+  const unsigned which = bytes.below(35);
   if (which == suppression) return call_suppression<T>(bytes, memory);
   const std::int64_t count_a = bytes.below(most);
   std::int64_t count_b = bytes.below(4) == 3 ? 1 : count_a;
   if (which >= first_matrix) count_b = bytes.below(most);
-  const auto a = array<T>(bytes, memory.a, which == select ? 1 : count_a);
+  const auto a = array<T>(bytes, memory.a, which == select || which == select_insides ? 1 : count_a);
   const auto b = array<T>(bytes, memory.b, count_b);
   if (which < first_matrix) {
     const std::int64_t n = count_a == 0 || count_b == 0 ? 0 : count_a;
@@ -102,7 +106,8 @@ void call(Bytes& bytes, Memory& memory) {
     demand(Face<T>::from_records(a.kind, a.count, a.field[0], a.stride, &made) <= 0);
   } else {
     const std::int64_t capacity = bytes.below(most);
-    demand(Face<T>::overlap_select(&a, &b, room<std::int64_t>(memory.out, capacity), capacity) <= count_b);
+    const auto select_some = which == select ? Face<T>::overlap_select : Face<T>::interiors_overlap_select;
+    demand(select_some(&a, &b, room<std::int64_t>(memory.out, capacity), capacity) <= count_b);
   }
 }
 

@@ -90,6 +90,8 @@ constexpr Call calls[] = {
     describe,
     code<double, vesica_overlap_f64, 1>,
     code<float, vesica_overlap_f32, 1>,
+    code<double, vesica_interiors_overlap_f64, 1>,
+    code<float, vesica_interiors_overlap_f32, 1>,
     code<double, vesica_relation_f64, 7>,
     code<float, vesica_relation_f32, 7>,
     code<double, vesica_contains_f64, 1>,

@@ -2,7 +2,7 @@
 /* vesica_index.h before anything else, compiled as every C and C++ it promises to be. It brings vesica.h with it. */
 #include <vesica_index.h>
 
-#if !defined(VESICA_H) || VESICA_JOIN_INSIDE != 3
+#if !defined(VESICA_H) || VESICA_JOIN_INSIDE != 3 || VESICA_JOIN_INTERIORS != 4
 #error "vesica.h or the constants of joins are missing"
 #endif
 

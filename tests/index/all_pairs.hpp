@@ -138,6 +138,11 @@ bool contains(const Item<T>& a, const Item<T>& b) {
   return Face<T>::contains(a.kind, a.numbers, b.kind, b.numbers) == 1;
 }
 
+template <class T>
+bool interiors_overlap(const Item<T>& a, const Item<T>& b) {
+  return Face<T>::interiors_overlap(a.kind, a.numbers, b.kind, b.numbers) == 1;
+}
+
 /// In order, for comparing as sets.
 inline std::vector<Pair> sorted(std::vector<Pair> pairs) {
   std::sort(pairs.begin(), pairs.end());

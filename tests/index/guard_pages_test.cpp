@@ -188,7 +188,8 @@ class Questions {
     const std::int64_t size = whole_lines(vesica_join_scratch());
     std::byte* const scratch = buffers_.lines(size);
     for (const Guarded<T>* b : {&a_, &b_}) {
-      for (const auto query : {VESICA_JOIN_OVERLAP, VESICA_JOIN_BOUNDS, VESICA_JOIN_CONTAINS, VESICA_JOIN_INSIDE}) {
+      for (const auto query :
+           {VESICA_JOIN_OVERLAP, VESICA_JOIN_BOUNDS, VESICA_JOIN_CONTAINS, VESICA_JOIN_INSIDE, VESICA_JOIN_INTERIORS}) {
         of_pairs("join", [&](auto first, auto second, std::int64_t room, auto state) {
           return F::join(query, a_.index, a_.guarded_sets, a_.count(), b->index, b->guarded_sets, b->count(), 0, 1,
                          scratch, size, first, second, room, state);

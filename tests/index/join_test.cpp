@@ -78,6 +78,19 @@ TYPED_TEST(JoinTest, Containment) {
   }
 }
 
+TYPED_TEST(JoinTest, Interiors) {
+  for (const std::string name : {"decades_3", "one_giant", "points", "near_ties"}) {
+    const std::int64_t n = std::min<std::int64_t>(3000, many_of<TypeParam>(name, true));
+    const Indexed<TypeParam> a(mixed<TypeParam>(name, n, 5)), b(mixed<TypeParam>(name, n, 6));
+    EXPECT_TRUE(sorted(join(VESICA_JOIN_INTERIORS, a, b)) ==
+                all_pairs<TypeParam>(a.laid, b.laid, false, interiors_overlap<TypeParam>))
+        << name;
+    EXPECT_TRUE(sorted(join(VESICA_JOIN_INTERIORS, a, a)) ==
+                all_pairs<TypeParam>(a.laid, a.laid, true, interiors_overlap<TypeParam>))
+        << name;
+  }
+}
+
 TYPED_TEST(JoinTest, BoundsHoldAllPairsAndLittleMore) {
   for (const std::string& name : rect_workloads()) {
     const Indexed<TypeParam> a(rects<TypeParam>(name, std::min<std::int64_t>(3000, many_of<TypeParam>(name, true)), 7)),

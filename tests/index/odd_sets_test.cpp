@@ -65,7 +65,8 @@ TYPED_TEST(OddSets, SeveralOfOneKind) {
   }
   parted.push_back({VESICA_CIRCLE, {-1000, -1000, 1}});
   const Indexed<TypeParam> whole(all), parts(parted), other(rects<TypeParam>("clustered", 2000, 2));
-  for (const std::int32_t query : {VESICA_JOIN_OVERLAP, VESICA_JOIN_CONTAINS, VESICA_JOIN_INSIDE}) {
+  for (const std::int32_t query :
+       {VESICA_JOIN_OVERLAP, VESICA_JOIN_CONTAINS, VESICA_JOIN_INSIDE, VESICA_JOIN_INTERIORS}) {
     const std::vector<Pair> expected = sorted(join(query, whole, other));
     EXPECT_TRUE(sorted(join(query, parts, other)) == expected) << query;
     EXPECT_TRUE(sorted(join(query, parts, other, 0, 1, 37)) == expected) << query;

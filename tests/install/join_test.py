@@ -117,6 +117,8 @@ check("--inside", [(0, 1), (0, 2), (0, 3), (2, 1), (3, 0), (3, 1), (3, 2)], pair
 point = write("point.txt", "point 1 1")
 check("--contains of two", [(0, 0), (1, 0), (2, 0), (3, 0)], pairs("--contains of two", nested, point, "--contains"))
 check("--inside of two", [(0, 0), (3, 0)], pairs("--inside of two", "--inside", nested, point))
+touching = write("touching.txt", "aabb 0 0 1 1\naabb 1 0 2 1\naabb 0.5 0 1 1\n")
+check("--interiors", [(0, 2)], pairs("--interiors", "--interiors", touching))
 corner = write("corner.txt", "circle 0 0 1\npoint 0.9 0.9\n")
 check("overlap beside a box", [], pairs("overlap beside a box", corner))
 check("--bounds", [(0, 1)], pairs("--bounds", "--bounds", corner))

@@ -195,7 +195,7 @@ TEST(Interiors, RadiusAtContact) {
     const std::int32_t with_radius[] = {VESICA_CIRCLE, VESICA_CAPSULE, VESICA_ROUND_RECT};
     interiors::Shape b = interiors::shape(with_radius[random.below(3)], 0, random);
     const interiors::Shape a = interiors::shape(static_cast<std::int32_t>(random.below(8)), 0, random);
-    double& r = *growing(b);
+    double& r = b.number[b.kind == VESICA_CIRCLE ? 2 : b.kind == VESICA_CAPSULE ? 4 : 6];
     double low = 0, high = 32;
     r = low;
     if (interiors::overlap(a, b) == 1) continue;

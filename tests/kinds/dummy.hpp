@@ -19,6 +19,8 @@
 
 namespace vesica {
 
+enum class Common : int;
+
 template <class T>
 struct Dummy {
   T n0, n1, n2, n3, n4;
@@ -43,8 +45,8 @@ constexpr auto filter(const A<V>&, const Dummy<V>& s) noexcept {
   return vesica::filter::Verdict<std::remove_const_t<decltype(never)>>{never, never};
 }
 template <class A>
-constexpr bool exact(const A&, const Dummy<double>&) noexcept {
-  return false;
+constexpr int contact(const A&, const Dummy<double>&, Common) noexcept {
+  return 1;
 }
 
 }  // namespace detail::overlap

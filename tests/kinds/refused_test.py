@@ -19,7 +19,8 @@ GOOD = 4  # VESICA_RECT
 BAD = [-1, 8, 9, 127, -(2**31), 2**31 - 1]
 # These know a kind before any query does; overlap is the first query.
 OF_EVERY_KIND = ("vesica_field_count", "vesica_kind_name", "vesica_check", "vesica_shapes_from_records")
-OVERLAP = [f"vesica_overlap{form}_{scalar}" for form in ("", "_many", "_matrix", "_select") for scalar in ("f64", "f32")]
+OVERLAP = [f"vesica_{name}{form}_{scalar}" for name in ("overlap", "interiors_overlap")
+           for form in ("", "_many", "_matrix", "_select") for scalar in ("f64", "f32")]
 NUMBERS = {
     "int32_t": ctypes.c_int32, "int64_t": ctypes.c_int64, "ptrdiff_t": ctypes.c_ssize_t, "uint8_t": ctypes.c_uint8,
     "uint32_t": ctypes.c_uint32, "double": ctypes.c_double, "float": ctypes.c_float, "char": ctypes.c_char,

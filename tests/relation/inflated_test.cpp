@@ -185,6 +185,8 @@ TEST(RelationInflated, AgreesWithWholeNumbersOnALattice) {
     ASSERT_EQ(vesica_contains_f64(a.kind, a.number.data(), b.kind, b.number.data()), found >= VESICA_CONTAINS);
     ASSERT_EQ(vesica_contains_f64(b.kind, b.number.data(), a.kind, a.number.data()), converse >= VESICA_CONTAINS);
     ASSERT_EQ(vesica_overlap_f64(a.kind, a.number.data(), b.kind, b.number.data()), found != VESICA_DISJOINT);
+    const auto insides = vesica_interiors_overlap_f64(a.kind, a.number.data(), b.kind, b.number.data());
+    ASSERT_EQ(insides, contact(a, b) < 0) << "case " << i << ", insides";
     ++seen[static_cast<std::size_t>(found)];
   }
   for (const int count : seen) EXPECT_GT(count, 0);

@@ -16,10 +16,16 @@ namespace Vesica
         internal delegate long Closests(
             bool wide, void* a, void* b, void* distance, void* ax, void* ay, void* bx, void* by);
 
+        private delegate long Selection(bool wide, void* one, void* many, void* output, long capacity);
+
+        private static readonly Selection overlapSelect = Native.OverlapSelect;
+        private static readonly Selection interiorsOverlapSelect = Native.InteriorsOverlapSelect;
         private static readonly Bytes overlapMany = Native.OverlapMany, relationMany = Native.RelationMany;
+        private static readonly Bytes interiorsOverlapMany = Native.InteriorsOverlapMany;
         private static readonly Bytes containsMany = Native.ContainsMany, areaMany = Native.AreaMany;
         private static readonly Bytes iouMany = Native.IouMany;
         private static readonly Matrices overlapMatrix = Native.OverlapMatrix, relationMatrix = Native.RelationMatrix;
+        private static readonly Matrices interiorsOverlapMatrix = Native.InteriorsOverlapMatrix;
         private static readonly Matrices containsMatrix = Native.ContainsMatrix, areaMatrix = Native.AreaMatrix;
         private static readonly Matrices iouMatrix = Native.IouMatrix, nearestMatrix = Native.NearestMatrix;
         private static readonly Matrices boundaryDistanceMatrix = Native.BoundaryDistanceMatrix;
@@ -91,6 +97,13 @@ namespace Vesica
             fixed (bool* p = &output.GetPinnableReference()) return Many(overlapMany, a, b, p, output.Length, 1);
         }
 
+        /// <summary>Do the insides of a[i] and b[i] share a point? Returns how many do.</summary>
+        public static long InteriorsOverlapMany(Shapes a, Shapes b, Span<bool> output)
+        {
+            fixed (bool* p = &output.GetPinnableReference())
+                return Many(interiorsOverlapMany, a, b, p, output.Length, 1);
+        }
+
         /// <summary>How does a[i] relate to b[i]? Returns how many are not disjoint.</summary>
         public static long RelationMany(Shapes a, Shapes b, Span<Relation> output)
         {
@@ -107,6 +120,13 @@ namespace Vesica
         public static long OverlapMatrix(Shapes a, Shapes b, Span<bool> output)
         {
             fixed (bool* p = &output.GetPinnableReference()) return Matrix(overlapMatrix, a, b, p, output.Length, 1);
+        }
+
+        /// <summary>Do the insides of each of a and each of b share a point?</summary>
+        public static long InteriorsOverlapMatrix(Shapes a, Shapes b, Span<bool> output)
+        {
+            fixed (bool* p = &output.GetPinnableReference())
+                return Matrix(interiorsOverlapMatrix, a, b, p, output.Length, 1);
         }
 
         /// <summary>How does each of a relate to each of b?</summary>
@@ -356,6 +376,17 @@ namespace Vesica
         /// <summary>The indices of those of many that overlap one, in ascending order.</summary>
         public static long[] OverlapSelect<S>(S one, Shapes many) where S : IShape
         {
+            return Selected(overlapSelect, one, many);
+        }
+
+        /// <summary>The indices of those of many whose insides share a point with that of one, ascending.</summary>
+        public static long[] InteriorsOverlapSelect<S>(S one, Shapes many) where S : IShape
+        {
+            return Selected(interiorsOverlapSelect, one, many);
+        }
+
+        private static long[] Selected<S>(Selection function, S one, Shapes many) where S : IShape
+        {
             if (many == null) throw new ArgumentNullException("many");
             Alike(one.IsDouble, many.IsDouble);
             var indices = new long[many.Count + 1];
@@ -366,7 +397,7 @@ namespace Vesica
             {
                 long code;
                 fixed (long* p = indices)
-                    code = Native.OverlapSelect(one.IsDouble, &viewOne, &viewMany, p, indices.Length);
+                    code = function(one.IsDouble, &viewOne, &viewMany, p, indices.Length);
                 if (code < 0 && code != (long)ErrorCode.Shape) Native.Checked(code);
                 Array.Resize(ref indices, (int)(code < 0 ? Array.IndexOf(indices, -1) : code));
                 if (code < 0) throw new VesicaException((int)code, indices);

@@ -19,6 +19,7 @@ namespace Vesica
 
         // Made once: a delegate of a static method is slow to make.
         private static readonly Codes overlap = Native.Overlap, relation = Native.Relation, contains = Native.Contains;
+        private static readonly Codes interiorsOverlap = Native.InteriorsOverlap;
         private static readonly Measures nearest = Native.Nearest, depth = Native.Depth;
         private static readonly Measures boundaryDistance = Native.BoundaryDistance, area = Native.Area;
         private static readonly Measures iou = Native.Iou;
@@ -77,6 +78,12 @@ namespace Vesica
         public static bool Overlap<A, B>(A a, B b) where A : IShape where B : IShape
         {
             return Code(overlap, a, b) == 1;
+        }
+
+        /// <summary>Do the insides of two shapes share a point? Touching does not count. Exact.</summary>
+        public static bool InteriorsOverlap<A, B>(A a, B b) where A : IShape where B : IShape
+        {
+            return Code(interiorsOverlap, a, b) == 1;
         }
 
         /// <summary>How does a relate to b? Exact.</summary>

@@ -98,6 +98,7 @@ internal sealed unsafe class Calls
         switch (function)
         {
             case "overlap": return Query.Overlap(a, b) ? 1 : 0;
+            case "interiors_overlap": return Query.InteriorsOverlap(a, b) ? 1 : 0;
             case "relation": return (long)Query.Relation(a, b);
             case "contains": return Query.Contains(a, b) ? 1 : 0;
             case "nearest": return Gives(Query.Nearest(a, b));
@@ -466,9 +467,11 @@ internal sealed unsafe class Calls
             switch (function)
             {
                 case "overlap_many": return Query.OverlapMany(a, b, yes);
+                case "interiors_overlap_many": return Query.InteriorsOverlapMany(a, b, yes);
                 case "contains_many": return Query.ContainsMany(a, b, yes);
                 case "relation_many": return Query.RelationMany(a, b, relations);
                 case "overlap_matrix": return Query.OverlapMatrix(a, b, yes);
+                case "interiors_overlap_matrix": return Query.InteriorsOverlapMatrix(a, b, yes);
                 case "contains_matrix": return Query.ContainsMatrix(a, b, yes);
                 case "relation_matrix": return Query.RelationMatrix(a, b, relations);
                 default: return wide ? InDouble(a, b, count) : InFloat(a, b, count);
@@ -477,7 +480,7 @@ internal sealed unsafe class Calls
         finally
         {
             if (function.StartsWith("relation")) values = relations.Select(relation => (double)relation).ToArray();
-            else if (function.StartsWith("overlap") || function.StartsWith("contains")) values = OfBools(yes);
+            else if (function.Contains("overlap") || function.StartsWith("contains")) values = OfBools(yes);
         }
     }
 
@@ -615,6 +618,8 @@ internal sealed unsafe class Calls
         if (function == "nms") return Suppression();
         if (function == "overlap_select")
             return Items(Query.OverlapSelect(Single(arguments[0]), ShapesOf(arguments[1])));
+        if (function == "interiors_overlap_select")
+            return Items(Query.InteriorsOverlapSelect(Single(arguments[0]), ShapesOf(arguments[1])));
         if (function.StartsWith("index_") || function.StartsWith("join")) return OfIndexes();
         if (function.EndsWith("_many") || function.EndsWith("_matrix")) return OfArrays();
         return OfOneOrTwo();

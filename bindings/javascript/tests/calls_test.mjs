@@ -9,7 +9,7 @@ import { casts, constants, fields, kinds, load, ratios, relations, VesicaError, 
 const vesica = await load();
 const text = readFileSync(new URL('calls.txt', import.meta.url), 'utf8');
 const lines = text.split('\n').filter((line) => line && !line.startsWith('#'));
-const queries = ['overlap', 'bounds', 'contains', 'inside'];
+const queries = ['overlap', 'bounds', 'contains', 'inside', 'interiors'];
 const columns = {
   nearest: ['distance', 'ax', 'ay', 'bx', 'by'],
   boundary_distance: ['distance', 'ax', 'ay', 'bx', 'by'],
@@ -61,7 +61,7 @@ function ofOneOrTwo(name, scalar, args) {
 }
 
 const resultSizes = {
-  ...{ overlap: 0, relation: 0, contains: 0, check: 0, nearest: 5, boundary_distance: 5, depth: 3 },
+  ...{ overlap: 0, interiors_overlap: 0, relation: 0, contains: 0, check: 0, nearest: 5, boundary_distance: 5, depth: 3 },
   ...{ bounds: 4, area: 1, signed_distance: 1, iou: 1, ratio: 1, shape_area: 1, cast: 5, sweep_bounds: 4 },
   impact_time: 6,
 };
@@ -273,8 +273,8 @@ function answer(name, scalar, args) {
   if (name === 'nms') {
     return [0, vesica.nms(arrayOf(scalar)(args[0]), numbersOf(args[1]), numbersOf(args[2])[0])];
   }
-  if (name === 'overlap_select') {
-    const found = vesica.overlapSelect(plain(args[0]), arrayOf(scalar)(args[1]));
+  if (name.endsWith('overlap_select')) {
+    const found = vesica[camel(name)](plain(args[0]), arrayOf(scalar)(args[1]));
     return [found.length, found];
   }
   const [, question, form] = /^(\w+?)_?(many|matrix)?$/.exec(name);

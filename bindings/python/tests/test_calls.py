@@ -76,8 +76,8 @@ class Call:
         if name == "nms":
             scores, (threshold,) = self.numbers(1), self.numbers(2)
             return 0, vesica.nms(self.shapes(self.arguments[0]), scores, threshold)
-        if name == "overlap_select":
-            found = vesica.overlap_select(self.single(0), self.shapes(self.arguments[1]))
+        if name.endswith("overlap_select"):
+            found = getattr(vesica, name)(self.single(0), self.shapes(self.arguments[1]))
             return len(found), found
         if name.endswith("_many"):
             return None, flat(getattr(vesica, name[:-5])(*map(self.shapes, self.arguments)))
@@ -178,7 +178,7 @@ class Call:
         if self.function == "bounds":
             return 0, vesica.bounds(*shapes).numbers
         given = getattr(vesica, self.function)(*shapes)
-        if self.function in ("overlap", "relation", "contains"):
+        if self.function in ("overlap", "interiors_overlap", "relation", "contains"):
             return int(given), []
         if self.function == "crossings":
             return len(given.places), [given.shared, *given.places.ravel()]

@@ -16,6 +16,7 @@ _QUERIES = {
     "bounds": _declarations.JOIN_BOUNDS,
     "contains": _declarations.JOIN_CONTAINS,
     "inside": _declarations.JOIN_INSIDE,
+    "interiors": _declarations.JOIN_INTERIORS,
 }
 _BUILD, _SELECT, _JOIN = by_scalar("index_build"), by_scalar("index_select"), by_scalar("join")
 _NEAREST, _JOIN_NEAREST = by_scalar("index_nearest"), by_scalar("join_nearest")
@@ -148,7 +149,7 @@ class Index:
         """All pairs of an item of this index and one of another: two arrays of item numbers, each pair once.
 
         other: an index; None, or this index itself, for the pairs a < b of this one. query: "overlap", "contains" (the
-        first item contains the second), "inside", or "bounds" for candidates. Parts may be asked by several threads or
+        first item contains the second), "inside", "interiors" (touching does not count), or "bounds" for candidates. Parts may be asked by several threads or
         processes.
         """
         other = self._joined(other)

@@ -208,6 +208,7 @@ def _structs(name):
 _NUMBER = {"d": ctypes.c_double, "f": ctypes.c_float}
 _BYTES = (numpy.bool_, numpy.uint8)
 _OVERLAP = _Query("overlap", _BYTES, bool)
+_INTERIORS = _Query("interiors_overlap", _BYTES, bool)
 _RELATION = _Query("relation", (numpy.uint8,), Relation)
 _CONTAINS = _Query("contains", _BYTES, bool)
 _NEAREST = _Query("nearest", result=ClosestPoints, record=_structs("closest_points"))
@@ -217,6 +218,7 @@ _SIGNED_DISTANCE = _Query("signed_distance", record=_NUMBER)
 _AREA = _Query("area", record=_NUMBER)
 _IOU = _Query("iou", record=_NUMBER, partial=True)
 _OVERLAP_MATRIX, _CONTAINS_MATRIX = _Matrix("overlap", _BYTES), _Matrix("contains", _BYTES)
+_INTERIORS_MATRIX = _Matrix("interiors_overlap", _BYTES)
 _RELATION_MATRIX = _Matrix("relation", (numpy.uint8,))
 _AREA_MATRIX, _IOU_MATRIX = _Matrix("area"), _Matrix("iou", partial=True)
 _NEAREST_MATRIX, _BOUNDARY_DISTANCE_MATRIX = _Matrix("nearest"), _Matrix("boundary_distance")
@@ -224,6 +226,7 @@ _DEPTH_MATRIX, _SIGNED_DISTANCE_MATRIX = _Matrix("depth"), _Matrix("signed_dista
 _RATIO = {which: _Query("ratio", record=_NUMBER, first=(which,), partial=True) for which in Ratio}
 _RATIO_MATRIX = {which: _Matrix("ratio", first=(which,), partial=True) for which in Ratio}
 _SELECT, _SUPPRESS, _SOFT = by_scalar("overlap_select"), by_scalar("suppress"), by_scalar("suppress_soft")
+_INTERIORS_SELECT = by_scalar("interiors_overlap_select")
 _DECAYS = {"linear": _declarations.DECAY_LINEAR, "gaussian": _declarations.DECAY_GAUSSIAN}
 _CROSSINGS = by_scalar("crossings")
 _SHAPE_AREA, _BOUNDS, _CORNERS = by_scalar("shape_area"), by_scalar("bounds_many"), by_scalar("corners_of_shapes")
@@ -243,14 +246,33 @@ def overlap_matrix(a, b, out=None):
     return _OVERLAP_MATRIX(a, b, out)
 
 
-def overlap_select(one, many):
-    """The indices of those of `many` that overlap a single shape, ascending."""
+def _selected(functions, one, many):
     letter = same_scalar(one_shape(one, "one"), many, "one", "many")
     out = numpy.zeros(len(many.columns[0]), numpy.int64)
-    code = _SELECT[letter](ctypes.byref(one.view), ctypes.byref(many.view), out.ctypes.data, len(out))
+    code = functions[letter](ctypes.byref(one.view), ctypes.byref(many.view), out.ctypes.data, len(out))
     # With an invalid shape, which is never selected, -1 follows the others.
     found = out[:code] if code >= 0 else out[: numpy.argmax(out == -1)]
     return finish(code, found, one=one, many=many)
+
+
+def overlap_select(one, many):
+    """The indices of those of `many` that overlap a single shape, ascending."""
+    return _selected(_SELECT, one, many)
+
+
+def interiors_overlap(a, b, out=None):
+    """Do the insides of a and b share a point? Touching does not count. Exact. bool; out may also be uint8."""
+    return _INTERIORS(a, b, out)
+
+
+def interiors_overlap_matrix(a, b, out=None):
+    """(len(a), len(b)) of bool: do the insides of each of a and each of b share a point?"""
+    return _INTERIORS_MATRIX(a, b, out)
+
+
+def interiors_overlap_select(one, many):
+    """The indices of those of `many` whose insides share a point with that of a single shape, ascending."""
+    return _selected(_INTERIORS_SELECT, one, many)
 
 
 def relation(a, b, out=None):

@@ -47,6 +47,7 @@ package Vesica_C is
    Vesica_Join_Bounds : constant := 1;
    Vesica_Join_Contains : constant := 2;
    Vesica_Join_Inside : constant := 3;
+   Vesica_Join_Interiors : constant := 4;
    Vesica_Ratio_Over_Union : constant := 0;
    Vesica_Ratio_Over_First : constant := 1;
    Vesica_Ratio_Over_Second : constant := 2;

@@ -46,6 +46,7 @@ module vesica_c
   integer(c_int32_t), parameter :: vesica_join_bounds = 1
   integer(c_int32_t), parameter :: vesica_join_contains = 2
   integer(c_int32_t), parameter :: vesica_join_inside = 3
+  integer(c_int32_t), parameter :: vesica_join_interiors = 4
   integer(c_int32_t), parameter :: vesica_ratio_over_union = 0
   integer(c_int32_t), parameter :: vesica_ratio_over_first = 1
   integer(c_int32_t), parameter :: vesica_ratio_over_second = 2

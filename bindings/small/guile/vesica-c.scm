@@ -43,6 +43,7 @@
 (define-public VESICA_JOIN_BOUNDS 1)
 (define-public VESICA_JOIN_CONTAINS 2)
 (define-public VESICA_JOIN_INSIDE 3)
+(define-public VESICA_JOIN_INTERIORS 4)
 (define-public VESICA_RATIO_OVER_UNION 0)
 (define-public VESICA_RATIO_OVER_FIRST 1)
 (define-public VESICA_RATIO_OVER_SECOND 2)

@@ -47,6 +47,7 @@ const
   vesica_join_bounds = 1;
   vesica_join_contains = 2;
   vesica_join_inside = 3;
+  vesica_join_interiors = 4;
   vesica_ratio_over_union = 0;
   vesica_ratio_over_first = 1;
   vesica_ratio_over_second = 2;

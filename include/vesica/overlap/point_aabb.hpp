@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Point against AABB: between min and max in both coordinates. Comparisons alone are exact. The inside of an interval
-/// of one point is that point.
+/// Point against AABB: between min and max in both coordinates. Comparisons alone are exact.
 #pragma once
 
 #include <vesica/filter/comparison.hpp>
@@ -25,6 +24,7 @@ VESICA_INLINE auto filter(const Point<double>& point, const Aabb<double>& aabb) 
 }
 #endif
 
+/// The inside of an interval of one point is that point.
 template <class V>
 VESICA_INLINE constexpr auto inside_of_interval(V x, V min, V max) noexcept {
   return either(both(min < x, x < max), both(min == x, x == max));
@@ -36,6 +36,14 @@ VESICA_INLINE constexpr auto insides_filter(const Point<V>& point, const Aabb<V>
   const auto in_y = inside_of_interval(point.y, aabb.min_y, aabb.max_y);
   return filter::compared(both(filter::valid_aabb(aabb), filter::all_finite(point.x, point.y)), both(in_x, in_y));
 }
+
+#if VESICA_HAS_TWO_DOUBLES
+VESICA_INLINE auto insides_filter(const Point<double>& point, const Aabb<double>& aabb) noexcept {
+  const TwoDoubles p(point.x, point.y), min(aabb.min_x, aabb.min_y), max(aabb.max_x, aabb.max_y);
+  const auto valid = filter::finite_and_ordered(min, max, lane::min(min, p), lane::max(max, p));
+  return filter::DecidedVerdict<bool>{in_both(inside_of_interval(p, min, max)), in_both(valid)};
+}
+#endif
 
 constexpr int contact(const Point<double>& point, const Aabb<double>& aabb, Common) noexcept {
   return insides_filter<double>(point, aabb).overlap ? -1 : filter<double>(point, aabb).overlap ? 0 : 1;

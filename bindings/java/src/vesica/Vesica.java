@@ -34,6 +34,11 @@ public final class Vesica {
     return checked(Native.overlapF64(a.kind().value, a.numbers(), b.kind().value, b.numbers())) == 1;
   }
 
+  /** Do the insides of two shapes share a point? Touching does not count. Exact. */
+  public static boolean interiorsOverlap(Shape a, Shape b) {
+    return checked(Native.interiorsOverlapF64(a.kind().value, a.numbers(), b.kind().value, b.numbers())) == 1;
+  }
+
   /** How does a relate to b? Exact. */
   public static Relation relation(Shape a, Shape b) {
     return Relation.of((int) checked(Native.relationF64(a.kind().value, a.numbers(), b.kind().value, b.numbers())));
@@ -203,6 +208,12 @@ public final class Vesica {
     return checked(Native.overlapMany(a.wide, a, b, out));
   }
 
+  /** Do the insides of a[i] and b[i] share a point? Returns how many do. */
+  public static long interiorsOverlapMany(Shapes a, Shapes b, boolean[] out) {
+    room("out", out.length, inStep(a, b));
+    return checked(Native.interiorsOverlapMany(a.wide, a, b, out));
+  }
+
   /** How does a[i] relate to b[i]? The values of {@link Relation}. Returns how many are not disjoint. */
   public static long relationMany(Shapes a, Shapes b, byte[] out) {
     room("out", out.length, inStep(a, b));
@@ -252,6 +263,12 @@ public final class Vesica {
     return checked(Native.overlapMatrix(a.wide, a, b, out, b.count));
   }
 
+  /** Do the insides of each of a and each of b share a point? Returns how many pairs do. */
+  public static long interiorsOverlapMatrix(Shapes a, Shapes b, boolean[] out) {
+    room("out", out.length, pairs(a, b));
+    return checked(Native.interiorsOverlapMatrix(a.wide, a, b, out, b.count));
+  }
+
   /** How does each of a relate to each of b? Returns how many pairs are not disjoint. */
   public static long relationMatrix(Shapes a, Shapes b, byte[] out) {
     room("out", out.length, pairs(a, b));
@@ -299,6 +316,12 @@ public final class Vesica {
   public static long overlapSelect(Shapes one, Shapes many, long[] out) {
     alike(one.wide, many.wide);
     return checked(Native.overlapSelect(one.wide, one, many, out, out.length));
+  }
+
+  /** Which of many shapes have insides that share a point with that of one? Otherwise as {@link #overlapSelect}. */
+  public static long interiorsOverlapSelect(Shapes one, Shapes many, long[] out) {
+    alike(one.wide, many.wide);
+    return checked(Native.interiorsOverlapSelect(one.wide, one, many, out, out.length));
   }
 
   /**

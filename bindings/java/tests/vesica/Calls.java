@@ -115,6 +115,7 @@ final class Calls {
     Shape a = single(0), b = single(arguments.length - 1);
     return switch (function) {
       case "overlap" -> Vesica.overlap(a, b) ? 1 : 0;
+      case "interiors_overlap" -> Vesica.interiorsOverlap(a, b) ? 1 : 0;
       case "relation" -> Vesica.relation(a, b).value;
       case "contains" -> Vesica.contains(a, b) ? 1 : 0;
       case "nearest" -> points(Vesica.nearest(a, b));
@@ -166,6 +167,7 @@ final class Calls {
     byte[] relation = new byte[1];
     return switch (function) {
       case "overlap" -> Vesica.overlapMany(a, b, yes);
+      case "interiors_overlap" -> Vesica.interiorsOverlapMany(a, b, yes);
       case "contains" -> Vesica.containsMany(a, b, yes);
       case "relation" -> {
         Vesica.relationMany(a, b, relation);
@@ -275,12 +277,15 @@ final class Calls {
     try {
       switch (function) {
         case "overlap_many": return Vesica.overlapMany(a, b, yes);
+        case "interiors_overlap_many": return Vesica.interiorsOverlapMany(a, b, yes);
         case "contains_many": return Vesica.containsMany(a, b, yes);
         case "relation_many": return Vesica.relationMany(a, b, relations);
         case "overlap_matrix": return Vesica.overlapMatrix(a, b, yes);
+        case "interiors_overlap_matrix": return Vesica.interiorsOverlapMatrix(a, b, yes);
         case "contains_matrix": return Vesica.containsMatrix(a, b, yes);
         case "relation_matrix": return Vesica.relationMatrix(a, b, relations);
         case "overlap_select": return Vesica.overlapSelect(a, b, indices);
+        case "interiors_overlap_select": return Vesica.interiorsOverlapSelect(a, b, indices);
         default: break;
       }
       boolean isOne = function.matches("(signed_distance|area|iou)_.*") || function.endsWith("_matrix");
@@ -302,7 +307,7 @@ final class Calls {
         default -> throw new AssertionError(function);
       };
     } finally {
-      if (function.equals("overlap_select")) {
+      if (function.endsWith("overlap_select")) {
         values = Arrays.stream(of(indices)).takeWhile(i -> i >= 0).toArray();
       } else if (used > 0) {
         values = new double[0];

@@ -73,6 +73,8 @@ pub const VESICA_JOIN_BOUNDS: i32 = 1;
 pub const VESICA_JOIN_CONTAINS: i32 = 2;
 /// b contains a
 pub const VESICA_JOIN_INSIDE: i32 = 3;
+/// their insides share a point, as by vesica_interiors_overlap_f64
+pub const VESICA_JOIN_INTERIORS: i32 = 4;
 /// shared area / area of the union of a and b (IoU)
 pub const VESICA_RATIO_OVER_UNION: i32 = 0;
 /// shared area / area of a (IoF)
@@ -2836,9 +2838,9 @@ extern "C" {
     /// about equal work, which may run at the same time, each with its own scratch. The pairs of all parts, one part
     /// after the other, are those of a call with part 0 and parts 1.
     ///
-    /// Requires: query is VESICA_JOIN_OVERLAP ... VESICA_JOIN_INSIDE. sets_a and sets_b are those of the indexes; with
-    /// VESICA_JOIN_BOUNDS they are ignored. 0 \<= part \< parts. scratch_size \>= vesica_join_scratch(); nothing is
-    /// kept in the scratch between calls. out_a and out_b have room for `capacity` items. With capacity 0, they and
+    /// Requires: query is VESICA_JOIN_OVERLAP ... VESICA_JOIN_INTERIORS. sets_a and sets_b are those of the indexes;
+    /// with VESICA_JOIN_BOUNDS they are ignored. 0 \<= part \< parts. scratch_size \>= vesica_join_scratch(); nothing
+    /// is kept in the scratch between calls. out_a and out_b have room for `capacity` items. With capacity 0, they and
     /// state may be NULL.
     ///
     /// Returns: the number of pairs written; with capacity 0, how many the whole part has.
@@ -2991,9 +2993,9 @@ extern "C" {
     /// about equal work, which may run at the same time, each with its own scratch. The pairs of all parts, one part
     /// after the other, are those of a call with part 0 and parts 1.
     ///
-    /// Requires: query is VESICA_JOIN_OVERLAP ... VESICA_JOIN_INSIDE. sets_a and sets_b are those of the indexes; with
-    /// VESICA_JOIN_BOUNDS they are ignored. 0 \<= part \< parts. scratch_size \>= vesica_join_scratch(); nothing is
-    /// kept in the scratch between calls. out_a and out_b have room for `capacity` items. With capacity 0, they and
+    /// Requires: query is VESICA_JOIN_OVERLAP ... VESICA_JOIN_INTERIORS. sets_a and sets_b are those of the indexes;
+    /// with VESICA_JOIN_BOUNDS they are ignored. 0 \<= part \< parts. scratch_size \>= vesica_join_scratch(); nothing
+    /// is kept in the scratch between calls. out_a and out_b have room for `capacity` items. With capacity 0, they and
     /// state may be NULL.
     ///
     /// Returns: the number of pairs written; with capacity 0, how many the whole part has.

@@ -72,6 +72,8 @@ macro_rules! many {
 many! {
     /// Do `a[i]` and `b[i]` share a point? Returns how many do.
     overlap_many: bool as u8;
+    /// Do the insides of `a[i]` and `b[i]` share a point? Returns how many do.
+    interiors_overlap_many: bool as u8;
     /// How does `a[i]` relate to `b[i]`? Returns how many are not disjoint.
     relation_many: Relation as u8;
     /// Does `a[i]` hold all of `b[i]`? Returns how many do.
@@ -106,6 +108,8 @@ macro_rules! matrix {
 matrix! {
     /// Does each of a overlap each of b? Returns how many pairs do.
     overlap_matrix: bool as u8;
+    /// Do the insides of each of a and each of b share a point? Returns how many pairs do.
+    interiors_overlap_matrix: bool as u8;
     /// How does each of a relate to each of b? Returns how many are not disjoint.
     relation_matrix: Relation as u8;
     /// Does each of a hold all of each of b? Returns how many do.
@@ -171,6 +175,17 @@ pub fn overlap_select<'b, S: Shape + ?Sized>(
 ) -> Result<usize, Error> {
     let (one, many) = (Shapes::packed(one.kind(), one.numbers())?, many.into());
     answer(|| unsafe { S::Scalar::overlap_select(&one.view, &many.view, out.as_mut_ptr(), out.len() as i64) })
+}
+
+/// Which of many shapes have insides that share a point with that of one? Otherwise as [`overlap_select`].
+pub fn interiors_overlap_select<'b, S: Shape + ?Sized>(
+    one: &S,
+    many: impl Into<Shapes<'b, S::Scalar>>,
+    out: &mut [i64],
+) -> Result<usize, Error> {
+    let (one, many) = (Shapes::packed(one.kind(), one.numbers())?, many.into());
+    let (out, room) = (out.as_mut_ptr(), out.len() as i64);
+    answer(|| unsafe { S::Scalar::interiors_overlap_select(&one.view, &many.view, out, room) })
 }
 
 /// How many are kept. After an error about an invalid shape -1 ends them, for the error does not tell.

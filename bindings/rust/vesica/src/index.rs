@@ -20,6 +20,8 @@ pub enum JoinQuery {
     Contains = sys::VESICA_JOIN_CONTAINS,
     /// b contains a.
     Inside = sys::VESICA_JOIN_INSIDE,
+    /// Their insides share a point.
+    Interiors = sys::VESICA_JOIN_INTERIORS,
 }
 
 /// What an index and its scratch are aligned to.

@@ -116,6 +116,8 @@ macro_rules! of_two {
 of_two! {
     /// Do two shapes share a point? Touching counts. Exact.
     overlap -> bool: |a, b| Ok(code(A::Scalar::overlap, a, b)? == 1);
+    /// Do the insides of two shapes share a point? Touching does not count. Exact.
+    interiors_overlap -> bool: |a, b| Ok(code(A::Scalar::interiors_overlap, a, b)? == 1);
     /// How does a relate to b? Exact.
     relation -> Relation: |a, b| Ok(Relation::ALL[code(A::Scalar::relation, a, b)?]);
     /// Does a hold all of b? Equal shapes do. Exact.

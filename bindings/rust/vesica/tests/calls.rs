@@ -327,6 +327,7 @@ fn of_one_or_two<T: Number>(call: &Call) -> Option<Outcome> {
         |points: ClosestPoints<T>| (0, values(&[points.distance, points.ax, points.ay, points.bx, points.by]));
     Some(whole(match call.function {
         "overlap" => overlap(&a, &b).map(|yes| (yes.into(), vec![])),
+        "interiors_overlap" => interiors_overlap(&a, &b).map(|yes| (yes.into(), vec![])),
         "relation" => relation(&a, &b).map(|relation| (relation as i64, vec![])),
         "contains" => contains(&a, &b).map(|yes| (yes.into(), vec![])),
         "nearest" => nearest(&a, &b).map(closest),
@@ -389,9 +390,11 @@ fn of_arrays<T: Number>(call: &Call) -> Option<Outcome> {
     let mut next = || column.next().unwrap();
     let (result, used) = match call.function {
         "overlap_many" => return Some(yes(overlap_many(a, b, &mut bools), bools)),
+        "interiors_overlap_many" => return Some(yes(interiors_overlap_many(a, b, &mut bools), bools)),
         "contains_many" => return Some(yes(contains_many(a, b, &mut bools), bools)),
         "relation_many" => return Some(how(relation_many(a, b, &mut relations), relations)),
         "overlap_matrix" => return Some(yes(overlap_matrix(a, b, &mut bools), bools)),
+        "interiors_overlap_matrix" => return Some(yes(interiors_overlap_matrix(a, b, &mut bools), bools)),
         "contains_matrix" => return Some(yes(contains_matrix(a, b, &mut bools), bools)),
         "relation_matrix" => return Some(how(relation_matrix(a, b, &mut relations), relations)),
         "area_many" => (area_many(a, b, next()), 1),
@@ -413,9 +416,14 @@ fn of_arrays<T: Number>(call: &Call) -> Option<Outcome> {
             };
             (result, 5)
         }
-        "overlap_select" => {
+        "overlap_select" | "interiors_overlap_select" => {
             let mut out = vec![-1; b.len() + 1];
-            let result = overlap_select(&sets.single(0), b, &mut out);
+            let one = sets.single(0);
+            let result = if call.function == "overlap_select" {
+                overlap_select(&one, b, &mut out)
+            } else {
+                interiors_overlap_select(&one, b, &mut out)
+            };
             let indices = out.iter().take_while(|&&i| i >= 0);
             return Some(written(result, indices.map(|&i| i as f64).collect()));
         }
@@ -462,8 +470,13 @@ fn of_indexes<T: Number>(call: &Call) -> Option<Outcome> {
             }))
         }
         "join" => {
-            let queries = [JoinQuery::Overlap, JoinQuery::Bounds, JoinQuery::Contains, JoinQuery::Inside];
-            let query = queries[number(leading[0]) as usize];
+            let query = match number(leading[0]) as i32 {
+                0 => JoinQuery::Overlap,
+                1 => JoinQuery::Bounds,
+                2 => JoinQuery::Contains,
+                3 => JoinQuery::Inside,
+                _ => JoinQuery::Interiors,
+            };
             let b = Index::new(&sets_b.shapes()).unwrap();
             let b = if sets_b.0.is_empty() { &a } else { &b };
             assert_eq!(a.join_count(b, query), a.join(b, query).map(|pairs| pairs.len()));
