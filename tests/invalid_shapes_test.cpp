@@ -62,6 +62,8 @@ template <class A, class B>
 void expect_overlap_to_refuse(const A& a, const B& b) {
   EXPECT_EQ(overlap_or_error(a, b), error_shape);
   EXPECT_FALSE(overlap(a, b));
+  EXPECT_EQ(interiors_overlap_or_error(a, b), error_shape);
+  EXPECT_FALSE(interiors_overlap(a, b));
 }
 
 template <class A, class B>

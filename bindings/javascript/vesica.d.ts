@@ -29,7 +29,7 @@ export interface RoundRect {
   kind: 'round_rect'; cx: number; cy: number; ux: number; uy: number; hx: number; hy: number; r: number;
 }
 /**
- * Capsules and rounded rectangles are for invalidity, bounds, shapeArea, overlap, overlapSelect, nearest, depth,
+ * Capsules and rounded rectangles are for invalidity, bounds, shapeArea, both overlaps, nearest, depth,
  * signedDistance, within, cast, castFirst, impactTime, sweepBounds, and not with an ellipse relation, contains and
  * boundaryDistance; an index of them has join of overlaps, joinWithin, select, nearest, nearestOfEach, cast and
  * castFirst. Other calls throw a VesicaError for them.
@@ -377,8 +377,9 @@ export class Vesica {
 /**
  * Loads the library: vesica-simd.wasm beside this file, or vesica.wasm where the engine has no vectors or `simd` is
  * false; or `module`, bytes or a compiled module from elsewhere. With `only: 'overlap'` it is vesica-overlap-simd.wasm
- * or vesica-overlap.wasm, of little more than a third of the size: `overlap`, `relation`, `contains`, their matrices,
- * `overlapSelect`, `bounds`, `boundsMany`, and an index with `join` and `select`. All else then throws an Error.
+ * or vesica-overlap.wasm, of little more than a third of the size: `overlap`, `interiorsOverlap`, `relation`,
+ * `contains`, their matrices and selections, `bounds`, `boundsMany`, and an index with `join` and `select`. All else
+ * then throws an Error.
  */
 export function load(options?: {
   only?: 'overlap';

@@ -98,6 +98,9 @@ TYPED_TEST(ErrorOrder, OfTwoShapes) {
   this->expect_order("overlap", of_shapes, 2, [](const Call<T>& c) -> std::int64_t {
     return F::overlap(c.a.kind, c.a.numbers, c.b.kind, c.b.numbers);
   });
+  this->expect_order("interiors_overlap", of_shapes, 2, [](const Call<T>& c) -> std::int64_t {
+    return F::interiors_overlap(c.a.kind, c.a.numbers, c.b.kind, c.b.numbers);
+  });
   this->expect_order("relation", of_shapes, 2, [](const Call<T>& c) -> std::int64_t {
     return F::relation(c.a.kind, c.a.numbers, c.b.kind, c.b.numbers);
   });
@@ -165,6 +168,12 @@ TYPED_TEST(ErrorOrder, OfTwoArrays) {
     std::uint8_t byte;
     return F::overlap_many(d.a.array(), d.b.array(), c.out(byte));
   });
+  this->expect_order("interiors_overlap_many", all, 3, [](const Call<T>& c) -> std::int64_t {
+    Call<T> d = c;
+    d.a.shapes.reserved = c.wrong;
+    std::uint8_t byte;
+    return F::interiors_overlap_many(d.a.array(), d.b.array(), c.out(byte));
+  });
   this->expect_order("overlap_many, counts", all, 3, [](const Call<T>& c) -> std::int64_t {
     Call<T> d = c;
     if (c.wrong) d.b.shapes.count = -1;
@@ -183,11 +192,23 @@ TYPED_TEST(ErrorOrder, OfTwoArrays) {
     std::uint8_t byte;
     return F::overlap_matrix(d.a.array(), d.b.array(), c.out(byte), 1);
   });
+  this->expect_order("interiors_overlap_matrix", all, 3, [](const Call<T>& c) -> std::int64_t {
+    Call<T> d = c;
+    d.a.shapes.reserved = c.wrong;
+    std::uint8_t byte;
+    return F::interiors_overlap_matrix(d.a.array(), d.b.array(), c.out(byte), 1);
+  });
   this->expect_order("overlap_select", all, 3, [](const Call<T>& c) -> std::int64_t {
     Call<T> d = c;
     d.b.shapes.reserved = c.wrong;
     std::int64_t index;
     return F::overlap_select(d.a.array(), d.b.array(), c.out(index), 1);
+  });
+  this->expect_order("interiors_overlap_select", all, 3, [](const Call<T>& c) -> std::int64_t {
+    Call<T> d = c;
+    d.b.shapes.reserved = c.wrong;
+    std::int64_t index;
+    return F::interiors_overlap_select(d.a.array(), d.b.array(), c.out(index), 1);
   });
   this->expect_order("ratio_many", all, 3, [](const Call<T>& c) -> std::int64_t {
     T ratio;

@@ -28,7 +28,8 @@ for (const simd of [true, false]) {
       let overlaps = 0;
       for (let i = 0; i < kinds.length; ++i) {
         for (let j = 0; j < kinds.length; ++j) {
-          for (const name of ['overlap', 'relation', 'contains', 'overlapMatrix', 'relationMatrix', 'containsMatrix']) {
+          for (const name of ['overlap', 'interiorsOverlap', 'relation', 'contains', 'overlapMatrix',
+            'interiorsOverlapMatrix', 'relationMatrix', 'containsMatrix']) {
             assert.deepEqual(small[name](ours[i], ours[j]), whole[name](theirs[i], theirs[j]), `${name} ${i} ${j}`);
           }
           overlaps += small.overlap(ours[i], ours[j]).reduce((sum, x) => sum + x, 0);
@@ -39,7 +40,7 @@ for (const simd of [true, false]) {
       }
       assert.ok(overlaps > 100 && overlaps < 150 * 25 - 100, `${overlaps} overlaps`);
       const [index, reference] = [small.index(...ours), whole.index(...theirs)];
-      for (const query of ['overlap', 'bounds', 'contains']) {
+      for (const query of ['overlap', 'bounds', 'contains', 'interiors']) {
         const pairs = index.join({ query });
         assert.ok(pairs.a.length > 100);
         assert.deepEqual(pairs, reference.join({ query }));

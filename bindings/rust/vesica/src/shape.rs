@@ -7,7 +7,7 @@ use vesica_sys::{self as sys, Aabb, Capsule, Circle, Ellipse, Point, Rect, Round
 
 /// The kinds of shapes.
 ///
-/// [`Capsule`] and [`RoundRect`] are for `check`, `bounds`, `shape_area`, `overlap`, `nearest`, `depth`,
+/// [`Capsule`] and [`RoundRect`] are for `check`, `bounds`, `shape_area`, both overlaps, `nearest`, `depth`,
 /// `signed_distance`, `within`, `cast`, `impact_time`, `sweep_bounds`, and not with an ellipse `relation`, `contains`
 /// and `boundary_distance`; the same holds of arrays. An index of them has joins by overlap or distance, `select`,
 /// `nearest` and casts. Other functions return [`Error::Kind`] for them.
