@@ -36,14 +36,13 @@ template <class A, class B>
 int32_t overlap_of(const void* a, const void* b, Common common) noexcept {
   if (!vesica::capi::keeps_subnormals()) [[unlikely]]
     return overlap_elsewhere<A, B>(a, b, common);
-  const auto first = widen(*static_cast<const A*>(a));
-  const auto second = widen(*static_cast<const B*>(b));
-  int32_t answer;
   if (vesica::detail::overlap::has_insides_filter<A, B>() && common == Common::insides) {
-    answer = vesica::detail::decide_by_filter<Common::insides>(first, second);
-  } else {
-    answer = vesica::detail::decide_by_first_filter(first, second);
+    const int32_t answer = vesica::detail::decide_by_filter<Common::insides>(widen(*static_cast<const A*>(a)),
+                                                                             widen(*static_cast<const B*>(b)));
+    return answer >= 0 ? answer : overlap_undecided<A, B>(a, b, common);
   }
+  const int32_t answer =
+      vesica::detail::decide_by_first_filter(widen(*static_cast<const A*>(a)), widen(*static_cast<const B*>(b)));
   if (answer >= 0) [[likely]]
     return answer;
   return overlap_undecided<A, B>(a, b, common);
