@@ -111,7 +111,7 @@ template <class Result, class... Parameters>
 
 }  // namespace vesica::capi
 
-/// The first statement of each function of the C face that computes: in another environment than the default the
+/// The first statement of each function of the C interface that computes: in another environment than the default the
 /// function calls itself again in the default one.
 #define VESICA_DEFAULT_ENVIRONMENT(function, ...)           \
   if (!vesica::capi::in_default_environment()) [[unlikely]] \

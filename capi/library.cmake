@@ -1,4 +1,4 @@
-# vesica_library(name MAP map SOURCES source... [LINK library...] [HAND_ON library...]): one library behind the C face,
+# vesica_library(name MAP map SOURCES source... [LINK library...] [HAND_ON library...]): one library behind the C interface,
 # shared or static as BUILD_SHARED_LIBS says. Programs that link it also link what is handed on. The target
 # vesica_methods has the alias vesica::methods, and its file is libvesica-methods.
 include(CheckLinkerFlag)

@@ -12,7 +12,7 @@ namespace queries = vesica::queries;
 
 consteval bool is_code(Ratio ratio, int32_t code) { return static_cast<int32_t>(ratio) == code; }
 
-// The core's ratios are the C face's.
+// The core's ratios are the C interface's.
 static_assert(is_code(Ratio::over_union, VESICA_RATIO_OVER_UNION));
 static_assert(is_code(Ratio::over_first, VESICA_RATIO_OVER_FIRST));
 static_assert(is_code(Ratio::over_second, VESICA_RATIO_OVER_SECOND));

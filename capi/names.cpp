@@ -8,7 +8,7 @@ int32_t vesica_version_major(void) { return VESICA_VERSION_MAJOR; }
 int32_t vesica_version_minor(void) { return VESICA_VERSION_MINOR; }
 int32_t vesica_version_patch(void) { return VESICA_VERSION_PATCH; }
 
-// The core's error codes are the C face's.
+// The core's error codes are the C interface's.
 static_assert(vesica::error_null == VESICA_E_NULL && vesica::error_shape == VESICA_E_SHAPE);
 static_assert(vesica::error_kind == VESICA_E_KIND && vesica::error_argument == VESICA_E_ARGUMENT);
 static_assert(vesica::error_not_finite == VESICA_E_NOT_FINITE);

@@ -14,7 +14,7 @@ namespace queries = vesica::queries;
 
 consteval bool is_code(Relation relation, int32_t code) { return static_cast<int32_t>(relation) == code; }
 
-// The core's codes are the C face's.
+// The core's codes are the C interface's.
 static_assert(is_code(Relation::disjoint, VESICA_DISJOINT) && is_code(Relation::touch, VESICA_TOUCH));
 static_assert(is_code(Relation::cross, VESICA_CROSS) && is_code(Relation::inside, VESICA_INSIDE));
 static_assert(is_code(Relation::inside_touch, VESICA_INSIDE_TOUCH) && is_code(Relation::contains, VESICA_CONTAINS));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Calls of the C face that ask a query, of two shapes or of arrays.
+// Calls of the C interface that ask a query, of two shapes or of arrays.
 #pragma once
 
 #include "arrays.hpp"

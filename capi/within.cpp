@@ -16,7 +16,7 @@ namespace queries = vesica::queries;
 
 consteval bool is_code(vesica::Within answer, int32_t code) { return static_cast<int32_t>(answer) == code; }
 
-// The core's answers are the C face's.
+// The core's answers are the C interface's.
 static_assert(is_code(vesica::Within::no, VESICA_WITHIN_NO) && is_code(vesica::Within::yes, VESICA_WITHIN_YES));
 static_assert(is_code(vesica::Within::nearly, VESICA_WITHIN_NEARLY));
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Describes the C face for other languages, from the headers alone: capi/vesica.json (everything, comments included),
+"""Describes the C interface for other languages, from the headers alone: capi/vesica.json (everything, comments included),
 and for cffi and LuaJIT a file of declarations for each library, capi/vesica.cdef and capi/vesica_methods.cdef.
 
 describe.py          writes all of them

@@ -70,7 +70,7 @@ enum class Kind : std::int32_t { VESICA_EACH_SHAPE(VESICA_KIND) };
 inline constexpr int kind_count = VESICA_EACH_SHAPE(VESICA_KIND);
 #undef VESICA_KIND
 
-/// Result codes, as the C face returns them.
+/// Result codes, as the C interface returns them.
 enum Error : std::int32_t {
   error_null = -1,
   error_shape = -2,

@@ -23,7 +23,7 @@
 
 namespace vesica {
 
-/// Numbered as in the C face.
+/// Numbered as in the C interface.
 enum class Within : std::int32_t {
   no,
   yes,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The functions that answer overlap, or overlap of insides, for a pair of kinds. The C face calls them too.
+// The functions that answer overlap, or overlap of insides, for a pair of kinds. The C interface calls them too.
 #pragma once
 
 #include "compiled_once.hpp"

@@ -57,7 +57,7 @@ class Stored {
   Stored(const Stored&) = delete;
   Stored& operator=(const Stored&) = delete;
 
-  /// As the functions behind the C face take it.
+  /// As the functions behind the C interface take it.
   const vesica::batch::Shapes<T>& view() const { return view_; }
 
  private:

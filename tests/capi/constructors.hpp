@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Bounds and constructors of the C face by scalar type, so that one test body can serve both.
+/// Bounds and constructors of the C interface by scalar type, so that one test body can serve both.
 #pragma once
 
 #include <vesica.h>

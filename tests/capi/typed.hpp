@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The typed functions of the C face, callable with flat numbers, so that one test body can serve all pairs.
+/// The typed functions of the C interface, callable with flat numbers, so that one test body can serve all pairs.
 #pragma once
 
 #include <vesica.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The typed casts of the C face, callable with flat numbers, which are passed on as they lie.
+/// The typed casts of the C interface, callable with flat numbers, which are passed on as they lie.
 #pragma once
 
 #include "capi/typed.hpp"

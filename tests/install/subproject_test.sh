@@ -20,7 +20,7 @@ fail() {
   exit 1
 }
 
-# parent CMAKE_ARGUMENT...: configures and builds the parent, which must not compile src/ a second time. The C face is one
+# parent CMAKE_ARGUMENT...: configures and builds the parent, which must not compile src/ a second time. The C interface is one
 # source of a shared library, and the parts of an archive.
 compiled=
 parent() {

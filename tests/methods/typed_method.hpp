@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A method of the C face in both scalars as one function of flat numbers, and what it must answer to invalid input.
+/// A method of the C interface in both scalars as one function of flat numbers, and what it must answer to invalid
+/// input.
 #pragma once
 
 #include <gtest/gtest.h>

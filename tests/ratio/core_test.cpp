@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The C++ core's own function, which the library does not call, has the bits of the C face: every ratio, shapes in and
-// out of order, with and without an area, in double and in float.
+// The C++ core's own function, which the library does not call, has the bits of the C interface: every ratio, shapes
+// in and out of order, with and without an area, in double and in float.
 #include <gtest/gtest.h>
 #include <vesica.h>
 

@@ -22,5 +22,6 @@ refuse ':[[:space:]]*(///?<?|\*|/\*)[[:space:]]*(Of|What|Whether|Those) ' 'begin
 refuse '\b[Dd]ear(er|est)?\b' 'say slow or slowest'
 refuse '\b[Ll]acks?\b' 'say has no'
 refuse '\bof itself\b' 'leave it out, or name the thing'
+refuse '\bC face\b' 'say C interface'
 echo "words: ${#files[@]} files"
 exit "$status"

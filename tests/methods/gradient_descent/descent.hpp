@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The C face of gradient descent in both scalars, and pairs to try it on.
+/// The C interface of gradient descent in both scalars, and pairs to try it on.
 #pragma once
 
 #include <vesica_methods.h>
