@@ -26,7 +26,7 @@ template <class T>
 int32_t ratio_of(int32_t ratio, int32_t kind_a, const void* a, int32_t kind_b, const void* b, T* out) noexcept {
   VESICA_DEFAULT_ENVIRONMENT(ratio_of<T>, ratio, kind_a, a, kind_b, b, out);
   if (a == nullptr || b == nullptr || out == nullptr) return VESICA_E_NULL;
-  if (!have_form(kind_a, kind_b)) return VESICA_E_KIND;
+  if (!vesica::has_core(kind_a) || !vesica::has_core(kind_b)) return VESICA_E_KIND;
   if (!is_ratio(ratio)) return VESICA_E_ARGUMENT;
   double first[vesica::max_fields], second[vesica::max_fields], result = 0;
   widen<T>(kind_a, a, first);
@@ -39,7 +39,7 @@ int32_t ratio_of(int32_t ratio, int32_t kind_a, const void* a, int32_t kind_b, c
 /// The result for arrays if the ratio is none.
 template <class Shapes>
 int64_t not_a_ratio(const Shapes* a, const Shapes* b, const void* out) noexcept {
-  return first_error(check_call(a, b, out, anything(a, b), vesica::has_form), VESICA_E_ARGUMENT);
+  return first_error(check_call(a, b, out, anything(a, b), vesica::has_core), VESICA_E_ARGUMENT);
 }
 
 }  // namespace

@@ -127,8 +127,9 @@ constexpr bool has_core(std::int32_t kind) noexcept {
 
 /// True if shapes of this kind may have an area.
 constexpr bool has_area(std::int32_t kind) noexcept {
-  return with_form(kind, []<template <class> class Shape>(Named<Shape>) {
-           return detail::form::FormOf<Shape<double>>::has_area ? 1 : 0;
+  return with_core(kind, []<template <class> class Shape>(Named<Shape>) {
+           if constexpr (HasForm<Shape<double>>) return detail::form::FormOf<Shape<double>>::has_area ? 1 : 0;
+           return 1;
          }) == 1;
 }
 

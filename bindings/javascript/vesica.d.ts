@@ -30,8 +30,8 @@ export interface RoundRect {
 }
 /**
  * Capsules and rounded rectangles are for invalidity, bounds, shapeArea, both overlaps, nearest, depth,
- * signedDistance, within, cast, castFirst, impactTime, sweepBounds, and not with an ellipse relation, contains and
- * boundaryDistance; an index of them has join of overlaps, joinWithin, select, nearest, nearestOfEach, cast and
+ * signedDistance, within, area, iou, ratios, suppression, cast, castFirst, impactTime, sweepBounds, and not with an
+ * ellipse relation, contains and boundaryDistance; an index of them has join of overlaps, joinWithin, select, nearest, nearestOfEach, cast and
  * castFirst. Other calls throw a VesicaError for them.
  */
 export type Shape = Point | Segment | Circle | Aabb | Rect | Ellipse | Capsule | RoundRect;

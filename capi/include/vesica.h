@@ -80,8 +80,9 @@ extern "C" {
 /*
  * Kinds of shapes, and the order of their numbers. Capsules and rounded rectangles are taken by: check, bounds,
  * shape_area, overlap, interiors_overlap, relation, contains and boundary_distance (these three not with an ellipse),
- * nearest, depth, signed_distance, within, cast, impact_time, sweep_bounds, their arrays, indexes, casts through an
- * index, joins by either overlap or distance, and index_nearest. Other functions return VESICA_E_KIND for them.
+ * nearest, depth, signed_distance, within, area, iou, ratio, cast, impact_time, sweep_bounds, their arrays,
+ * suppression, indexes, casts through an index, joins by either overlap or distance, and index_nearest. Other
+ * functions return VESICA_E_KIND for them.
  */
 #define VESICA_POINT 0   /**< x y */
 #define VESICA_SEGMENT 1 /**< x0 y0 x1 y1 */
@@ -263,7 +264,9 @@ VESICA_API int32_t vesica_depth_f64(int32_t kind_a, const void *a, int32_t kind_
  * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
  * Accuracy: right to 64 u times the smaller shape's area times the larger aspect ratio, at aspect ratios up to 10^4,
  * even if the outlines nearly touch or coincide and whatever the sizes are. Beyond 10^4 no bound is stated; what is
- * said above holds at any ratio.
+ * said above holds at any ratio. With a capsule or a rounded rectangle the bound holds if neither shape is more than
+ * 10^12 times as long as the other. If the other shape is an ellipse, it is not decided whether one contains the other:
+ * such an area is right to the bound.
  * Cost: six times vesica_overlap_f64 for boxes, fifty times for two ellipses; more if outlines nearly touch or
  * coincide, or if one shape is far larger.
  */

@@ -203,7 +203,7 @@ VESICA_API int32_t vesica_suppress_f64(const vesica_shapes_f64 *shapes, const do
 
 /**
  * How many bytes of scratch does soft suppression of `count` shapes need?
- * Returns: 64 bytes a shape.
+ * Returns: 72 bytes a shape.
  * Errors: VESICA_E_ARGUMENT (count is negative or above 2^31 - 1).
  */
 VESICA_API int64_t vesica_suppress_soft_scratch(int64_t count);

@@ -102,6 +102,16 @@ struct Sides {
   double along, across;
 };
 inline Sides sides(const Facts& s) noexcept {
+  if (s.radius > 0) {
+    const int axis = arithmetic::exponent_of(std::fmax(std::fabs(s.ux), std::fabs(s.uy)));
+    const double ux = arithmetic::scale_far(s.ux, -axis), uy = arithmetic::scale_far(s.uy, -axis);
+    const double length = std::sqrt(ux * ux + uy * uy);
+    const int unit = std::max(
+        {form::length_exponent(s.along, axis), form::length_exponent(s.across, axis), form::length_exponent(s.radius)});
+    const double radius = arithmetic::scale_far(s.radius, -unit);
+    return {arithmetic::scale_far(s.along, axis - unit) * length + radius,
+            arithmetic::scale_far(s.across, axis - unit) * length + radius};
+  }
   if (s.ux == 0 && s.uy == 0) return {0, 0};
   const double most = std::fmax(s.along, s.across);
   if (is_moderate(most)) return {s.along, s.across};

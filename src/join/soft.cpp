@@ -23,7 +23,7 @@ double factor(const SoftSuppression& s, double ratio) noexcept {
 constexpr int most_numbers = [] {
   int most = 0;
   for (std::int32_t kind = 0; kind < kind_count; ++kind) {
-    if (has_form(kind) && fields_of_kind[kind] > most) most = fields_of_kind[kind];
+    if (has_area(kind) && fields_of_kind[kind] > most) most = fields_of_kind[kind];
   }
   return most;
 }();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <utility>
 
 #include "index/build.hpp"
@@ -87,12 +88,24 @@ double moderate_area(double size_0, double size_1, double ux, double uy, double 
 }
 double moderate_area(const Rect<double>& s) noexcept { return moderate_area(s.hx, s.hy, s.ux, s.uy, 4); }
 double moderate_area(const Ellipse<double>& s) noexcept { return moderate_area(s.a, s.b, s.ux, s.uy, pi); }
+/// With a radius: what the corners of the box around it leave.
+double rounded_area(double hx, double hy, double r) noexcept {
+  return moderate_area(hx + r, hy + r, 4) - (4 - pi) * (r * r);
+}
+double moderate_area(const Capsule<double>& s) noexcept {
+  const double x = s.x1 - s.x0, y = s.y1 - s.y0;
+  return rounded_area(0.5 * std::sqrt(x * x + y * y), 0, s.r);
+}
+double moderate_area(const RoundRect<double>& s) noexcept {
+  const double length = std::sqrt(s.ux * s.ux + s.uy * s.uy);
+  return rounded_area(s.hx * length, s.hy * length, s.r);
+}
 
 double area_of(std::int32_t kind, const Fields& f, int i) noexcept {
   double numbers[max_fields], area = __builtin_nan("");
   for (int k = 0; k < field_count(kind); ++k) numbers[k] = f.column[k][i];
-  with_form(kind, [&]<template <class> class Shape>(Named<Shape>) {
-    if constexpr (detail::form::FormOf<Shape<double>>::has_area)
+  with_name(kind, [&]<template <class> class Shape>(Named<Shape>) {
+    if constexpr (requires(const Shape<double>& shape) { moderate_area(shape); })
       area = moderate_area(vesica::load<Shape<double>>(numbers));
     return 0;
   });

@@ -12,6 +12,8 @@ namespace {
 
 struct IouOfPair {
   static constexpr Reversal reversal = Reversal::none;
+  template <class A, class B>
+  static constexpr bool answers = HasCore<A>&& HasCore<B>;
   template <class T>
   using Result = T;
   template <class A, class B, class Result>
@@ -22,7 +24,7 @@ struct IouOfPair {
 
 double area_of_shape(std::int32_t kind, const double* numbers) noexcept {
   double area = std::numeric_limits<double>::quiet_NaN();
-  with_shape(kind, numbers, [&](const HasForm auto& shape) { return shape_area_or_error(shape, area); });
+  with_shape(kind, numbers, [&](const HasCore auto& shape) { return shape_area_or_error(shape, area); });
   return area;
 }
 

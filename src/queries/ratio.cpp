@@ -17,6 +17,8 @@ using detail::ratio::Facts;
 /// The ratio of two valid shapes.
 struct SharedMeasure {
   static constexpr Reversal reversal = Reversal::none;
+  template <class A, class B>
+  static constexpr bool answers = HasCore<A>&& HasCore<B>;
   template <class T>
   using Result = detail::area::Measure;
   template <class A, class B>
@@ -29,7 +31,7 @@ constinit const PairTable shared_measures = pair_table<SharedMeasure, double>();
 
 /// Returns 0 or error_shape. A shape whose area is a number is valid.
 std::int32_t facts_by_kind(const ShapeOfKind& s, Facts& out) noexcept {
-  return with_shape(s.kind, s.numbers, [&](const HasForm auto& shape) -> std::int32_t {
+  return with_shape(s.kind, s.numbers, [&](const HasCore auto& shape) -> std::int32_t {
     if (std::isnan(s.area) && check(shape) != 0) return error_shape;
     out = detail::ratio::facts(shape, s.area);
     return 0;

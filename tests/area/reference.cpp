@@ -25,10 +25,13 @@ Vector operator*(const Real& t, const Vector& p) { return {t * p.x, t * p.y}; }
 Real dot(const Vector& p, const Vector& q) { return p.x * q.x + p.y * q.y; }
 Real cross(const Vector& p, const Vector& q) { return p.x * q.y - p.y * q.x; }
 
-/// centre + s e0 + t e1 with e1 a multiple of perp e0; |s|, |t| <= 1, or s^2 + t^2 <= 1.
+/// centre + s e0 + t e1 with e1 a multiple of perp e0; |s|, |t| <= 1, or s^2 + t^2 <= 1. A radius is added to these;
+/// the shape then has its axis beside e0 and e1, which may be 0.
 struct Shape {
   bool round;
   Vector centre, e0, e1;
+  Real radius = 0;
+  Vector axis{};
 };
 
 Vector oblique(const Real& size, const double* axis, bool across) {
@@ -36,7 +39,20 @@ Vector oblique(const Real& size, const double* axis, bool across) {
                 : Vector{size * Real(axis[0]), size * Real(axis[1])};
 }
 
+Vector unit(const Vector& v) {
+  const Real length = sqrt(dot(v, v));
+  return length == 0 ? Vector{1, 0} : 1 / length * v;
+}
+Vector perpendicular(const Vector& v) { return {-v.y, v.x}; }
+
 Shape shape(int kind, const double* n) {
+  if (kind == VESICA_CAPSULE) {
+    const Vector p{n[0], n[1]}, q{n[2], n[3]}, half = Real(0.5) * (q - p);
+    return {false, Real(0.5) * (p + q), half, {0, 0}, n[4], unit(half)};
+  }
+  if (kind == VESICA_ROUND_RECT) {
+    return {false, {n[0], n[1]}, oblique(n[4], n + 2, false), oblique(n[5], n + 2, true), n[6], unit({n[2], n[3]})};
+  }
   if (kind == VESICA_CIRCLE) return {true, {n[0], n[1]}, {n[2], 0}, {0, n[2]}};
   if (kind == VESICA_AABB) {
     const Real x0 = n[0], y0 = n[1], x1 = n[2], y1 = n[3];
@@ -45,10 +61,13 @@ Shape shape(int kind, const double* n) {
   return {kind == VESICA_ELLIPSE, {n[0], n[1]}, oblique(n[4], n + 2, false), oblique(n[5], n + 2, true)};
 }
 
-Real whole_area(const Shape& s) { return (s.round ? pi : Real(4)) * cross(s.e0, s.e1); }
+Real whole_area(const Shape& s) {
+  const Real core = (s.round ? pi : Real(4)) * cross(s.e0, s.e1), sides = sqrt(dot(s.e0, s.e0)) + sqrt(dot(s.e1, s.e1));
+  return core + s.radius * (4 * sides + pi * s.radius);
+}
 
 Real aspect(const Shape& s) {
-  const Real l0 = sqrt(dot(s.e0, s.e0)), l1 = sqrt(dot(s.e1, s.e1));
+  const Real l0 = sqrt(dot(s.e0, s.e0)) + s.radius, l1 = sqrt(dot(s.e1, s.e1)) + s.radius;
   return l0 > l1 ? l0 / l1 : l1 / l0;
 }
 
@@ -62,6 +81,12 @@ Vector coordinates(const Shape& s, const Vector& p) {
 Real between(const Real& from, const Real& to) { return from + (to - from) * Real("0.4321"); }
 
 bool holds(const Shape& s, const Vector& p) {
+  if (s.radius > 0) {
+    const Vector d = p - s.centre;
+    const Real x = abs(dot(s.axis, d)) - sqrt(dot(s.e0, s.e0)), y = abs(cross(s.axis, d)) - sqrt(dot(s.e1, s.e1));
+    const Vector out{std::max(x, Real(0.0)), std::max(y, Real(0.0))};
+    return dot(out, out) < s.radius * s.radius;
+  }
   const Vector c = coordinates(s, p);
   return s.round ? dot(c, c) < 1 : abs(c.x) < 1 && abs(c.y) < 1;
 }
@@ -220,6 +245,103 @@ Real clipped(const Shape& s, const Shape& other) {
   return sum * cross(other.e0, other.e1);
 }
 
+// ---- Outlines of edges and arcs, where one of the two shapes has a core and a radius.
+
+/// An edge from p to q, or the arc of an ellipse between two angles.
+struct Piece {
+  bool is_arc;
+  Vector p, q;
+  Shape ellipse;
+  Real from, to;
+};
+
+std::vector<Piece> outline(const Shape& s) {
+  std::vector<Piece> pieces;
+  if (s.round) {
+    pieces.push_back({true, {}, {}, s, 0, 2 * pi});
+    return pieces;
+  }
+  const Vector u = s.radius > 0 ? s.axis : Vector{}, v = perpendicular(u), none{0, 0};
+  const Vector corner[4] = {s.centre + s.e0 + s.e1, s.centre - s.e0 + s.e1, s.centre - s.e0 - s.e1,
+                            s.centre + s.e0 - s.e1};
+  const Vector normal[4] = {s.radius * u, s.radius * v, none - s.radius * u, none - s.radius * v};
+  for (int i = 0; i < 4; ++i) {
+    const Vector& outward = normal[(i + 1) % 4];
+    if (s.radius > 0) {
+      pieces.push_back({true, {}, {}, {true, corner[i], s.radius * u, s.radius * v}, pi / 2 * i, pi / 2 * (i + 1)});
+    }
+    pieces.push_back({false, corner[i] + outward, corner[(i + 1) % 4] + outward, {}, 0, 1});
+  }
+  return pieces;
+}
+
+/// Parameters of a piece at which another may meet it.
+void meet(const Piece& piece, const Piece& other, std::vector<Real>& at) {
+  const auto solve = [&](const Real& a, const Real& b, const Real& c) {  // a cos + b sin = c
+    const Real length = sqrt(a * a + b * b);
+    if (length == 0 || abs(c) >= length) return;
+    const Real middle = atan2(b, a), half = acos(c / length);
+    at.push_back(middle - half);
+    at.push_back(middle + half);
+  };
+  const Shape &e = piece.ellipse, &f = other.ellipse;
+  if (!piece.is_arc && other.is_arc) {
+    meet_line(f, piece.p, piece.q, at);
+  } else if (!piece.is_arc) {
+    const Vector d = piece.q - piece.p, line = other.q - other.p;
+    if (cross(d, line) != 0) at.push_back(cross(other.p - piece.p, line) / cross(d, line));
+  } else if (!other.is_arc) {
+    const Vector line = perpendicular(other.q - other.p);
+    solve(dot(line, e.e0), dot(line, e.e1), dot(line, other.p - e.centre));
+  } else if (dot(e.e0, e.e0) == dot(e.e1, e.e1) && dot(f.e0, f.e0) == dot(f.e1, f.e1)) {
+    const Vector d = f.centre - e.centre;
+    solve(dot(d, e.e0), dot(d, e.e1), (dot(d, d) + dot(e.e0, e.e0) - dot(f.e0, f.e0)) / 2);
+  } else {
+    meet_ellipse(e, f, at);
+  }
+}
+
+Real along_pieces(const Shape& s, const Shape& other) {
+  Real sum = 0;
+  for (const Piece& piece : outline(s)) {
+    std::vector<Real> at;
+    for (const Piece& one : outline(other)) meet(piece, one, at);
+    std::vector<Real> cuts{piece.from, piece.to};
+    for (Real t : at) {
+      while (piece.is_arc && t < piece.from) t += 2 * pi;
+      while (piece.is_arc && t > piece.from + 2 * pi) t -= 2 * pi;
+      if (t > piece.from && t < piece.to) cuts.push_back(t);
+    }
+    std::sort(cuts.begin(), cuts.end());
+    const auto point = [&](const Real& t) {
+      if (!piece.is_arc) return piece.p + t * (piece.q - piece.p);
+      return piece.ellipse.centre + cos(t) * piece.ellipse.e0 + sin(t) * piece.ellipse.e1;
+    };
+    for (std::size_t i = 1; i < cuts.size(); ++i) {
+      if (!holds(other, point(between(cuts[i - 1], cuts[i])))) continue;
+      const Vector from = point(cuts[i - 1]), to = point(cuts[i]);
+      if (!piece.is_arc) {
+        sum += cross(from, to) / 2;
+      } else {
+        const Real sector = cross(piece.ellipse.e0, piece.ellipse.e1) * (cuts[i] - cuts[i - 1]);
+        sum += (sector + cross(piece.ellipse.centre, to - from)) / 2;
+      }
+    }
+  }
+  return sum;
+}
+
+/// Pieces that coincide would count for both shapes or for neither. So the one is moved and grown by 10^-45 of it.
+Real shared_of_pieces(const Shape& a, Shape b) {
+  const Real little("1e-45");
+  const Real size = sqrt(dot(b.e0, b.e0)) + sqrt(dot(b.e1, b.e1)) + b.radius;
+  b.centre = b.centre + little * size * Vector{Real("0.31"), Real("0.77")};
+  b.e0 = (1 + little) * b.e0;
+  b.e1 = (1 + (b.round ? little : Real(0.5) * little)) * b.e1;
+  b.radius = (1 + Real("0.7") * little) * b.radius;
+  return along_pieces(a, b) + along_pieces(b, a);
+}
+
 /// Returns g < 1: if s is the unit disc, t's outline is between the circles of radius 1 - g and 1 + g.
 Real difference_of(const Shape& s, const Shape& t) {
   const Vector k = coordinates(s, t.centre), p = coordinates(s, t.centre + t.e0) - k,
@@ -232,6 +354,7 @@ Real difference_of(const Shape& s, const Shape& t) {
 Real shared(Shape a, Shape b) {
   b.centre = b.centre - a.centre;
   a.centre = {0, 0};
+  if (a.radius > 0 || b.radius > 0) return shared_of_pieces(a, b);
   if (!a.round && !b.round) return whole_area(a) < whole_area(b) ? clipped(b, a) : clipped(a, b);
   // If ellipses are nearly equal, rounding loses the places where they cross, and each arc might count for
   // both or for neither. They share all but 2 g of the lesser, whatever the aspect.

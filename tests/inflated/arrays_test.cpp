@@ -2,6 +2,7 @@
 // Arrays, indexes and joins answer as single calls do.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <memory>
@@ -27,6 +28,10 @@ struct Api<double> {
   static constexpr auto relation_many = vesica_relation_many_f64;
   static constexpr auto nearest_many = vesica_nearest_many_f64;
   static constexpr auto depth_many = vesica_depth_many_f64;
+  static constexpr auto area_many = vesica_area_many_f64;
+  static constexpr auto iou_many = vesica_iou_many_f64;
+  static constexpr auto iou_matrix = vesica_iou_matrix_f64;
+  static constexpr auto ratio_many = vesica_ratio_many_f64;
   static std::int32_t overlap(const Shape& a, const Shape& b) {
     return vesica_overlap_f64(a.kind, a.number.data(), b.kind, b.number.data());
   }
@@ -40,6 +45,10 @@ struct Api<float> {
   static constexpr auto relation_many = vesica_relation_many_f32;
   static constexpr auto nearest_many = vesica_nearest_many_f32;
   static constexpr auto depth_many = vesica_depth_many_f32;
+  static constexpr auto area_many = vesica_area_many_f32;
+  static constexpr auto iou_many = vesica_iou_many_f32;
+  static constexpr auto iou_matrix = vesica_iou_matrix_f32;
+  static constexpr auto ratio_many = vesica_ratio_many_f32;
   static std::int32_t overlap(const Shape& a, const Shape& b) { return Api<double>::overlap(a, b); }
 };
 
@@ -123,6 +132,80 @@ TEST(InflatedArrays, NumbersAsSingleCalls) {
       if (kind != VESICA_ELLIPSE) {
         ASSERT_EQ(codes[i], vesica_relation_f64(s.kind, s.number.data(), t.kind, t.number.data()));
       }
+    }
+  }
+}
+
+TYPED_TEST(InflatedArrays, SharedAreasAsSingleCalls) {
+  using A = Api<TypeParam>;
+  Random random(properties::seed());
+  for (std::int32_t kind = 0; kind < 8; ++kind) {
+    for (const std::int32_t other : kinds) {
+      const Columns<TypeParam> first(kind, count, random), second(other, count, random);
+      const auto a = array(first), b = array(second);
+      std::vector<TypeParam> shared(count), part(count), part_matrix(20 * count), giou(count);
+      ASSERT_GE(A::area_many(&a, &b, shared.data()), 0);
+      ASSERT_GE(A::iou_many(&a, &b, part.data()), 0);
+      ASSERT_GE(A::ratio_many(VESICA_RATIO_GENERALIZED, &a, &b, giou.data()), 0);
+      auto few = a;
+      few.count = 20;
+      ASSERT_GE(A::iou_matrix(&few, &b, part_matrix.data(), count), 0);
+      for (std::size_t i = 0; i < count; ++i) {
+        const Shape s = first.at(i), t = second.at(i);
+        double one = -1;
+        ASSERT_EQ(vesica_area_f64(s.kind, s.number.data(), t.kind, t.number.data(), &one), 0);
+        ASSERT_EQ(shared[i], static_cast<TypeParam>(one)) << kind << ", " << other << ", " << i;
+        ASSERT_EQ(vesica_iou_f64(s.kind, s.number.data(), t.kind, t.number.data(), &one), 0);
+        ASSERT_EQ(part[i], static_cast<TypeParam>(one)) << kind << ", " << other << ", " << i;
+        ASSERT_EQ(vesica_ratio_f64(VESICA_RATIO_GENERALIZED, s.kind, s.number.data(), t.kind, t.number.data(), &one),
+                  0);
+        ASSERT_EQ(giou[i], static_cast<TypeParam>(one)) << kind << ", " << other << ", " << i;
+      }
+      for (std::size_t i = 0; i < 20; ++i) ASSERT_EQ(part_matrix[i * count + i], part[i]) << kind << ", " << other;
+    }
+  }
+}
+
+/// What the best-scored shapes leave, asked pair by pair.
+std::vector<std::int64_t> kept_one_by_one(const Columns<double>& shapes, double threshold) {
+  std::vector<std::int64_t> kept;
+  for (std::int64_t i = 0; i < count; ++i) {
+    const Shape s = shapes.at(static_cast<std::size_t>(i));
+    const bool suppressed = std::ranges::any_of(kept, [&](std::int64_t k) {
+      const Shape t = shapes.at(static_cast<std::size_t>(k));
+      double ratio = 0;
+      EXPECT_EQ(vesica_iou_f64(s.kind, s.number.data(), t.kind, t.number.data(), &ratio), 0);
+      return ratio > threshold;
+    });
+    if (!suppressed) kept.push_back(i);
+  }
+  return kept;
+}
+
+TEST(InflatedArrays, SuppressAsSingleCalls) {
+  Random random(properties::seed());
+  for (const std::int32_t kind : kinds) {
+    const Columns<double> shapes(kind, count, random);
+    const auto a = array(shapes);
+    std::vector<double> score(count), decayed(count);
+    for (std::size_t i = 0; i < count; ++i) score[i] = 1.0 - static_cast<double>(i) / count;
+    for (const double threshold : {0.05, 0.3}) {
+      const std::vector<std::int64_t> expected = kept_one_by_one(shapes, threshold);
+      const std::int64_t size = vesica_nms_scratch(count), soft_size = vesica_suppress_soft_scratch(count);
+      const std::unique_ptr<double[]> scratch(new double[static_cast<std::size_t>(std::max(size, soft_size) / 8 + 1)]);
+      std::vector<std::int64_t> keep(count), softly(count);
+      std::int64_t kept = 0;
+      ASSERT_EQ(vesica_nms_f64(&a, score.data(), threshold, scratch.get(), size, keep.data(), &kept), 0);
+      keep.resize(static_cast<std::size_t>(kept));
+      EXPECT_EQ(keep, expected);
+      EXPECT_LT(kept, count);
+      // A Gaussian so narrow that any ratio suppresses: the shapes kept share nothing.
+      ASSERT_EQ(
+          vesica_suppress_soft_f64(&a, score.data(), nullptr, VESICA_RATIO_OVER_UNION, VESICA_DECAY_GAUSSIAN, 1e-20,
+                                   1e-9, count, scratch.get(), soft_size, softly.data(), decayed.data(), &kept),
+          0);
+      softly.resize(static_cast<std::size_t>(kept));
+      EXPECT_EQ(softly, kept_one_by_one(shapes, 1e-9));
     }
   }
 }

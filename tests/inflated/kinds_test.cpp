@@ -14,11 +14,6 @@ using namespace inflated;
 TEST(InflatedKinds, AreRefusedByOtherQuestions) {
   const vesica_capsule_f64 a{0, 0, 1, 0, 1};
   const vesica_ellipse_f64 b{0, 0, 1, 0, 2, 1};
-  double number = 7;
-  EXPECT_EQ(vesica_area_f64(VESICA_CAPSULE, &a, VESICA_ELLIPSE, &b, &number), VESICA_E_KIND);
-  EXPECT_EQ(vesica_iou_f64(VESICA_ELLIPSE, &b, VESICA_CAPSULE, &a, &number), VESICA_E_KIND);
-  EXPECT_EQ(vesica_ratio_f64(0, VESICA_CAPSULE, &a, VESICA_CAPSULE, &a, &number), VESICA_E_KIND);
-  EXPECT_EQ(number, 7);
   vesica_closest_points_f64 points{7, 7, 7, 7, 7};
   EXPECT_EQ(vesica_boundary_distance_f64(VESICA_CAPSULE, &a, VESICA_ELLIPSE, &b, &points), VESICA_E_KIND);
   EXPECT_EQ(points.distance, 7);

@@ -200,7 +200,7 @@ TEST(SoftSuppression, Errors) {
   EXPECT_EQ(vesica_suppress_soft_scratch(std::int64_t{1} << 31), VESICA_E_ARGUMENT);
   vesica_shapes_f64 shapes;
   vesica_shapes_from_records_f64(VESICA_POINT, 1, s.shapes.data(), sizeof(vesica_rect_f64), &shapes);
-  double scratch[8], decayed = 7;
+  double scratch[9], decayed = 7;
   std::int64_t keep = 7, kept = 7;
   const auto ask = [&](const vesica_shapes_f64* of, std::int64_t size, double* scores_out) {
     return vesica_suppress_soft_f64(of, s.scores.data(), nullptr, iou, linear, 0.5, 0, 9, scratch, size, &keep,
@@ -241,7 +241,7 @@ TEST(SoftSuppression, FloatsAreWidened) {
   const Scene s{wide, {static_cast<double>(scores[0]), static_cast<double>(scores[1])}, {}};
   vesica_shapes_f32 view;
   vesica_shapes_from_records_f32(VESICA_RECT, 2, shapes.data(), sizeof shapes[0], &view);
-  double scratch[16];
+  double scratch[18];
   std::int64_t keep[2], kept = 0;
   float decayed[2];
   EXPECT_EQ(vesica_suppress_soft_f32(&view, scores, nullptr, VESICA_RATIO_OVER_UNION, VESICA_DECAY_GAUSSIAN, 0.5f, 0, 9,

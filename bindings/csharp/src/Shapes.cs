@@ -6,8 +6,8 @@ namespace Vesica
 {
     /// <summary>One shape: the structs Point, Rect and the like in double, PointF and the like in float.</summary>
     /// <remarks>Capsules and rounded rectangles are for Check, Bounds, ShapeArea, Overlap, Nearest, Depth, Signed,
-    /// Within, Cast, ImpactTime, SweepBounds, and not with an ellipse Relation, Contains and BoundaryDistance; the same
-    /// holds of arrays. An index of them has joins by overlap or distance, Select, Nearest and casts. Other methods
+    /// Within, Area, Iou, ratios, suppression, Cast, ImpactTime, SweepBounds, and not with an ellipse Relation, Contains
+    /// and BoundaryDistance; the same holds of arrays. An index of them has joins by overlap or distance, Select, Nearest and casts. Other methods
     /// throw a VesicaException for them.</remarks>
     public interface IShape
     {

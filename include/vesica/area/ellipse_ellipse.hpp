@@ -28,6 +28,13 @@ struct Placed {
   Against<V> against;
   V cosine, sine, x, y;  ///< x, y: f's centre, turned only
   bool exchange;
+
+  /// A point as it was before.
+  Vector<V> undone(const Vector<V>& p) const noexcept {
+    const V along = exchange ? p.y : p.x, across = exchange ? p.x : p.y, zero(0.0);
+    const V p0 = x < zero ? -along : along, p1 = y < zero ? -across : across;
+    return {cosine * p0 + sine * p1, cosine * p1 - sine * p0};
+  }
 };
 
 /// One Jacobi rotation makes the image of f's matrix diagonal. Its rounding turns f as a whole, centre and axes, about

@@ -4,17 +4,19 @@
 #pragma once
 
 #include <algorithm>
+#include <vesica/form/inflated.hpp>
 #include <vesica/form/placement.hpp>
 #include <vesica/shape_area.hpp>
 
 namespace vesica::detail::ratio {
 
-/// A shape of any kind: { C + s u + t perp(u) } with half sizes along u and across it.
+/// A shape of any kind: { C + s u + t perp(u) } with half sizes along u and across it, and a radius.
 struct Facts {
   area::Measure area;
   form::Corners<double> place;
   double ux, uy, along, across;
   bool round;
+  double radius;
 };
 
 /// True if products and squares of such lengths, or quotients of such areas, are normal numbers.
@@ -40,7 +42,8 @@ struct Parts {
 /// Facts of a valid shape with this area as a double, which suffices if it is of usual magnitude.
 template <class Shape>
 VESICA_INLINE Facts facts(const Shape& shape, double area) noexcept {
-  const auto f = form::of(shape);
+  const auto [core, radius] = form::inflated(shape);
+  const auto f = form::of(core);
   const form::Corners<double> place = form::corners(f.place);
   const Parts number(place);
   const double size = decltype(f)::axis_may_vanish ? 1 / number.scale : 1;
@@ -50,7 +53,8 @@ VESICA_INLINE Facts facts(const Shape& shape, double area) noexcept {
           number(f.uy),
           size * number(f.hx),
           size * number(f.hy),
-          f.outline != form::Outline::straight};
+          f.outline != form::Outline::straight,
+          radius};
 }
 
 /// The smallest box along the coordinate axes about two shapes, and from centre to centre. Width and dx are in
@@ -72,7 +76,8 @@ inline double product(double x, double y, int unit) noexcept {
 /// perpendicular.
 inline double reach(const Facts& s, double p, double q, int unit) noexcept {
   const double along = product(p, s.along, unit), across = product(q, s.across, unit);
-  return s.round ? std::sqrt(along * along + across * across) : along + across;
+  const double core = s.round ? std::sqrt(along * along + across * across) : along + across;
+  return s.radius == 0 ? core : core + arithmetic::scale_far(s.radius, -unit);
 }
 
 /// From the one end to the other of two spans about their centres, which are d apart. NaN where d overflowed to it.
@@ -102,7 +107,7 @@ inline int reach_exponent(const Facts& s, double p, double q) noexcept {
   const auto of_product = [](double x, double y) {
     return x == 0 || y == 0 ? form::no_exponent : arithmetic::exponent_of(x) + arithmetic::exponent_of(y);
   };
-  return std::max(of_product(p, s.along), of_product(q, s.across));
+  return std::max({of_product(p, s.along), of_product(q, s.across), form::length_exponent(s.radius)});
 }
 
 /// In units that the lengths and the offset suggest, along each coordinate.

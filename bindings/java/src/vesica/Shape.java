@@ -5,8 +5,8 @@ package vesica;
  * One shape: a record of its numbers.
  *
  * <p>Capsules and rounded rectangles are for check, bounds, shapeArea, overlap, nearest, depth, signedDistance, within,
- * cast, impactTime, sweepBounds, and not with an ellipse relation, contains and boundaryDistance; the same holds of
- * arrays. An index of them has joins by overlap or distance, select, nearest and casts. Other methods throw a {@link
+ * area, iou, ratios, suppression, cast, impactTime, sweepBounds, and not with an ellipse relation, contains and
+ * boundaryDistance; the same holds of arrays. An index of them has joins by overlap or distance, select, nearest and casts. Other methods throw a {@link
  * VesicaException} for them.
  */
 public sealed interface Shape permits Point, Segment, Circle, Aabb, Rect, Ellipse, Capsule, RoundRect {

@@ -446,9 +446,12 @@ extern "C" {
     ///
     /// Accuracy: right to 64 u times the smaller shape's area times the larger aspect ratio, at aspect ratios up to
     /// 10^4, even if the outlines nearly touch or coincide and whatever the sizes are. Beyond 10^4 no bound is stated;
-    /// what is said above holds at any ratio. In bounds on errors u is 2^-53, half a unit in the last place of 1. The
-    /// scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4
-    /// u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
+    /// what is said above holds at any ratio. With a capsule or a rounded rectangle the bound holds if neither shape is
+    /// more than 10^12 times as long as the other. If the other shape is an ellipse, it is not decided whether one
+    /// contains the other: such an area is right to the bound. In bounds on errors u is 2^-53, half a unit in the last
+    /// place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
+    /// lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over
+    /// shorter size.
     ///
     /// Cost: six times vesica_overlap_f64 for boxes, fifty times for two ellipses; more if outlines nearly touch or
     /// coincide, or if one shape is far larger.
@@ -1641,10 +1644,12 @@ extern "C" {
     ///
     /// Accuracy: right to 64 u times the smaller shape's area times the larger aspect ratio, at aspect ratios up to
     /// 10^4, even if the outlines nearly touch or coincide and whatever the sizes are. Beyond 10^4 no bound is stated;
-    /// what is said above holds at any ratio. Each number is computed in double, within these bounds, and then rounded
-    /// to float once. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is
-    /// the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an
-    /// error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
+    /// what is said above holds at any ratio. With a capsule or a rounded rectangle the bound holds if neither shape is
+    /// more than 10^12 times as long as the other. If the other shape is an ellipse, it is not decided whether one
+    /// contains the other: such an area is right to the bound. Each number is computed in double, within these bounds,
+    /// and then rounded to float once. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of
+    /// two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
+    /// means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
     /// Cost: six times vesica_overlap_f32 for boxes, fifty times for two ellipses; more if outlines nearly touch or
     /// coincide, or if one shape is far larger.
@@ -3300,7 +3305,7 @@ extern "C" {
         kept: *mut i64) -> i32;
     /// How many bytes of scratch does soft suppression of `count` shapes need?
     ///
-    /// Returns: 64 bytes a shape.
+    /// Returns: 72 bytes a shape.
     ///
     /// Errors: VESICA_E_ARGUMENT (count is negative or above 2^31 - 1).
     ///
