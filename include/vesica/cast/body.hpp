@@ -63,7 +63,13 @@ VESICA_INLINE auto with_shape(const Body& body, const Action& action) noexcept {
   return action(shape<Point>(body));
 }
 
-constexpr bool is_inflated(Kind kind) noexcept { return kind == Kind::capsule || kind == Kind::round_rect; }
+constexpr bool is_inflated(Kind kind) noexcept {
+#define VESICA_CASE(name, Name) \
+  if (kind == Kind::name) return true;
+  VESICA_EACH_SHAPE_INFLATED(VESICA_CASE)
+#undef VESICA_CASE
+  return false;
+}
 
 /// A core with its radius, but a circle or a core alone where the shape is no more.
 template <class Shape>
@@ -82,8 +88,11 @@ Body core_of(const Shape& s) noexcept {
   return out;
 }
 inline Body core_of(const Body& b) noexcept {
-  if (b.kind == Kind::capsule) return core_of(shape<Capsule>(b));
-  return b.kind == Kind::round_rect ? core_of(shape<RoundRect>(b)) : b;
+#define VESICA_CASE(name, Name) \
+  if (b.kind == Kind::name) return core_of(shape<Name>(b));
+  VESICA_EACH_SHAPE_INFLATED(VESICA_CASE)
+#undef VESICA_CASE
+  return b;
 }
 
 /// A pair as the functions of casts take it: kinds with a form, and circles as points with a radius where the pair has
