@@ -148,12 +148,15 @@ std::int32_t ratio(std::int32_t kind_a, const void* a, std::int32_t kind_b, cons
   }
   return worst;
 }
-/// A tiny distance, the distance as computed, and a last place beside that.
+/// A tiny distance, the distance as computed, and a last place beside that; depths likewise.
 std::int32_t within(std::int32_t kind_a, const void* a, std::int32_t kind_b, const void* b) {
   vesica_closest_points_f64 found;
+  vesica_penetration_f64 deep;
   if (vesica_nearest_f64(kind_a, a, kind_b, b, &found) != 0) found.distance = DBL_MAX;
+  if (vesica_depth_f64(kind_a, a, kind_b, b, &deep) != 0) deep.depth = DBL_MAX;
   std::int32_t worst = 0;
-  for (const double d : {0x1.2345678p-1050, found.distance, std::nextafter(found.distance, 0.0)}) {
+  for (const double d : {0x1.2345678p-1050, found.distance, std::nextafter(found.distance, 0.0), -0x1.2345678p-1050,
+                         -deep.depth, -std::nextafter(deep.depth, 0.0)}) {
     worst = std::min(worst, vesica_within_f64(kind_a, a, kind_b, b, d));
   }
   return worst;

@@ -32,6 +32,22 @@ void demand_of_nearest(Judge& j, const Case& c, std::int32_t code) {
   if (code == VESICA_WITHIN_NEARLY) j.demand(std::fabs(d - c.distance) <= room, "nearly", c.distance, d);
 }
 
+/// Shapes are at least so deep in one another, by the negative distance, iff their depth is, but for its error.
+void demand_of_depth(Judge& j, const Case& c) {
+  const Answer depth = ask(Query::depth, Scalar::f64, c.pair);
+  const double asked = c.distance, scale = 2 * extent(c.pair);
+  Case deep = c;
+  deep.distance = -asked;
+  const std::int32_t code = ask(deep).code;
+  deep.pair = swapped(c.pair);
+  demand_code(j, "deep_exchanged", code, ask(deep).code);
+  if (depth.code != 0 || !(scale < 0x1p1000)) return;
+  const double d = depth.numbers[0], room = 16 * u * (scale + asked) + 8 * last_place;
+  if (code == VESICA_WITHIN_YES) j.demand(d >= asked - room && d > 0, "yes_is_deep", asked, d);
+  if (code == VESICA_WITHIN_NO) j.demand(d <= asked + room, "no_is_shallow", asked, d);
+  if (code == VESICA_WITHIN_NEARLY) j.demand(std::fabs(d - asked) <= room && d > 0, "nearly_deep", asked, d);
+}
+
 }  // namespace
 
 void judge_within(Judge& j, const Case& c, Effort effort) {
@@ -42,6 +58,7 @@ void judge_within(Judge& j, const Case& c, Effort effort) {
   if (c.distance == 0) return demand_code(j, "of_0_is_overlap", overlap, code);
   if (!are_ellipses(c.pair)) j.demand(code == 0 || code == 1, "certain", "0 or 1", std::to_string(code));
   demand_of_nearest(j, c, code);
+  demand_of_depth(j, c);
   if (code == VESICA_WITHIN_YES) {
     Case further = c;
     further.distance = properties::nearest(c.scalar, 1.5 * c.distance);
