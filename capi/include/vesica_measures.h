@@ -145,8 +145,8 @@ VESICA_API int64_t vesica_signed_distance_matrix_f64(const vesica_shapes_f64 *a,
  * Accuracy: yes and no are always right. Only an ellipse without a half length of 0 may get another answer,
  * VESICA_WITHIN_NEARLY. With distance > 0: if the other shape is such an ellipse too, and the distance of
  * vesica_nearest_f64 differs from the one asked for by at most 5 u scale + 2^-1074. With distance < 0: if the other
- * shape is neither a point nor a circle, and the depth of vesica_depth_f64 differs from -distance by at most
- * 5 u (scale + |distance|) + 2^-1074.
+ * shape is neither a point nor a circle, and the depth differs from -distance by at most 10 u (scale + |distance|) +
+ * 2^-1073, and by the shorter size of each shape whose aspect ratio exceeds 1e6.
  * Since: 0.1.
  */
 

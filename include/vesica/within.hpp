@@ -98,6 +98,21 @@ inline double core_reach(double radius_a, double radius_b, double distance) noex
   return sum.high + (sum.low + radii.low);
 }
 
+/// True if depth() states no bound on its error with a shape of these half sizes, which is no segment.
+inline bool is_thin(double a, double b) noexcept {
+  return std::fmin(a, b) > 0 && std::fmax(a, b) > 1e6 * std::fmin(a, b);
+}
+
+/// A box without its shorter size.
+inline Rect<double> flattened(Rect<double> s) noexcept {
+  (s.hx < s.hy ? s.hx : s.hy) = 0;
+  return s;
+}
+inline Aabb<double> flattened(Aabb<double> s) noexcept {
+  const auto [ux, uy, hx, hy] = filter::box(s);
+  return hx < hy ? Aabb<double>{s.min_x, s.min_y, s.min_x, s.max_y} : Aabb<double>{s.min_x, s.min_y, s.max_x, s.min_y};
+}
+
 /// Does an ellipse with an area overlap another shape at least `depth` > 0 deep? The depth of depth() is right to 4u of
 /// the scale, and to half the least number; whether it is 0 is exact. The depth asked for may have an error of 2u.
 template <class A>
@@ -105,11 +120,35 @@ VESICA_COLD Within by_depth(const A& a, const Ellipse<double>& b, double depth) 
   if (!all_finite(depth)) return Within::no;
   Penetration<double> found{};
   const bool is_beyond_range = depth::depth_in_order(a, b, depth::not_asked, found) != 0;
+  if (!is_beyond_range && found.depth == 0) return Within::no;
+  if constexpr (ShapeTraits<A>::kind == Kind::aabb || ShapeTraits<A>::kind == Kind::rect) {
+    const auto [ux, uy, hx, hy] = filter::box(a);
+    if (is_thin(hx, hy)) {
+      // The depth lies between that of the flat box and as much more as was taken away.
+      const double rest = (depth - half_length({ux, uy, 2 * std::fmin(hx, hy), 0})) * (1 - 0x1p-50);
+      if (by_depth(flattened(a), b, depth) == Within::yes) return Within::yes;
+      return rest > 0 && by_depth(flattened(a), b, rest) == Within::no ? Within::no : Within::nearly;
+    }
+  }
   const double error = 9 * 0x1p-54 * scale(a, b) + 4 * 0x1p-54 * depth + std::numeric_limits<double>::denorm_min();
   if (is_beyond_range) return all_finite(error) && depth < 0x1p1023 ? Within::yes : Within::nearly;
-  if (found.depth == 0) return Within::no;
   if (!(std::fabs(found.depth - depth) > error)) return Within::nearly;
   return found.depth > depth ? Within::yes : Within::no;
+}
+
+/// The same for a thin ellipse, by the rectangle around it and its longer axis: the greater a shape, the deeper.
+template <class A>
+VESICA_COLD Within by_bounds(const A& a, const Ellipse<double>& e, double distance) noexcept {
+  Rect<double> box{e.cx, e.cy, e.ux, e.uy, e.a, e.b};
+  if (within_or_error(a, box, distance) == 0) return Within::no;
+  (e.a < e.b ? box.hx : box.hy) = 0;
+  return within_or_error(a, box, distance) == 1 ? Within::yes : Within::nearly;
+}
+
+/// Two ellipses with an area, for a distance < 0.
+VESICA_COLD inline Within deep(const Ellipse<double>& a, const Ellipse<double>& b, double distance) noexcept {
+  if (is_thin(a.a, a.b)) return by_bounds(b, a, distance);
+  return is_thin(b.a, b.b) ? by_bounds(a, b, distance) : by_depth(a, b, -distance);
 }
 
 /// For a distance < 0; shapes in order, not two ellipses.
@@ -139,8 +178,11 @@ VESICA_CALLED std::int32_t deep_in_ellipse(const B& b, const Ellipse<double>& e,
     if ((verdict.overlap || verdict.disjoint) && radius >= 0) return verdict.overlap ? 1 : 0;
   } else {
     if (check(b) != 0 || check(e) != 0) return error_shape;
-    const Within answer = e.a > 0 && e.b > 0 ? by_depth(core, e, -reach) : Within::nearly;
-    const bool is_exact = filter::is_point<std::remove_cv_t<decltype(core)>> || e.a == 0 || e.b == 0;
+    const bool has_area = e.a > 0 && e.b > 0;
+    const bool is_exact = filter::is_point<std::remove_cv_t<decltype(core)>> || !has_area;
+    const Within answer = !has_area           ? Within::nearly
+                          : is_thin(e.a, e.b) ? by_bounds(b, e, distance)
+                                              : by_depth(core, e, -reach);
     if (answer != Within::nearly || !is_exact) return static_cast<std::int32_t>(answer);
     if (all_finite(distance)) return overlap::exactly_within(b, e, distance) ? 1 : 0;
   }
@@ -171,7 +213,7 @@ std::int32_t within_or_error(const A<double>& a, const B<double>& b, double dist
     if (b.a == 0 || b.b == 0) return within_or_error(Rect<double>{b.cx, b.cy, b.ux, b.uy, b.a, b.b}, a, distance);
     if (distance < 0) {
       if (check(a) != 0 || check(b) != 0) return error_shape;
-      return static_cast<std::int32_t>(within::by_depth(a, b, -distance));
+      return static_cast<std::int32_t>(within::deep(a, b, distance));
     }
     const std::int32_t overlapping = overlap_or_error(a, b);
     if (overlapping != 0 || distance == 0) return overlapping;

@@ -126,6 +126,28 @@ TEST(Deep, NoDepth) {
   }
 }
 
+/// No bound on the depth of thin ellipses is stated, so that bounds of the shape decide. Points and circles are exact.
+TEST(Deep, ThinEllipses) {
+  const Shape needle{VESICA_ELLIPSE, {0, 0, 0, 1, 9, 0x1p-30}};
+  const Shape box{VESICA_AABB, {-2, -20, 5, 20}}, other{VESICA_ELLIPSE, {1, 0, 0, 1, 8, 0x1p-22}};
+  EXPECT_EQ(deep(needle, box, 2), VESICA_WITHIN_YES);
+  EXPECT_EQ(deep(needle, box, 2 + 0x1p-31), VESICA_WITHIN_NEARLY);
+  EXPECT_EQ(deep(needle, box, 2 + 0x1p-29), VESICA_WITHIN_NO);
+  EXPECT_EQ(deep(needle, other, 0x1p-1074), VESICA_WITHIN_NO);
+  EXPECT_EQ(deep(needle, needle, 0x1p-28), VESICA_WITHIN_NO);
+  EXPECT_EQ(deep(needle, {VESICA_POINT, {0, 0}}, 0x1p-30), VESICA_WITHIN_YES);
+  EXPECT_EQ(deep(needle, {VESICA_POINT, {0, 0}}, 0x1.0000000000001p-30), VESICA_WITHIN_NO);
+  const Shape flat{VESICA_RECT, {0, 0, 0, 1, 4, 0x1p-30}}, oval{VESICA_ELLIPSE, {1, 0, 0, 1, 9, 4}};
+  EXPECT_EQ(deep(flat, oval, 3 - 0x1p-40), VESICA_WITHIN_YES);
+  EXPECT_EQ(deep(flat, oval, 3 + 0x1p-31), VESICA_WITHIN_NEARLY);
+  EXPECT_EQ(deep(flat, oval, 3 + 0x1p-28), VESICA_WITHIN_NO);
+  // vesica_depth_f64 takes 2^43 for the depth here, which is 1.4 times 2^42.
+  const Shape disc{VESICA_CIRCLE, {0, 0, 0x1p46}};
+  const Shape line{VESICA_ELLIPSE, {0x1.cp+45, 0x1p+45, 0, 1, 0x1p+42, 0x1p-23}};
+  EXPECT_EQ(deep(disc, line, 0x1.98d828p+42), VESICA_WITHIN_NO);
+  EXPECT_EQ(deep(disc, line, 0x1.6p+40), VESICA_WITHIN_YES);
+}
+
 // ---- Whole numbers ----
 
 struct Place {

@@ -32,6 +32,14 @@ void demand_of_nearest(Judge& j, const Case& c, std::int32_t code) {
   if (code == VESICA_WITHIN_NEARLY) j.demand(std::fabs(d - c.distance) <= room, "nearly", c.distance, d);
 }
 
+/// True if no bound on the depth is stated.
+bool is_thin(int kind, const Numbers& n) {
+  const bool is_box = kind == VESICA_AABB, has_sizes = kind == VESICA_RECT || kind == VESICA_ELLIPSE;
+  if (!is_box && !has_sizes) return false;
+  const double a = is_box ? n[2] - n[0] : n[4], b = is_box ? n[3] - n[1] : n[5];
+  return std::fmax(a, b) > 1e6 * std::fmin(a, b);
+}
+
 /// Shapes are at least so deep in one another, by the negative distance, iff their depth is, but for its error.
 void demand_of_depth(Judge& j, const Case& c) {
   const Answer depth = ask(Query::depth, Scalar::f64, c.pair);
@@ -41,7 +49,9 @@ void demand_of_depth(Judge& j, const Case& c) {
   const std::int32_t code = ask(deep).code;
   deep.pair = swapped(c.pair);
   demand_code(j, "deep_exchanged", code, ask(deep).code);
-  if (depth.code != 0 || !(scale < 0x1p1000)) return;
+  if (depth.code != 0 || !(scale < 0x1p1000) || is_thin(c.pair.kind_a, c.pair.a) || is_thin(c.pair.kind_b, c.pair.b)) {
+    return;
+  }
   const double d = depth.numbers[0], room = 16 * u * (scale + asked) + 8 * last_place;
   if (code == VESICA_WITHIN_YES) j.demand(d >= asked - room && d > 0, "yes_is_deep", asked, d);
   if (code == VESICA_WITHIN_NO) j.demand(d <= asked + room, "no_is_shallow", asked, d);

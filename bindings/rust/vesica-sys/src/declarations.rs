@@ -3232,10 +3232,11 @@ extern "C" {
     /// Accuracy: yes and no are always right. Only an ellipse without a half length of 0 may get another answer,
     /// VESICA_WITHIN_NEARLY. With distance \> 0: if the other shape is such an ellipse too, and the distance of
     /// vesica_nearest_f64 differs from the one asked for by at most 5 u scale + 2^-1074. With distance \< 0: if the
-    /// other shape is neither a point nor a circle, and the depth of vesica_depth_f64 differs from -distance by at most
-    /// 5 u (scale + |distance|) + 2^-1074. In bounds on errors u is 2^-53, half a unit in the last place of 1. The
-    /// scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4
-    /// u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
+    /// other shape is neither a point nor a circle, and the depth differs from -distance by at most 10 u (scale +
+    /// |distance|) + 2^-1073, and by the shorter size of each shape whose aspect ratio exceeds 1e6. In bounds on errors
+    /// u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between
+    /// their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An
+    /// aspect ratio is longer over shorter size.
     ///
     /// Cost: one to six times vesica_overlap_f64; as vesica_nearest_f64 or vesica_depth_f64 for ellipses.
     ///
@@ -3254,10 +3255,11 @@ extern "C" {
     /// Accuracy: yes and no are always right. Only an ellipse without a half length of 0 may get another answer,
     /// VESICA_WITHIN_NEARLY. With distance \> 0: if the other shape is such an ellipse too, and the distance of
     /// vesica_nearest_f64 differs from the one asked for by at most 5 u scale + 2^-1074. With distance \< 0: if the
-    /// other shape is neither a point nor a circle, and the depth of vesica_depth_f64 differs from -distance by at most
-    /// 5 u (scale + |distance|) + 2^-1074. In bounds on errors u is 2^-53, half a unit in the last place of 1. The
-    /// scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4
-    /// u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
+    /// other shape is neither a point nor a circle, and the depth differs from -distance by at most 10 u (scale +
+    /// |distance|) + 2^-1073, and by the shorter size of each shape whose aspect ratio exceeds 1e6. In bounds on errors
+    /// u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between
+    /// their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An
+    /// aspect ratio is longer over shorter size.
     ///
     /// Since: 0.1.
     pub fn vesica_within_many_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, distance: f64, out: *mut u8) -> i64;
@@ -3274,10 +3276,11 @@ extern "C" {
     /// Accuracy: yes and no are always right. Only an ellipse without a half length of 0 may get another answer,
     /// VESICA_WITHIN_NEARLY. With distance \> 0: if the other shape is such an ellipse too, and the distance of
     /// vesica_nearest_f64 differs from the one asked for by at most 5 u scale + 2^-1074. With distance \< 0: if the
-    /// other shape is neither a point nor a circle, and the depth of vesica_depth_f64 differs from -distance by at most
-    /// 5 u (scale + |distance|) + 2^-1074. In bounds on errors u is 2^-53, half a unit in the last place of 1. The
-    /// scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4
-    /// u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
+    /// other shape is neither a point nor a circle, and the depth differs from -distance by at most 10 u (scale +
+    /// |distance|) + 2^-1073, and by the shorter size of each shape whose aspect ratio exceeds 1e6. In bounds on errors
+    /// u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between
+    /// their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An
+    /// aspect ratio is longer over shorter size.
     ///
     /// Since: 0.1.
     pub fn vesica_within_matrix_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, distance: f64, out: *mut u8,
@@ -3512,10 +3515,11 @@ extern "C" {
     /// Accuracy: yes and no are always right. Only an ellipse without a half length of 0 may get another answer,
     /// VESICA_WITHIN_NEARLY. With distance \> 0: if the other shape is such an ellipse too, and the distance of
     /// vesica_nearest_f32 differs from the one asked for by at most 5 u scale + 2^-1074. With distance \< 0: if the
-    /// other shape is neither a point nor a circle, and the depth of vesica_depth_f32 differs from -distance by at most
-    /// 5 u (scale + |distance|) + 2^-1074. In bounds on errors u is 2^-53, half a unit in the last place of 1. The
-    /// scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4
-    /// u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
+    /// other shape is neither a point nor a circle, and the depth differs from -distance by at most 10 u (scale +
+    /// |distance|) + 2^-1073, and by the shorter size of each shape whose aspect ratio exceeds 1e6. In bounds on errors
+    /// u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between
+    /// their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An
+    /// aspect ratio is longer over shorter size.
     ///
     /// Cost: one to six times vesica_overlap_f32; as vesica_nearest_f32 or vesica_depth_f32 for ellipses.
     ///
@@ -3534,10 +3538,11 @@ extern "C" {
     /// Accuracy: yes and no are always right. Only an ellipse without a half length of 0 may get another answer,
     /// VESICA_WITHIN_NEARLY. With distance \> 0: if the other shape is such an ellipse too, and the distance of
     /// vesica_nearest_f32 differs from the one asked for by at most 5 u scale + 2^-1074. With distance \< 0: if the
-    /// other shape is neither a point nor a circle, and the depth of vesica_depth_f32 differs from -distance by at most
-    /// 5 u (scale + |distance|) + 2^-1074. In bounds on errors u is 2^-53, half a unit in the last place of 1. The
-    /// scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4
-    /// u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
+    /// other shape is neither a point nor a circle, and the depth differs from -distance by at most 10 u (scale +
+    /// |distance|) + 2^-1073, and by the shorter size of each shape whose aspect ratio exceeds 1e6. In bounds on errors
+    /// u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between
+    /// their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An
+    /// aspect ratio is longer over shorter size.
     ///
     /// Since: 0.1.
     pub fn vesica_within_many_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, distance: f32, out: *mut u8) -> i64;
@@ -3554,10 +3559,11 @@ extern "C" {
     /// Accuracy: yes and no are always right. Only an ellipse without a half length of 0 may get another answer,
     /// VESICA_WITHIN_NEARLY. With distance \> 0: if the other shape is such an ellipse too, and the distance of
     /// vesica_nearest_f32 differs from the one asked for by at most 5 u scale + 2^-1074. With distance \< 0: if the
-    /// other shape is neither a point nor a circle, and the depth of vesica_depth_f32 differs from -distance by at most
-    /// 5 u (scale + |distance|) + 2^-1074. In bounds on errors u is 2^-53, half a unit in the last place of 1. The
-    /// scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4
-    /// u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
+    /// other shape is neither a point nor a circle, and the depth differs from -distance by at most 10 u (scale +
+    /// |distance|) + 2^-1073, and by the shorter size of each shape whose aspect ratio exceeds 1e6. In bounds on errors
+    /// u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between
+    /// their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An
+    /// aspect ratio is longer over shorter size.
     ///
     /// Since: 0.1.
     pub fn vesica_within_matrix_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, distance: f32, out: *mut u8,
