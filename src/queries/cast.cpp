@@ -104,7 +104,7 @@ VESICA_FAST_HIT(Ellipse, Ellipse)
 
 namespace {
 
-/// Of a pair with a core and a radius.
+/// A pair in which one shape has a core and a radius.
 [[gnu::noinline]] std::int32_t cast_cores(const Body& a, const Body& b, const Motion& motion,
                                           Impact<double>& out) noexcept {
   using detail::cast::sketch;

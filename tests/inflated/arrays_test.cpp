@@ -166,7 +166,7 @@ TYPED_TEST(InflatedArrays, SharedAreasAsSingleCalls) {
   }
 }
 
-/// What the best-scored shapes leave, asked pair by pair.
+/// The shapes that remain after suppression, asked pair by pair.
 std::vector<std::int64_t> kept_one_by_one(const Columns<double>& shapes, double threshold) {
   std::vector<std::int64_t> kept;
   for (std::int64_t i = 0; i < count; ++i) {

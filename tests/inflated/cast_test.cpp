@@ -63,7 +63,7 @@ mpq_class squared_distance(const Vector& p, const Vector& from, const Vector& to
   const mpq_class across = cross(along, way);
   return across * across / length;
 }
-/// Of two segments.
+/// The squared distance of two segments.
 mpq_class squared_distance(const Vector& a, const Vector& b, const Vector& c, const Vector& d) {
   const auto side = [](const Vector& p, const Vector& q, const Vector& r) { return sgn(cross(q - p, r - p)); };
   if (side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0) return 0;
@@ -212,7 +212,7 @@ TEST(InflatedCast, IsExact) {
   EXPECT_GT(tally.started, 100);
 }
 
-/// Of any numbers, at ways that pass near the rim.
+/// Any numbers, at ways that pass near the rim.
 TEST(InflatedCast, IsExactForAnyNumbers) {
   Random random(properties::seed());
   Tally tally;

@@ -57,7 +57,7 @@ struct Scene {
 
   double speed() const noexcept { return abs(vx) + abs(vy); }
   bool has_radius() const noexcept { return radius.high > 0; }
-  /// What the radii add to both shapes.
+  /// The disc that the radii add to both shapes.
   Side disc() const noexcept { return {{{1, 0}, {0, 0}}, radius, radius, true}; }
 };
 
