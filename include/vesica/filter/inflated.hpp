@@ -86,9 +86,12 @@ VESICA_INLINE constexpr auto inflated_certain_facts(const CoreAndRadius<A, V>& a
                                                     const CoreAndRadius<B, V>& b) noexcept {
   const auto verdict = inflated_pair(a, b, V(0.0f));
   const Centre<V> d = offset(place(a.core), place(b.core));
-  const auto valid = at_least(V(0.0f), a.radius, b.radius);
-  const auto in_b = corners_in_box(box(a.core), box(b.core), {-d.x, -d.y}, b.radius - a.radius);
-  const auto in_a = corners_in_box(box(b.core), box(a.core), d, a.radius - b.radius);
+  const Box<V> p = box(a.core), q = box(b.core);
+  // corners_in_box() looks at the axis of the outer box alone.
+  const auto axes = both(p.ux * p.ux + p.uy * p.uy > V(0.0f), q.ux * q.ux + q.uy * q.uy > V(0.0f));
+  const auto valid = both(at_least(V(0.0f), a.radius, b.radius), axes);
+  const auto in_b = corners_in_box(p, q, {-d.x, -d.y}, b.radius - a.radius);
+  const auto in_a = corners_in_box(q, p, d, a.radius - b.radius);
   return guarded(valid, CertainFacts<decltype(verdict.overlap)>{verdict.disjoint, verdict.overlap, in_b.overlap,
                                                                 in_a.overlap, both(in_b.disjoint, in_a.disjoint)});
 }
