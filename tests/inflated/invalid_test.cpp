@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+namespace refused {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
@@ -87,3 +88,4 @@ TEST(Invalid, IsRefusedBesideEveryKind) {
 }
 
 }  // namespace
+}  // namespace refused
