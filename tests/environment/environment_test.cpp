@@ -48,8 +48,7 @@ void expect_same_bits(const Calls& calls, const Asked& input, const char* worklo
     const Bytes expected = call.ask(input);
     for (const Environment& e : all_environments) {
       // Overlap of two shapes computes before it masks exceptions, as vesica.h says.
-      if (e.traps && (call.name == std::string_view("overlap") || call.name == std::string_view("typed overlap")))
-        continue;
+      if (e.traps && std::string_view(call.name).ends_with("overlap")) continue;
       Bytes found;
       found.reserve(expected.size());
       const bool kept = environment::ask_in(e, [&] { found = call.ask(input); });

@@ -156,7 +156,7 @@ TYPED_TEST(ArgumentsTest, Join) {
                                  parts, scratch.get(), scratch_size, out[0], out[1], capacity, at);
   };
   EXPECT_EQ(call(-1, b, 0, 1, scratch.size, 4, state), VESICA_E_ARGUMENT);
-  EXPECT_EQ(call(4, b, 0, 1, scratch.size, 4, state), VESICA_E_ARGUMENT);
+  EXPECT_EQ(call(VESICA_JOIN_INTERIORS + 1, b, 0, 1, scratch.size, 4, state), VESICA_E_ARGUMENT);
   EXPECT_EQ(call(0, a, 0, 1, scratch.size, 4, state), VESICA_E_ARGUMENT) << "another index's sets";
   EXPECT_EQ(call(0, b, 1, 1, scratch.size, 4, state), VESICA_E_ARGUMENT);
   EXPECT_EQ(call(0, b, 0, 0, scratch.size, 4, state), VESICA_E_ARGUMENT);

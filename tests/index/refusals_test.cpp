@@ -240,7 +240,7 @@ TYPED_TEST(Refusals, Join) {
   wrong.push_back({"scratch at 8", VESICA_E_ARGUMENT, [](auto& c) { c.scratch = static_cast<char*>(c.scratch) + 8; }});
   wrong.push_back({"scratch too small", VESICA_E_ARGUMENT, [](auto& c) { --c.scratch_size; }});
   wrong.push_back({"query -1", VESICA_E_ARGUMENT, [](auto& c) { c.query = -1; }});
-  wrong.push_back({"query 4", VESICA_E_ARGUMENT, [](auto& c) { c.query = 4; }});
+  wrong.push_back({"query 5", VESICA_E_ARGUMENT, [](auto& c) { c.query = VESICA_JOIN_INTERIORS + 1; }});
   this->expect_refusals(
       "join",
       [](const Call<TypeParam>& c) {

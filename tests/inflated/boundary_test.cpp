@@ -120,9 +120,9 @@ TEST(InflatedBoundary, IsTheLeastDistanceOfTheOutlines) {
       ASSERT_EQ(found.ay, found.by);
     }
   }
-  EXPECT_GT(nested, 100);
-  EXPECT_GT(met, 100);
-  EXPECT_GT(apart, 100);
+  EXPECT_GT(nested, 100 * properties::repeat());
+  EXPECT_GT(met, 100 * properties::repeat());
+  EXPECT_GT(apart, 100 * properties::repeat());
 }
 
 TEST(InflatedBoundary, KnownPoints) {

@@ -207,9 +207,9 @@ TEST(InflatedCast, IsExact) {
     ASSERT_EQ(cast(a, b, vx, vy, r.at.t + 100).at.t, r.at.t);
     if (HasFailure()) return;
   }
-  EXPECT_GT(tally.hit, 100);
-  EXPECT_GT(tally.missed, 100);
-  EXPECT_GT(tally.started, 100);
+  EXPECT_GT(tally.hit, 100 * properties::repeat());
+  EXPECT_GT(tally.missed, 100 * properties::repeat());
+  EXPECT_GT(tally.started, 100 * properties::repeat());
 }
 
 /// Any numbers, at ways that pass near the rim.
@@ -224,8 +224,8 @@ TEST(InflatedCast, IsExactForAnyNumbers) {
     expect_exact(a, b, std::cos(turn), std::sin(turn), random.below(2) == 0 ? infinity : random.between(0, 4), tally);
     if (HasFailure()) return;
   }
-  EXPECT_GT(tally.hit, 50);
-  EXPECT_GT(tally.missed, 50);
+  EXPECT_GT(tally.hit, 50 * properties::repeat());
+  EXPECT_GT(tally.missed, 50 * properties::repeat());
 }
 
 /// At the last place of 40 bits before the time there is no contact, and at the next one there is.
@@ -271,7 +271,7 @@ TEST(InflatedCast, OfAnEllipseIsThatOfTheExactOverlap) {
     ASSERT_EQ(vesica_boundary_distance_f64(VESICA_POINT, point.number.data(), a.kind, a.number.data(), &near), 0);
     ASSERT_LE(near.distance, 0x1p-44) << i;
   }
-  EXPECT_GT(hits, 100);
+  EXPECT_GT(hits, 100 * properties::repeat());
 }
 
 /// An ellipse that is a circle has its times to the bit.
@@ -290,7 +290,7 @@ TEST(InflatedCast, OfACircleAsAnEllipse) {
     ASSERT_NEAR(r.at.x, s.at.x, 0x1p-44);
     ASSERT_NEAR(r.at.nx, s.at.nx, 0x1p-44);
   }
-  EXPECT_GT(hits, 100);
+  EXPECT_GT(hits, 100 * properties::repeat());
 }
 
 /// Without a radius the core's answer, without a size a circle's, to the bit.
@@ -475,7 +475,7 @@ TEST(InflatedCast, FirstOfManyAndThroughAnIndex) {
       if (k == of_set) expect_same({0, at}, r);
     }
   }
-  EXPECT_GT(hits, 20);
+  EXPECT_GT(hits, 20 * properties::repeat());
 }
 
 /// One invalid element gets NaN, and its neighbours their answers.

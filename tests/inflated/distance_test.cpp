@@ -64,8 +64,8 @@ TEST(InflatedDistance, IsThatOfTheCoresLessTheRadii) {
       ASSERT_EQ(found.ay, found.by);
     }
   }
-  EXPECT_GT(apart, 100);
-  EXPECT_GT(together, 100);
+  EXPECT_GT(apart, 100 * properties::repeat());
+  EXPECT_GT(together, 100 * properties::repeat());
 }
 
 TEST(InflatedDistance, KnownPoints) {
@@ -114,7 +114,7 @@ TEST(InflatedDepth, EndsTheOverlap) {
     ASSERT_EQ(vesica_signed_distance_f64(a.kind, a.number.data(), b.kind, b.number.data(), &signed_distance), 0);
     ASSERT_EQ(signed_distance, 0 - found.depth);
   }
-  EXPECT_GT(together, 100);
+  EXPECT_GT(together, 100 * properties::repeat());
 }
 
 /// No shorter move in any of many directions ends the overlap.

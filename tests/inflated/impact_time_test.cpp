@@ -79,7 +79,8 @@ TEST(InflatedImpactTime, IsProvedByPoses) {
       ASSERT_LE(least, tolerance) << i;
     }
   }
-  for (const int code : {VESICA_CAST_MISS, VESICA_CAST_HIT, VESICA_CAST_START}) EXPECT_GT(of_code[code], 10);
+  for (const int code : {VESICA_CAST_MISS, VESICA_CAST_HIT, VESICA_CAST_START})
+    EXPECT_GT(of_code[code], 10 * properties::repeat());
 }
 
 /// Without turns it is the cast.
@@ -105,7 +106,7 @@ TEST(InflatedImpactTime, WithoutTurnsIsTheCast) {
     const double rate = -(expected.nx * way.vx + expected.ny * way.vy);
     ASSERT_TRUE(rate < 0.1 * speed || at.t >= expected.t - 4 * tolerance / rate) << i;
   }
-  EXPECT_GT(hits, 100);
+  EXPECT_GT(hits, 100 * properties::repeat());
 }
 
 }  // namespace

@@ -340,7 +340,7 @@ TEST(Deep, TurnsAtTheDepth) {
     ASSERT_EQ(deep(a, b, found.depth * random.unit() * 0.99), VESICA_WITHIN_YES) << i;
     ASSERT_EQ(deep(a, b, found.depth * 1.01 + random.unit()), VESICA_WITHIN_NO) << i;
   }
-  EXPECT_GT(deep_pairs, 200);
+  EXPECT_GT(deep_pairs, 200 * properties::repeat());
   EXPECT_GT(open, 0);
 }
 
