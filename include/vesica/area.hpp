@@ -52,10 +52,11 @@ VESICA_INLINE Settled<double, bool> crossing_area(const filter::Box<double>& a, 
 
 template <class A, class B>
 VESICA_INLINE Settled<double, bool> quick_area(const A& a, const B& b) noexcept {
-  if constexpr (form::is_inflated<B>)
+  if constexpr (form::is_inflated<B>) {
     return quick_rounded_area(a, b);
-  else
+  } else {
     return crossing_area<A, B>(filter::box(a), filter::box(b), filter::offset(filter::place(a), filter::place(b)));
+  }
 }
 
 /// Which of two shapes of a form gives the frame for the computation.
