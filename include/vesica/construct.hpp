@@ -258,10 +258,8 @@ int rect_corners_misfit(const T (&corners)[8], const Rect<T>& rect, T& out) noex
                  static_cast<double>(rect.uy), static_cast<double>(rect.hx), static_cast<double>(rect.hy)};
   const double axis = std::fmax(std::fabs(r.ux), std::fabs(r.uy));
   double largest = std::fmax(std::fmax(std::fabs(r.cx), std::fabs(r.cy)), std::fmax(r.hx, r.hy) * axis);
-  for (int i = 0; i < 8; ++i) {
-    p[i] = static_cast<double>(corners[i]);
-    largest = std::fmax(largest, std::fabs(p[i]));
-  }
+  for (int i = 0; i < 8; ++i) p[i] = static_cast<double>(corners[i]);
+  for (const double number : p) largest = std::fmax(largest, std::fabs(number));
   const int lift = largest > 0x1p1018 ? 8 : 0;  // room for sums
   const auto lower = [lift](double& number) { number = detail::arithmetic::scale(number, -lift); };
   for (double& number : p) lower(number);

@@ -2,6 +2,7 @@
 /// Point against AABB: between min and max in both coordinates. Comparisons alone are exact.
 #pragma once
 
+#include <vesica/contact.hpp>
 #include <vesica/filter/comparison.hpp>
 
 namespace vesica::detail::overlap {
