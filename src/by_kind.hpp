@@ -12,13 +12,17 @@
 
 namespace vesica {
 
-/// Every query answers shapes that have a form (form/form.hpp). A shape without one is answered by the queries that say
-/// so, and is an unknown kind to the others.
+/// Shapes without a radius around a core (form/form.hpp). A few queries answer these alone.
 using detail::form::HasForm;
 
-/// The queries about distance also answer shapes that are a core with a radius (form/inflated.hpp).
+/// These and cores with a radius (form/inflated.hpp). Most queries answer all of them; any other shape is an unknown
+/// kind to each query that does not say that it answers it.
 template <class Shape>
 concept HasCore = HasForm<Shape> || detail::form::Inflated<Shape>;
+
+/// Pairs in order whose relation is known: not yet an ellipse and a core with a radius.
+template <class A, class B>
+concept HasRelation = HasCore<A> && HasCore<B> &&(HasForm<B> || ShapeTraits<A>::kind != Kind::ellipse);
 
 VESICA_INLINE constexpr bool is_kind(std::int32_t kind) noexcept { return kind >= 0 && kind < kind_count; }
 

@@ -50,13 +50,13 @@ concept HasResult = requires {
   typename Query::template Result<T>;
 };
 
-/// The pairs that a query answers: those of shapes with a form, unless it has an `answers` of its own.
+/// The pairs that a query answers: those of shapes with a core, unless it has an `answers` of its own.
 template <class Query, class A, class B>
 consteval bool answers() noexcept {
   if constexpr (requires { Query::template answers<A, B>; }) {
     return Query::template answers<A, B>;
   } else {
-    return HasForm<A> && HasForm<B>;
+    return HasCore<A> && HasCore<B>;
   }
 }
 

@@ -126,7 +126,7 @@ static int has_fields_of(const struct record* record, int32_t kind) {
   return 1;
 }
 
-// The kind with most fields, all of which are there: a capsule's are a segment's and one more.
+// Finds the kind with most fields among those whose fields are all there: a capsule has a segment's and one more.
 static int find_record_kind(const struct record* record, int32_t* out, struct fault* fault) {
   int found = 0, most = 0;
   for (int32_t kind = 0; kind < kind_count; kind++) {

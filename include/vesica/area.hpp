@@ -158,7 +158,7 @@ std::int32_t relation_of(const A& a, const B& b) noexcept {
       return check(a) == 0 ? static_cast<std::int32_t>(Relation::equal) : error_shape;
   }
   if constexpr (is_oval<A> && form::is_inflated<B>) {
-    // The relation of these is not known: one may hold the other, too.
+    // Their relation is unknown: `cross` includes that one contains the other.
     const std::int32_t meet = interiors_overlap_or_error(a, b);
     return meet == 1 ? static_cast<std::int32_t>(Relation::cross) : meet;
   } else {
@@ -169,7 +169,7 @@ std::int32_t relation_of(const A& a, const B& b) noexcept {
 template <class A, class B>
 std::int32_t shares_by_relation(const A& a, const B& b, Shares& out) noexcept;
 
-/// Where b is a shape of another kind: as with that.
+/// The shares with the simpler shape that b is, such as the circle of a capsule without a length.
 template <class A, class B>
 std::int32_t shares_with_plain(const A& a, const B& b, Shares& out) noexcept {
   return with_plain(b, [&](const auto& plain) {

@@ -168,7 +168,7 @@ VESICA_CALLED std::int32_t deep(const A& a, const B& b, double distance) noexcep
   return decide(a, b, distance);
 }
 
-/// Against an ellipse. Its own order is not that of shapes.
+/// One of the two is an ellipse; it may come first or second.
 template <class B>
 VESICA_CALLED std::int32_t deep_in_ellipse(const B& b, const Ellipse<double>& e, double distance) noexcept {
   const auto [core, radius] = form::inflated(b);

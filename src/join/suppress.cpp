@@ -88,7 +88,7 @@ double moderate_area(double size_0, double size_1, double ux, double uy, double 
 }
 double moderate_area(const Rect<double>& s) noexcept { return moderate_area(s.hx, s.hy, s.ux, s.uy, 4); }
 double moderate_area(const Ellipse<double>& s) noexcept { return moderate_area(s.a, s.b, s.ux, s.uy, pi); }
-/// With a radius: what the corners of the box around it leave.
+/// A shape with a radius: the box around it less the four corners outside the arcs.
 double rounded_area(double hx, double hy, double r) noexcept {
   return moderate_area(hx + r, hy + r, 4) - (4 - pi) * (r * r);
 }

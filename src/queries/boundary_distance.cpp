@@ -11,7 +11,7 @@ namespace {
 struct BoundaryDistanceOfPair {
   static constexpr Reversal reversal = Reversal::points;
   template <class A, class B>
-  static constexpr bool answers = HasForm<B> || (HasCore<A> && HasCore<B> && ShapeTraits<A>::kind != Kind::ellipse);
+  static constexpr bool answers = HasRelation<A, B>;
   template <class T>
   using Result = ClosestPoints<T>;
   template <class A, class B, class Result>

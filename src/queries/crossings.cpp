@@ -18,6 +18,8 @@ namespace {
 
 struct CrossingsOfPair {
   static constexpr Reversal reversal = Reversal::unknown;
+  template <class A, class B>
+  static constexpr bool answers = HasForm<A>&& HasForm<B>;
   template <class T>
   using Result = CrossingPoints<T>;
   template <class A, class B, class Result>

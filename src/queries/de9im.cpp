@@ -10,6 +10,8 @@ namespace {
 
 struct De9imOfPair {
   static constexpr Reversal reversal = Reversal::unknown;  // its result is no list of numbers
+  template <class A, class B>
+  static constexpr bool answers = HasForm<A>&& HasForm<B>;
   template <class T>
   using Result = NineIntersections;
   template <class A, class B, class Result>

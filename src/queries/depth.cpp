@@ -19,8 +19,6 @@ namespace {
 
 struct DepthOfPair {
   static constexpr Reversal reversal = Reversal::direction;
-  template <class A, class B>
-  static constexpr bool answers = HasCore<A>&& HasCore<B>;
   template <class T>
   using Result = Penetration<T>;
   template <class A, class B, class Result>

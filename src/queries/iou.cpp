@@ -12,8 +12,6 @@ namespace {
 
 struct IouOfPair {
   static constexpr Reversal reversal = Reversal::none;
-  template <class A, class B>
-  static constexpr bool answers = HasCore<A>&& HasCore<B>;
   template <class T>
   using Result = T;
   template <class A, class B, class Result>

@@ -19,8 +19,6 @@ namespace {
 
 struct NearestOfPair {
   static constexpr Reversal reversal = Reversal::points;
-  template <class A, class B>
-  static constexpr bool answers = HasCore<A>&& HasCore<B>;
   template <class T>
   using Result = ClosestPoints<T>;
   template <class A, class B, class Result>

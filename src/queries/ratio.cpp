@@ -17,8 +17,6 @@ using detail::ratio::Facts;
 /// The ratio of two valid shapes.
 struct SharedMeasure {
   static constexpr Reversal reversal = Reversal::none;
-  template <class A, class B>
-  static constexpr bool answers = HasCore<A>&& HasCore<B>;
   template <class T>
   using Result = detail::area::Measure;
   template <class A, class B>

@@ -16,16 +16,10 @@ namespace vesica::queries {
 
 namespace {
 
-/// Not yet: an ellipse and a core with a radius.
-template <class A, class B>
-inline constexpr bool answers_relation = HasForm<A>&& HasForm<B>;
-template <class A, detail::form::Inflated B>
-inline constexpr bool answers_relation<A, B> = HasCore<A>&& ShapeTraits<A>::kind != Kind::ellipse;
-
 struct RelationOfPair {
   static constexpr Reversal reversal = Reversal::converse;
   template <class A, class B>
-  static constexpr bool answers = answers_relation<A, B>;
+  static constexpr bool answers = HasRelation<A, B>;
   template <class A, class B>
   VESICA_INLINE static std::int32_t answer(const A& a, const B& b) noexcept {
     return detail::called_relation(widen(a), widen(b));
@@ -35,7 +29,7 @@ struct RelationOfPair {
 struct ContainsPair {
   static constexpr Reversal reversal = Reversal::unknown;
   template <class A, class B>
-  static constexpr bool answers = answers_relation<A, B>;
+  static constexpr bool answers = HasRelation<A, B>;
   template <class A, class B>
   VESICA_INLINE static std::int32_t answer(const A& a, const B& b) noexcept {
     const std::int32_t relation = detail::called_relation(widen(a), widen(b));
