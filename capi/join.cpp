@@ -30,11 +30,20 @@ template <class T>
 int32_t check_side(int32_t query, const void* from, const CShapesOf<T>* sets, int32_t set_count,
                    index::Sets& view) noexcept {
   if (query == VESICA_JOIN_BOUNDS) return check_index(from);
-  const bool contains = query == VESICA_JOIN_CONTAINS || query == VESICA_JOIN_INSIDE;
-  const int32_t error = first_error(
-      check_index(from), view_sets<T>(sets, set_count, view, contains ? vesica::has_form : vesica::has_core));
+  const int32_t error = first_error(check_index(from), view_sets<T>(sets, set_count, view));
   if (error != 0) return error;
   return view.items == index::View(from).items() ? 0 : VESICA_E_ARGUMENT;
+}
+
+/// True if the query decides every pair of a set of one side and a set of the other.
+bool decides_all(int32_t query, const index::Sets& a, const index::Sets& b) noexcept {
+  if (query != VESICA_JOIN_CONTAINS && query != VESICA_JOIN_INSIDE) return true;
+  for (int i = 0; i < a.count; ++i) {
+    for (int j = 0; j < b.count; ++j) {
+      if (!vesica::queries::contains.answers(a.set[i].kind, b.set[j].kind)) return false;
+    }
+  }
+  return true;
 }
 
 template <class T>
@@ -49,6 +58,7 @@ int64_t join(int32_t query, const void* index_a, const CShapesOf<T>* sets_a, int
   const int32_t error = first_error(check_side<T>(query, index_a, sets_a, set_count_a, a),
                                     check_side<T>(query, index_b, sets_b, set_count_b, b));
   if (error != 0) return error;
+  if (!decides_all(query, a, b)) return VESICA_E_KIND;
   if (query < VESICA_JOIN_OVERLAP || query > VESICA_JOIN_INTERIORS) return VESICA_E_ARGUMENT;
   if (parts < 1 || part < 0 || part >= parts || capacity < 0) return VESICA_E_ARGUMENT;
   if (!aligned(scratch) || scratch_size < index::join_scratch_bytes()) return VESICA_E_ARGUMENT;

@@ -81,8 +81,8 @@ extern "C" {
  * Kinds of shapes, and the order of their numbers. Capsules and rounded rectangles are taken by: check, bounds,
  * shape_area, overlap, interiors_overlap, relation, contains and boundary_distance (these three not with an ellipse),
  * nearest, depth, signed_distance, within, area, iou, ratio, cast, impact_time, sweep_bounds, their arrays,
- * suppression, indexes, casts through an index, joins by either overlap or distance, and index_nearest. Other
- * functions return VESICA_E_KIND for them.
+ * suppression, indexes, casts through an index, joins, and index_nearest. Other functions return VESICA_E_KIND for
+ * them.
  */
 #define VESICA_POINT 0   /**< x y */
 #define VESICA_SEGMENT 1 /**< x0 y0 x1 y1 */

@@ -183,8 +183,9 @@ VESICA_API int64_t vesica_index_select_f64(const void *index, const vesica_shape
  * VESICA_JOIN_BOUNDS they are ignored. 0 <= part < parts. scratch_size >= vesica_join_scratch(); nothing is kept in the
  * scratch between calls. out_a and out_b have room for `capacity` items. With capacity 0, they and state may be NULL.
  * Returns: the number of pairs written; with capacity 0, how many the whole part has.
- * Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT (an unknown query, a number or a size out of
- * range, a pointer that is not aligned, sets of another number of items, a state from another function).
+ * Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND (also for VESICA_JOIN_CONTAINS and _INSIDE where a set of either
+ * side has kinds that vesica_contains_f64 does not take together), VESICA_E_ARGUMENT (an unknown query, a number or a
+ * size out of range, a pointer that is not aligned, sets of another number of items, a state from another function).
  * Accuracy: exact for all queries but VESICA_JOIN_BOUNDS.
  * Cost: about twice vesica_overlap_f64 for each shape, and the same for each pair whose bounds meet.
  */

@@ -226,33 +226,98 @@ Room index_of(const std::vector<vesica_shapes_f64>& sets, std::int64_t items) {
   return index;
 }
 
+using Pairs = std::set<std::pair<std::int64_t, std::int64_t>>;
+
+/// Fifty shapes of each of some kinds, and their index.
+struct Many {
+  std::vector<Columns<double>> columns;
+  std::vector<vesica_shapes_f64> sets;
+  Room index;
+
+  Many(const std::vector<std::int32_t>& kinds, Random& random)
+      : columns(drawn(kinds, random)), sets(arrays(columns)), index(index_of(sets, items())) {}
+  std::int64_t items() const { return 50 * static_cast<std::int64_t>(sets.size()); }
+  Shape at(std::int64_t i) const {
+    const auto item = static_cast<std::size_t>(i);
+    return columns[item / 50].at(item % 50);
+  }
+
+ private:
+  static std::vector<Columns<double>> drawn(const std::vector<std::int32_t>& kinds, Random& random) {
+    std::vector<Columns<double>> all;
+    for (const std::int32_t kind : kinds) all.emplace_back(kind, 50, random);
+    return all;
+  }
+  static std::vector<vesica_shapes_f64> arrays(const std::vector<Columns<double>>& columns) {
+    std::vector<vesica_shapes_f64> sets;
+    for (const auto& c : columns) sets.push_back(array(c));
+    return sets;
+  }
+};
+
+/// The join's pairs, or how many there are, negative for an error.
+std::int64_t join(std::int32_t query, const Many& a, const Many& b, Pairs& found) {
+  const auto most = static_cast<std::size_t>(a.items() * b.items());
+  Room scratch(vesica_join_scratch());
+  std::vector<std::int64_t> first(most), second(most);
+  std::int64_t state[16] = {};
+  const auto sets = [](const Many& m) { return static_cast<std::int32_t>(m.sets.size()); };
+  const std::int64_t n = vesica_join_f64(query, a.index.memory.get(), a.sets.data(), sets(a), b.index.memory.get(),
+                                         b.sets.data(), sets(b), 0, 1, scratch.memory.get(), scratch.size, first.data(),
+                                         second.data(), static_cast<std::int64_t>(most), state);
+  for (std::size_t i = 0; n > 0 && i < static_cast<std::size_t>(n); ++i) found.insert({first[i], second[i]});
+  return n;
+}
+
 TEST(InflatedIndex, JoinsAsEveryPairAsked) {
   Random random(properties::seed());
-  std::vector<Columns<double>> columns;
-  for (std::int32_t kind = 0; kind < 8; ++kind) columns.emplace_back(kind, 50, random);
-  std::vector<vesica_shapes_f64> sets;
-  for (const auto& c : columns) sets.push_back(array(c));
-  const Room index = index_of(sets, 400);
-  const auto item = [&](std::size_t i) { return columns[i / 50].at(i % 50); };
-  std::set<std::pair<std::int64_t, std::int64_t>> expected, found;
-  for (std::size_t i = 0; i < 400; ++i) {
-    for (std::size_t j = 0; j < 400; ++j) {
-      if (i != j && Api<double>::overlap(item(i), item(j)) == 1)
-        expected.insert({static_cast<std::int64_t>(i), static_cast<std::int64_t>(j)});
+  const Many all({0, 1, 2, 3, 4, 5, 6, 7}, random);
+  Pairs expected, found;
+  for (std::int64_t i = 0; i < all.items(); ++i) {
+    for (std::int64_t j = i + 1; j < all.items(); ++j) {
+      if (Api<double>::overlap(all.at(i), all.at(j)) == 1) expected.insert({i, j});
     }
   }
-  Room scratch(vesica_join_scratch());
-  std::vector<std::int64_t> a(400 * 400), b(400 * 400);
-  std::int64_t state[16] = {};
-  const std::int64_t n = vesica_join_f64(VESICA_JOIN_OVERLAP, index.memory.get(), sets.data(), 8, index.memory.get(),
-                                         sets.data(), 8, 0, 1, scratch.memory.get(), scratch.size, a.data(), b.data(),
-                                         static_cast<std::int64_t>(a.size()), state);
-  ASSERT_GT(n, 0);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
-    found.insert({a[i], b[i]});
-    found.insert({b[i], a[i]});
-  }
+  ASSERT_GT(join(VESICA_JOIN_OVERLAP, all, all, found), 0);
   EXPECT_EQ(found, expected);
+}
+
+TEST(InflatedIndex, JoinsByContainment) {
+  Random random(properties::seed());
+  const Many a({VESICA_CAPSULE, VESICA_CIRCLE, VESICA_ROUND_RECT, VESICA_RECT}, random);
+  const Many b({VESICA_POINT, VESICA_SEGMENT, VESICA_ROUND_RECT, VESICA_CAPSULE, VESICA_AABB}, random);
+  Pairs holds, lies_in, contained, inside;
+  for (std::int64_t i = 0; i < a.items(); ++i) {
+    for (std::int64_t j = 0; j < b.items(); ++j) {
+      const Shape p = a.at(i), q = b.at(j);
+      if (vesica_contains_f64(p.kind, p.number.data(), q.kind, q.number.data()) == 1) holds.insert({i, j});
+      if (vesica_contains_f64(q.kind, q.number.data(), p.kind, p.number.data()) == 1) lies_in.insert({i, j});
+    }
+  }
+  EXPECT_GT(holds.size(), 100U);
+  EXPECT_GT(lies_in.size(), 10U);
+  ASSERT_GT(join(VESICA_JOIN_CONTAINS, a, b, contained), 0);
+  ASSERT_GT(join(VESICA_JOIN_INSIDE, a, b, inside), 0);
+  EXPECT_EQ(contained, holds);
+  EXPECT_EQ(inside, lies_in);
+}
+
+/// A join takes the kinds that the function about two shapes takes, whichever set of either side they are in.
+TEST(InflatedIndex, JoinsByContainmentTakeTheKindsThatContainsTakes) {
+  Random random(properties::seed());
+  for (std::int32_t kind_a = 0; kind_a < 8; ++kind_a) {
+    for (std::int32_t kind_b = 0; kind_b < 8; ++kind_b) {
+      const Many a({VESICA_RECT, kind_a}, random), b({VESICA_POINT, kind_b}, random);
+      const Shape p = shape(kind_a, random), q = shape(kind_b, random);
+      const bool known = vesica_contains_f64(kind_a, p.number.data(), kind_b, q.number.data()) >= 0;
+      Pairs found;
+      for (const std::int32_t query : {VESICA_JOIN_CONTAINS, VESICA_JOIN_INSIDE}) {
+        const std::int64_t n = join(query, a, b, found);
+        EXPECT_EQ(n >= 0, known) << kind_a << ' ' << kind_b;
+        EXPECT_EQ(n < 0 ? n : VESICA_E_KIND, VESICA_E_KIND);
+      }
+    }
+  }
 }
 
 TEST(InflatedIndex, NearestOfASegment) {

@@ -2850,8 +2850,10 @@ extern "C" {
     ///
     /// Returns: the number of pairs written; with capacity 0, how many the whole part has.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT (an unknown query, a number or a size
-    /// out of range, a pointer that is not aligned, sets of another number of items, a state from another function).
+    /// Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND (also for VESICA_JOIN_CONTAINS and _INSIDE where a set of
+    /// either side has kinds that vesica_contains_f64 does not take together), VESICA_E_ARGUMENT (an unknown query, a
+    /// number or a size out of range, a pointer that is not aligned, sets of another number of items, a state from
+    /// another function).
     ///
     /// Accuracy: exact for all queries but VESICA_JOIN_BOUNDS.
     ///
@@ -3005,8 +3007,10 @@ extern "C" {
     ///
     /// Returns: the number of pairs written; with capacity 0, how many the whole part has.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT (an unknown query, a number or a size
-    /// out of range, a pointer that is not aligned, sets of another number of items, a state from another function).
+    /// Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND (also for VESICA_JOIN_CONTAINS and _INSIDE where a set of
+    /// either side has kinds that vesica_contains_f32 does not take together), VESICA_E_ARGUMENT (an unknown query, a
+    /// number or a size out of range, a pointer that is not aligned, sets of another number of items, a state from
+    /// another function).
     ///
     /// Accuracy: exact for all queries but VESICA_JOIN_BOUNDS.
     ///
