@@ -48,18 +48,48 @@ inline bool have_form(int32_t kind_a, int32_t kind_b) noexcept { return has_form
 /// True if a function takes a kind; the number may be no kind at all.
 using Suits = bool (*)(int32_t kind) noexcept;
 
+/// Offsets are read as C reads them.
+inline bool aligned_offsets(const int32_t* offsets) noexcept {
+  return reinterpret_cast<std::uintptr_t>(offsets) % alignof(int32_t) == 0;
+}
+
+/// An array of polygons or polylines holds structs (neither rings nor each), polygons of `each` vertices, or offsets.
+template <class Array>
+bool holds_structs(const Array& paths) noexcept {
+  return paths.rings == nullptr && paths.each == 0;
+}
+
+/// The same for the members that polygons alone have: true if they agree.
+template <class Array>
+bool paths_agree(const Array& shapes) noexcept {
+  if (is_row(shapes.kind)) {
+    return shapes.rings == nullptr && shapes.polygons == nullptr && shapes.each == 0 &&
+           addressable(shapes.count, shapes.stride);
+  }
+  if (shapes.each < 0 || !aligned_offsets(shapes.rings) || !aligned_offsets(shapes.polygons)) return false;
+  if (shapes.rings != nullptr) return addressable(shapes.each, shapes.stride);
+  int64_t vertices;
+  if (shapes.polygons != nullptr || __builtin_mul_overflow(shapes.count, shapes.each, &vertices)) return false;
+  return addressable(holds_structs(shapes) ? shapes.count : vertices, shapes.stride);
+}
+
 /// An array's error except for its pointers: 0, VESICA_E_KIND or VESICA_E_ARGUMENT.
 template <class Array>
-int32_t check_array(const Array& shapes, Suits suits = is_kind) noexcept {
+int32_t check_array(const Array& shapes, Suits suits = is_row) noexcept {
   if (!suits(shapes.kind)) return VESICA_E_KIND;
-  const bool no_offsets = shapes.rings == nullptr && shapes.polygons == nullptr && shapes.each == 0;
-  const bool sound = shapes.reserved == 0 && shapes.count >= 0 && addressable(shapes.count, shapes.stride);
-  return no_offsets && sound ? 0 : VESICA_E_ARGUMENT;
+  return shapes.reserved == 0 && shapes.count >= 0 && paths_agree(shapes) ? 0 : VESICA_E_ARGUMENT;
+}
+
+/// How many of an array's fields are pointers to its numbers.
+template <class Array>
+int columns_read(const Array& shapes) noexcept {
+  if (is_row(shapes.kind)) return field_count(shapes.kind);
+  return holds_structs(shapes) ? 1 : 2;
 }
 
 template <class Array>
 bool has_null(const Array& shapes) noexcept {
-  for (int k = 0; k < field_count(shapes.kind); ++k) {
+  for (int k = 0; k < columns_read(shapes); ++k) {
     if (shapes.field[k] == nullptr) return true;
   }
   return false;
@@ -68,7 +98,7 @@ bool has_null(const Array& shapes) noexcept {
 /// Checks both arrays and the output of a call with something to answer. The order of errors is NULL, kind, argument,
 /// except that fields are checked after the kind, which says how many there are.
 template <class Array>
-int32_t check_call(const Array* a, const Array* b, const void* out, bool anything, Suits suits = is_kind) noexcept {
+int32_t check_call(const Array* a, const Array* b, const void* out, bool anything, Suits suits = is_row) noexcept {
   if (a == nullptr || b == nullptr || (anything && out == nullptr)) return VESICA_E_NULL;
   const int32_t error = first_error(check_array(*a, suits), check_array(*b, suits));
   if (error != 0) return error;
@@ -81,8 +111,9 @@ static_assert(field_room<double> >= max_fields && field_room<float> >= max_field
 
 template <class T>
 batch::Shapes<T> view(const CShapesOf<T>& shapes) noexcept {
-  batch::Shapes<T> v{shapes.kind, shapes.count, shapes.count == 1 ? 0 : shapes.stride, {}};
-  for (int k = 0; k < field_count(shapes.kind); ++k) v.field[k] = shapes.field[k];
+  const bool repeats = shapes.count == 1 && is_row(shapes.kind);
+  batch::Shapes<T> v{shapes.kind, shapes.count, repeats ? 0 : shapes.stride, {}, shapes.rings, shapes.polygons, shapes.each};
+  for (int k = 0; k < columns_read(shapes); ++k) v.field[k] = shapes.field[k];
   return v;
 }
 

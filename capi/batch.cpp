@@ -7,10 +7,13 @@ namespace {
 using namespace vesica::capi;
 using vesica::Common;
 
+/// The kinds that a question takes.
+Suits suits(Common common) noexcept { return common == Common::any ? vesica::is_kind : vesica::is_row; }
+
 template <class T>
 int64_t overlap_many(Common common, const CShapesOf<T>* a, const CShapesOf<T>* b, uint8_t* out) noexcept {
   VESICA_DEFAULT_ENVIRONMENT(overlap_many<T>, common, a, b, out);
-  const int32_t error = check_call(a, b, out, anything(a, b));
+  const int32_t error = check_call(a, b, out, anything(a, b), suits(common));
   if (error != 0) return error;
   const int64_t n = pairs_in_step(*a, *b);
   if (n < 0) return n;
@@ -21,7 +24,7 @@ template <class T>
 int64_t overlap_matrix(Common common, const CShapesOf<T>* a, const CShapesOf<T>* b, uint8_t* out,
                        ptrdiff_t row_stride) noexcept {
   VESICA_DEFAULT_ENVIRONMENT(overlap_matrix<T>, common, a, b, out, row_stride);
-  const int32_t error = check_call(a, b, out, anything(a, b));
+  const int32_t error = check_call(a, b, out, anything(a, b), suits(common));
   if (error != 0) return error;
   if (!rows_apart(a->count, b->count, row_stride, 1)) return VESICA_E_ARGUMENT;
   if (!anything(a, b)) return 0;
@@ -32,7 +35,7 @@ template <class T>
 int64_t overlap_select(Common common, const CShapesOf<T>* one, const CShapesOf<T>* many, int64_t* out,
                        int64_t capacity) noexcept {
   VESICA_DEFAULT_ENVIRONMENT(overlap_select<T>, common, one, many, out, capacity);
-  const int32_t error = check_call(one, many, capacity > 0 ? out : static_cast<const void*>(one), anything(one, many));
+  const int32_t error = check_call(one, many, capacity > 0 ? out : static_cast<const void*>(one), anything(one, many), suits(common));
   if (error != 0) return error;
   if (one->count != 1 || capacity < 0) return VESICA_E_ARGUMENT;
   const auto tally = vesica::batch::select<T>(vesica::kernels(), view<T>(*one), view<T>(*many), out, capacity, common);
@@ -54,7 +57,9 @@ int32_t shapes_from_records(int32_t kind, int64_t count, const void* base, ptrdi
           .rings = nullptr,
           .polygons = nullptr,
           .each = 0};
-  for (int k = 0; k < vesica::field_count(kind) && base != nullptr; ++k) {
+  // Structs of polygons and polylines are themselves the array.
+  const int fields = vesica::is_row(kind) ? vesica::field_count(kind) : 1;
+  for (int k = 0; k < fields && base != nullptr; ++k) {
     out->field[k] =
         reinterpret_cast<const T*>(static_cast<const unsigned char*>(base) + static_cast<std::size_t>(k) * sizeof(T));
   }

@@ -6,11 +6,13 @@
 #include <limits>
 #include <vesica/bounds.hpp>
 #include <vesica/boxes.hpp>
+#include <vesica/polygon/bounds.hpp>
 
 #include "arrays.hpp"
 #include "environment.hpp"
 #include "kernels/query_table.hpp"
 #include "number_columns.hpp"
+#include "polygon/arrays.hpp"
 #include "vesica_boxes.h"
 
 namespace {
@@ -133,17 +135,13 @@ int32_t check_shapes(const CShapesOf<T>* shapes, const T* out, Suits suits) noex
   return check_call(shapes, shapes, out, shapes != nullptr && shapes->count != 0, suits);
 }
 
-/// The numbers of element i.
+/// Element i of rectangles or ellipses, as a rectangle.
 template <class T>
-struct Element {
-  T numbers[vesica::max_fields];
-
-  Element(const vesica::batch::Shapes<T>& shapes, int64_t i) noexcept {
-    for (int k = 0; k < vesica::field_count(shapes.kind); ++k)
-      numbers[k] = shapes.field[k].advanced(i * shapes.stride)[0];
-  }
-  vesica::Rect<T> rect() const noexcept { return vesica::load<vesica::Rect<T>>(numbers); }
-};
+vesica::Rect<T> rect_at(const vesica::batch::Shapes<T>& shapes, int64_t i) noexcept {
+  T numbers[6];
+  for (int k = 0; k < 6; ++k) numbers[k] = shapes.field[k].advanced(i * shapes.stride)[0];
+  return vesica::load<vesica::Rect<T>>(numbers);
+}
 
 bool has_box(int32_t kind) noexcept { return kind == VESICA_RECT || kind == VESICA_ELLIPSE; }
 
@@ -157,7 +155,7 @@ int64_t boxes_from_shapes(const CShapesOf<T>* shapes, int32_t angle, T* boxes) n
   const auto v = view<T>(*shapes);
   return each<5>(v.count, boxes, [&](int64_t i, T(&numbers)[5]) {
     vesica::TurnedBox<T> box;
-    const int code = vesica::box_from_rect(Element<T>(v, i).rect(), unit, box);
+    const int code = vesica::box_from_rect(rect_at(v, i), unit, box);
     if (code == 0) flatten(box, numbers);
     return code;
   });
@@ -180,7 +178,7 @@ int64_t corners_of_shapes(const CShapesOf<T>* shapes, T* corners) noexcept {
   const int32_t error = check_shapes<T>(shapes, corners, has_box);
   if (error != 0) return error;
   const auto v = view<T>(*shapes);
-  const auto corners_of = [&](int64_t i, T(&numbers)[8]) { return vesica::corners(Element<T>(v, i).rect(), numbers); };
+  const auto corners_of = [&](int64_t i, T(&numbers)[8]) { return vesica::corners(rect_at(v, i), numbers); };
   const vesica::BoxKernels* const kernels = box_kernels(v);
   if (kernels == nullptr) return each<8>(v.count, corners, corners_of);
   return each_in_blocks<8>(v, corners, kernels->corners, take_corners<T>, corners_of);
@@ -204,14 +202,14 @@ bool take_bounds(const double* const* columns, int32_t i, float* to) noexcept {
 template <class T>
 int64_t bounds_many(const CShapesOf<T>* shapes, T* out) noexcept {
   VESICA_DEFAULT_ENVIRONMENT(bounds_many<T>, shapes, out);
-  const int32_t error = check_shapes<T>(shapes, out, vesica::has_core);
+  const int32_t error = check_shapes<T>(shapes, out, vesica::is_kind);
   if (error != 0) return error;
   const auto v = view<T>(*shapes);
   const auto bounds_of = [&](int64_t i, T(&numbers)[4]) {
-    const Element<T> element(v, i);
     vesica::Aabb<T> box;
-    const int32_t code = vesica::with_shape(
-        v.kind, element.numbers, [&](const vesica::HasCore auto& shape) { return vesica::bounds(shape, box); });
+    const int32_t code =
+        vesica::with_shape<T>(v.kind, vesica::batch::Element<T>(v, i).operand().shape,
+                              [&](const vesica::CoreOrPath auto& shape) { return vesica::bounds(shape, box); });
     if (code == 0) flatten(box, numbers);
     return code;
   };

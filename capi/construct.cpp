@@ -2,6 +2,7 @@
 #include <cstring>
 #include <vesica/bounds.hpp>
 #include <vesica/construct.hpp>
+#include <vesica/polygon/bounds.hpp>
 
 #include "by_kind.hpp"
 #include "environment.hpp"
@@ -24,8 +25,8 @@ template <class T, class CShape>
 int32_t bounds(int32_t kind, const void* shape, CShape* out) noexcept {
   if (out == nullptr) return VESICA_E_NULL;
   return construct<vesica::Aabb<T>>(out, [&](auto& box) {
-    return vesica::with_shape(kind, static_cast<const T*>(shape),
-                              [&](const vesica::HasCore auto& s) { return vesica::bounds(s, box); });
+    return vesica::with_shape<T>(kind, shape,
+                                 [&](const vesica::CoreOrPath auto& s) { return vesica::bounds(s, box); });
   });
 }
 

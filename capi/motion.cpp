@@ -122,7 +122,7 @@ VESICA_INLINE int32_t cast(int32_t kind_a, const void* a, int32_t kind_b, const 
                            Out* out) noexcept {
   const vesica::CallTable* const calls = vesica::chosen_calls();
   const bool given = a != nullptr && b != nullptr && out != nullptr;
-  if (calls != nullptr && given && vesica::is_kind(kind_a) && vesica::is_kind(kind_b)) {
+  if (calls != nullptr && given && vesica::is_row(kind_a) && vesica::is_row(kind_b)) {
     const auto call = calls->cast(T{}, kind_a, kind_b);
     if (call != nullptr) return call(a, b, vx, vy, end, out, casts_by_kind<T>.of[kind_a][kind_b]);
   }
@@ -211,7 +211,7 @@ int32_t sweep_bounds(int32_t kind, const void* shape, T vx, T vy, T end, Out* ou
   VESICA_DEFAULT_ENVIRONMENT((sweep_bounds<T, Out>), kind, shape, vx, vy, end, out);
   if (out == nullptr) return VESICA_E_NULL;
   vesica::Aabb<T> box;
-  const int32_t error = vesica::with_shape(kind, static_cast<const T*>(shape), [&](const vesica::HasCore auto& s) {
+  const int32_t error = vesica::with_shape<T>(kind, shape, [&](const vesica::HasCore auto& s) {
     return vesica::sweep_bounds(s, vx, vy, end, box);
   });
   if (error == 0) *out = {box.min_x, box.min_y, box.max_x, box.max_y};

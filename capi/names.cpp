@@ -39,6 +39,8 @@ const char* vesica_strerror(int32_t code) {
       return "the result is out of the range of its type";
     case VESICA_E_INDEX:
       return "the bytes are not an index of this version, or are damaged";
+    case VESICA_E_RINGS:
+      return "a polygon has no vertex, or its offsets are negative or decrease";
     default:
       return "unknown error";
   }
@@ -48,7 +50,7 @@ int32_t vesica_field_count(int32_t kind) { return vesica::field_count(kind); }
 
 const char* vesica_kind_name(int32_t kind) {
 #define VESICA_NAME(name, Name) #name,
-  static constexpr const char* names[] = {VESICA_EACH_SHAPE(VESICA_NAME)};
+  static constexpr const char* names[] = {VESICA_EACH_SHAPE(VESICA_NAME) "polygon", "polyline"};
 #undef VESICA_NAME
   return vesica::is_kind(kind) ? names[kind] : nullptr;
 }

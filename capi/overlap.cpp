@@ -70,11 +70,21 @@ VESICA_INLINE int32_t overlap_typed(const void* a, const void* b) noexcept {
   return overlap_of<A, B>(a, b, Common::any);
 }
 
+/// With a polygon or a polyline.
+template <class T>
+[[gnu::noinline]] int32_t overlap_of_paths(int32_t kind_a, const void* a, int32_t kind_b, const void* b,
+                                           Common common) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT(overlap_of_paths<T>, kind_a, a, kind_b, b, common);
+  if (common == Common::insides) return VESICA_E_KIND;
+  return vesica::ask<T>(vesica::queries::overlap, kind_a, a, kind_b, b, nullptr);
+}
+
 template <class T>
 VESICA_INLINE int32_t overlap_by_kind(int32_t kind_a, const void* a, int32_t kind_b, const void* b,
                                       Common common) noexcept {
   if (a == nullptr || b == nullptr) return VESICA_E_NULL;
-  if (!vesica::is_kind(kind_a) || !vesica::is_kind(kind_b)) return VESICA_E_KIND;
+  if (!vesica::is_row(kind_a) || !vesica::is_row(kind_b)) [[unlikely]]
+    return overlap_of_paths<T>(kind_a, a, kind_b, b, common);
   return kind_a <= kind_b ? overlaps<T>.of[kind_a][kind_b](a, b, common) : overlaps<T>.of[kind_b][kind_a](b, a, common);
 }
 

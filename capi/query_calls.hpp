@@ -33,7 +33,7 @@ int64_t many(const Query& query, const CShapesOf<T>* a, const CShapesOf<T>* b, O
   VESICA_DEFAULT_ENVIRONMENT((many<T, Out>), query, a, b, columns);
   const void* some = nullptr;
   for (int k = 0; k < query.columns(); ++k) some = columns[k] != nullptr ? columns[k] : some;
-  const int32_t error = check_call(a, b, some, anything(a, b));
+  const int32_t error = check_call(a, b, some, anything(a, b), is_kind);
   if (error != 0) return error;
   if (!query.answers(a->kind, b->kind)) return VESICA_E_KIND;
   const int64_t n = pairs_in_step(*a, *b);
@@ -45,7 +45,7 @@ template <class T, class Out>
 int64_t matrix(const Query& query, const CShapesOf<T>* a, const CShapesOf<T>* b, Out* out,
                ptrdiff_t row_stride) noexcept {
   VESICA_DEFAULT_ENVIRONMENT((matrix<T, Out>), query, a, b, out, row_stride);
-  const int32_t error = check_call(a, b, out, anything(a, b));
+  const int32_t error = check_call(a, b, out, anything(a, b), is_kind);
   if (error != 0) return error;
   if (!query.answers(a->kind, b->kind)) return VESICA_E_KIND;
   if (!rows_apart(a->count, b->count, row_stride, sizeof(Out))) return VESICA_E_ARGUMENT;

@@ -12,7 +12,7 @@ template <class T>
 int32_t shape_area_by_kind(int32_t kind, const void* shape, T* out) noexcept {
   VESICA_DEFAULT_ENVIRONMENT(shape_area_by_kind<T>, kind, shape, out);
   if (out == nullptr) return VESICA_E_NULL;
-  return vesica::with_shape(kind, static_cast<const T*>(shape),
+  return vesica::with_shape<T>(kind, shape,
                             [&](const vesica::HasCore auto& s) { return vesica::shape_area_or_error(s, *out); });
 }
 

@@ -25,7 +25,7 @@ void ratios(int32_t ratio, int32_t kind, const double* const* one, const double*
 }
 
 bool is_valid(int32_t kind, const double* numbers) noexcept {
-  return vesica::with_shape(kind, numbers, [](const vesica::HasCore auto& shape) { return check(shape); }) == 0;
+  return vesica::with_shape<double>(kind, numbers, [](const vesica::HasCore auto& shape) { return check(shape); }) == 0;
 }
 
 bool is_decay(int32_t decay, double parameter) noexcept {

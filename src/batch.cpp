@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "columns.hpp"
+#include "polygon/arrays.hpp"
 #include "queries/overlap.hpp"
 #include "tiles.hpp"
 
@@ -347,9 +348,29 @@ Tally in_step(const KernelTable& kernels, Common common, const Shapes<T>& a, con
 
 }  // namespace
 
+namespace {
+
+/// One answer of a question about paths.
+template <class T>
+std::uint8_t ask_path(const Element<T>& a, const Element<T>& b, Tally& tally) noexcept {
+  const std::int32_t code = polygon::overlap(a.operand(), b.operand(), nullptr);
+  tally.overlaps += code > 0;
+  tally.invalid |= code < 0;
+  return code > 0;
+}
+
+}  // namespace
+
 template <class T>
 Tally many(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b, std::int64_t n, std::uint8_t* out,
            Common common) noexcept {
+  if (has_path(a, b)) {
+    Tally tally;
+    for (std::int64_t i = 0; i < n; ++i) {
+      out[i] = ask_path<T>({a, a.count == 1 ? 0 : i}, {b, b.count == 1 ? 0 : i}, tally);
+    }
+    return tally;
+  }
   return in_step(
       kernels, common, a, b, n, [out](std::int64_t begin) { return out + begin; },
       [](std::int64_t, std::int32_t, const std::uint8_t*) {});
@@ -358,8 +379,18 @@ Tally many(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b, s
 template <class T>
 Tally select(const KernelTable& kernels, const Shapes<T>& one, const Shapes<T>& many, std::int64_t* out,
              std::int64_t capacity, Common common) noexcept {
-  std::uint8_t bytes[long_block_size];
   std::int64_t found = 0;
+  if (has_path(one, many)) {
+    Tally tally;
+    const Element<T> first(one, 0);
+    for (std::int64_t i = 0; i < many.count; ++i) {
+      if (ask_path(first, {many, i}, tally) == 0) continue;
+      if (found < capacity) out[found] = i;
+      ++found;
+    }
+    return tally;
+  }
+  std::uint8_t bytes[long_block_size];
   const Tally tally = in_step(
       kernels, common, one, many, many.count, [&](std::int64_t) { return bytes; },
       [&](std::int64_t begin, std::int32_t length, const std::uint8_t* answers) {
@@ -375,6 +406,14 @@ Tally select(const KernelTable& kernels, const Shapes<T>& one, const Shapes<T>& 
 template <class T>
 Tally matrix(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b, std::uint8_t* out,
              std::ptrdiff_t row_stride, Common common) noexcept {
+  if (has_path(a, b)) {
+    Tally tally;
+    for (std::int64_t i = 0; i < a.count; ++i) {
+      const Element<T> first(a, i);
+      for (std::int64_t j = 0; j < b.count; ++j) out[i * row_stride + j] = ask_path<T>(first, {b, j}, tally);
+    }
+    return tally;
+  }
   const bool in_order = a.kind <= b.kind;
   const Question<T> question(kernels, common, in_order ? a.kind : b.kind, in_order ? b.kind : a.kind);
   const Repeat repeat = in_order ? Repeat::first : Repeat::second;

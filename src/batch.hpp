@@ -15,8 +15,12 @@ template <class T>
 struct Shapes {
   std::int32_t kind;
   std::int64_t count;
-  std::ptrdiff_t stride;  // bytes from one element's number to the next one's; 0 where one shape repeats
+  /// Bytes from one element's number to the next one's; 0 where one shape repeats. Of paths: from vertex to vertex.
+  std::ptrdiff_t stride;
   Unaligned<T> field[max_fields];
+  /// For paths alone, as in vesica_shapes_<T>.
+  const std::int32_t *rings = nullptr, *polygons = nullptr;
+  std::int64_t each = 0;
 };
 
 /// How many pairs have a common point that counts, and whether any shape was invalid.

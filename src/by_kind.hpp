@@ -8,6 +8,7 @@
 #include <vesica/each_shape.hpp>
 #include <vesica/form/form.hpp>
 #include <vesica/form/inflated.hpp>
+#include <vesica/polygon/edges.hpp>
 #include <vesica/shapes.hpp>
 
 namespace vesica {
@@ -20,16 +21,22 @@ using detail::form::HasForm;
 template <class Shape>
 concept HasCore = HasForm<Shape> || detail::form::Inflated<Shape>;
 
+/// These, polygons and polylines.
+template <class Shape>
+concept CoreOrPath = HasCore<Shape> || Path<Shape>;
+
 /// Pairs in order whose relation is known: not yet an ellipse and a core with a radius.
 template <class A, class B>
 concept HasRelation = HasCore<A> && HasCore<B> &&(HasForm<B> || ShapeTraits<A>::kind != Kind::ellipse);
 
-VESICA_INLINE constexpr bool is_kind(std::int32_t kind) noexcept { return kind >= 0 && kind < kind_count; }
+/// Kinds whose shapes are a row of numbers: those of each_shape.hpp.
+VESICA_INLINE constexpr bool is_row(std::int32_t kind) noexcept { return kind >= 0 && kind < kind_count; }
+/// Those, polygons and polylines.
+VESICA_INLINE constexpr bool is_kind(std::int32_t kind) noexcept { return kind >= 0 && kind <= polyline_kind; }
 
-/// One shape from its flat numbers, which need no alignment.
+/// One shape from its struct's bytes, which need no alignment.
 template <class Shape>
 Shape load(const void* numbers) noexcept {
-  static_assert(sizeof(Shape) == ShapeTraits<Shape>::fields * sizeof(typename ShapeTraits<Shape>::Scalar));
   Shape shape;
   std::memcpy(&shape, numbers, sizeof shape);
   return shape;
@@ -74,12 +81,14 @@ std::int32_t call_with(const void* numbers, Action& action) noexcept {
   }
 }
 
-/// Calls action with the shape that the kind and its numbers make.
+/// Calls action with the shape of scalar T that the kind and its struct make.
 template <class T, class Action>
-std::int32_t with_shape(std::int32_t kind, const T* numbers, Action action) noexcept {
-  if (numbers == nullptr) return error_null;
+std::int32_t with_shape(std::int32_t kind, const void* shape, Action action) noexcept {
+  if (shape == nullptr) return error_null;
+  if (kind == polygon_kind) return call_with<Polygon<T>>(shape, action);
+  if (kind == polyline_kind) return call_with<Polyline<T>>(shape, action);
   return with_name(kind,
-                   [&]<template <class> class Shape>(Named<Shape>) { return call_with<Shape<T>>(numbers, action); });
+                   [&]<template <class> class Shape>(Named<Shape>) { return call_with<Shape<T>>(shape, action); });
 }
 
 /// action(Named<Shape>) for a shape that has a core, else error_kind.
@@ -96,7 +105,7 @@ VESICA_INLINE constexpr std::int32_t with_core(std::int32_t kind, Action action)
 
 /// The numbers a shape of this kind has, or error_kind.
 VESICA_INLINE constexpr std::int32_t field_count(std::int32_t kind) noexcept {
-  return is_kind(kind) ? fields_of_kind[kind] : static_cast<std::int32_t>(error_kind);
+  return is_row(kind) ? fields_of_kind[kind] : static_cast<std::int32_t>(error_kind);
 }
 
 /// action(std::integral_constant<int, n>), where n is one of the kinds' counts of numbers.

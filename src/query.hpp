@@ -5,6 +5,7 @@
 #include "by_kind.hpp"
 #include "kernels/query_table.hpp"
 #include "pair_table.hpp"
+#include "polygon/answers.hpp"
 
 namespace vesica {
 
@@ -31,6 +32,8 @@ using Derive = std::int32_t (*)(double asked, const ShapeOfKind& a, const ShapeO
 struct Query {
   PairTable doubles, floats;
   Reversal reversal;
+  /// With a polygon or a polyline; null if the query does not take them.
+  PathFunction paths = nullptr;
 
   // The rest is for batches.
   /// How many numbers a result has; 0 if it is the returned code.
@@ -54,8 +57,9 @@ struct Query {
   constexpr int columns() const noexcept { return numbers == 0 ? 1 : numbers; }
   /// The query that batches run.
   const Query& asked() const noexcept { return asked_instead == nullptr ? *this : *asked_instead; }
-  /// True if the query knows these kinds; both are kinds. Today each query knows all; a new shape begins with some.
+  /// True if the query knows these kinds; both are kinds.
   bool answers(std::int32_t kind_a, std::int32_t kind_b) const noexcept {
+    if (!is_row(kind_a) || !is_row(kind_b)) return paths != nullptr;
     return asked().doubles.of[kind_a][kind_b] != unknown_pair;
   }
   const PairTable& pairs(double) const noexcept { return doubles; }
@@ -75,7 +79,10 @@ template <class T>
 VESICA_INLINE std::int32_t ask(const Query& query, std::int32_t kind_a, const void* a, std::int32_t kind_b,
                                const void* b, void* out) noexcept {
   if (a == nullptr || b == nullptr) return error_null;
-  if (!is_kind(kind_a) || !is_kind(kind_b)) return error_kind;
+  if (!is_row(kind_a) || !is_row(kind_b)) [[unlikely]] {
+    if (query.paths == nullptr || !is_kind(kind_a) || !is_kind(kind_b)) return error_kind;
+    return query.paths({kind_a, std::is_same_v<T, float>, a}, {kind_b, std::is_same_v<T, float>, b}, out);
+  }
   return query.pairs(T{}).of[kind_a][kind_b](a, b, out);
 }
 

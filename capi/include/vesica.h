@@ -83,6 +83,10 @@ extern "C" {
  * nearest, depth, signed_distance, within, area, iou, ratio, cast, impact_time, sweep_bounds, their arrays,
  * suppression, indexes, casts through an index, joins, and index_nearest. Other functions return VESICA_E_KIND for
  * them.
+ * Polygons and polylines are taken by:
+ *   check, bounds
+ *   overlap
+ * and the arrays of these.
  */
 #define VESICA_POINT 0   /**< x y */
 #define VESICA_SEGMENT 1 /**< x0 y0 x1 y1 */
@@ -92,6 +96,8 @@ extern "C" {
 #define VESICA_ELLIPSE 5 /**< cx cy ux uy a b */
 #define VESICA_CAPSULE 6 /**< x0 y0 x1 y1 r */
 #define VESICA_ROUND_RECT 7 /**< cx cy ux uy hx hy r */
+#define VESICA_POLYGON 8 /**< vertices of one or more rings */
+#define VESICA_POLYLINE 9 /**< vertices of one or more chains */
 
 /* Relations of a shape a to a shape b. */
 #define VESICA_DISJOINT 0       /**< a and b have no common point */
@@ -114,6 +120,7 @@ extern "C" {
 #define VESICA_E_INVERTED (-8)      /**< an AABB's min exceeds its max */
 #define VESICA_E_RANGE (-9)         /**< a number of the result would overflow its type */
 #define VESICA_E_INDEX (-10)        /**< bytes are not an index of this version, or are damaged */
+#define VESICA_E_RINGS (-11)        /**< a polygon has no vertex, or its offsets are negative or decrease */
 
 /* ---- Shapes and results, double. Structs have no padding, and their layout is frozen. ---- */
 
@@ -159,6 +166,32 @@ typedef struct {
 typedef struct {
     double cx, cy, ux, uy, hx, hy, r;
 } vesica_round_rect_f64;
+
+/**
+ * A polygon, or a polyline: vertices in the caller's memory, which are read and not kept.
+ *
+ * A polygon is the points on an edge, and those around which its rings cross an odd number of times. So a ring inside
+ * another one is a hole, and rings need no order and no direction. Each ring's last vertex is joined to its first,
+ * which may also be repeated at the end. A ring of one vertex is a point, one of two a segment.
+ * A polyline is the points on an edge of its chains, which are not closed. It has no inside.
+ * Vertex i is at x + i * stride bytes and y + i * stride bytes. stride is 16 for x y x y ..., 8 for two columns.
+ * rings has count + 1 offsets: ring j has the vertices rings[j] to rings[j + 1] - 1. If rings is NULL there is one ring
+ * of `count` vertices. At least one vertex is needed; empty rings are allowed.
+ */
+typedef struct {
+    const double *x, *y;
+    ptrdiff_t stride;
+    const int32_t *rings;
+    int64_t count;
+} vesica_polygon_f64;
+
+/** As vesica_polygon_f64. */
+typedef struct {
+    const double *x, *y;
+    ptrdiff_t stride;
+    const int32_t *rings;
+    int64_t count;
+} vesica_polyline_f64;
 
 /** A distance, and two points that are that far apart: (ax, ay) of shape a and (bx, by) of shape b. */
 typedef struct {
@@ -296,7 +329,7 @@ VESICA_API int32_t vesica_bounds_f64(int32_t kind, const void *shape, vesica_aab
 /**
  * Is a shape valid, and if not, which rule does it break?
  * Returns: 0 for a valid shape, else the first rule broken: VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE,
- * VESICA_E_ZERO_AXIS or VESICA_E_INVERTED.
+ * VESICA_E_ZERO_AXIS, VESICA_E_INVERTED or VESICA_E_RINGS.
  * Errors: VESICA_E_NULL, VESICA_E_KIND.
  */
 VESICA_API int32_t vesica_check_f64(int32_t kind, const void *shape);
@@ -548,8 +581,17 @@ VESICA_API int32_t vesica_ellipse_from_matrix_f64(double cx, double cy, double m
  * Number k of element i is at field[k] + i * stride bytes, with k in the order of the shape's struct. stride is the
  * size of a record for records, sizeof(double) for columns, 0 to repeat one shape, and negative to run backwards.
  * Fields beyond those of the kind are ignored. Numbers need no alignment.
- * reserved and each must be 0, rings and polygons NULL. They are for kinds with any number of vertices, which this
- * version does not have. vesica_shapes_from_records_f64 sets them; if you fill the struct yourself, start from {0}.
+ * reserved must be 0, and of these kinds each 0 and rings and polygons NULL. vesica_shapes_from_records_f64 sets them;
+ * if you fill the struct yourself, start from {0}.
+ *
+ * For polygons and polylines, field[0] and field[1] are x and y of vertex 0, and stride leads from vertex to vertex.
+ * Which vertices element i has is said in one of four ways:
+ *  - each > 0, rings NULL: vertices i * each to (i + 1) * each - 1. So 4 describes quads, and 3 triangles.
+ *  - rings, and polygons NULL: the one ring rings[i] to rings[i + 1] - 1.
+ *  - rings and polygons: the rings polygons[i] to polygons[i + 1] - 1. These are the offsets of GeoArrow's polygons.
+ *  - each 0, rings NULL: field[0] is the first of structs vesica_polygon_f64, stride bytes apart. field[1] is ignored.
+ * With rings, each may be the number of vertices in the columns, or 0. If it is given, an element whose offsets exceed
+ * it is invalid, and nothing beyond is read. Offsets must be aligned.
  */
 typedef struct {
     int32_t kind;
@@ -810,6 +852,10 @@ typedef struct { float cx, cy, ux, uy, a, b; } vesica_ellipse_f32;
 typedef struct { float x0, y0, x1, y1, r; } vesica_capsule_f32;
 /** As vesica_round_rect_f64. */
 typedef struct { float cx, cy, ux, uy, hx, hy, r; } vesica_round_rect_f32;
+/** As vesica_polygon_f64. */
+typedef struct { const float *x, *y; ptrdiff_t stride; const int32_t *rings; int64_t count; } vesica_polygon_f32;
+/** As vesica_polyline_f64. */
+typedef struct { const float *x, *y; ptrdiff_t stride; const int32_t *rings; int64_t count; } vesica_polyline_f32;
 /** As vesica_closest_points_f64. */
 typedef struct { float distance, ax, ay, bx, by; } vesica_closest_points_f32;
 /** As vesica_penetration_f64. */

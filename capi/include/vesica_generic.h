@@ -60,7 +60,7 @@
     VESICA_QUERY_(vesica_sweep_bounds, VESICA_SIZE_(shape) & VESICA_SIZE_(out)) \
     (VESICA_SHAPE_(shape), vx, vy, t_end, out)
 
-/* Kind of the shape that a pointer points to: VESICA_POINT ... VESICA_ROUND_RECT. */
+/* Kind of the shape that a pointer points to: VESICA_POINT ... VESICA_POLYLINE. */
 #define VESICA_KIND_OF(shape) \
     _Generic(*(shape), \
         vesica_point_f64: VESICA_POINT, vesica_point_f32: VESICA_POINT, \
@@ -70,7 +70,9 @@
         vesica_rect_f64: VESICA_RECT, vesica_rect_f32: VESICA_RECT, \
         vesica_ellipse_f64: VESICA_ELLIPSE, vesica_ellipse_f32: VESICA_ELLIPSE, \
         vesica_capsule_f64: VESICA_CAPSULE, vesica_capsule_f32: VESICA_CAPSULE, \
-        vesica_round_rect_f64: VESICA_ROUND_RECT, vesica_round_rect_f32: VESICA_ROUND_RECT)
+        vesica_round_rect_f64: VESICA_ROUND_RECT, vesica_round_rect_f32: VESICA_ROUND_RECT, \
+        vesica_polygon_f64: VESICA_POLYGON, vesica_polygon_f32: VESICA_POLYGON, \
+        vesica_polyline_f64: VESICA_POLYLINE, vesica_polyline_f32: VESICA_POLYLINE)
 
 /* ---- Implementation. Names that end in _ may change in any release. ---- */
 
@@ -79,11 +81,11 @@
     _Generic(*(pointer), \
         double: 8, vesica_point_f64: 8, vesica_segment_f64: 8, vesica_circle_f64: 8, vesica_aabb_f64: 8, \
         vesica_rect_f64: 8, vesica_ellipse_f64: 8, vesica_capsule_f64: 8, vesica_round_rect_f64: 8, \
-        vesica_closest_points_f64: 8, \
+        vesica_polygon_f64: 8, vesica_polyline_f64: 8, vesica_closest_points_f64: 8, \
         vesica_penetration_f64: 8, vesica_impact_f64: 8, vesica_turn_f64: 8, \
         float: 4, vesica_point_f32: 4, vesica_segment_f32: 4, vesica_circle_f32: 4, vesica_aabb_f32: 4, \
         vesica_rect_f32: 4, vesica_ellipse_f32: 4, vesica_capsule_f32: 4, vesica_round_rect_f32: 4, \
-        vesica_closest_points_f32: 4, \
+        vesica_polygon_f32: 4, vesica_polyline_f32: 4, vesica_closest_points_f32: 4, \
         vesica_penetration_f32: 4, vesica_impact_f32: 4, vesica_turn_f32: 4)
 
 /* Chooses by a constant size. Sizes of several arguments are joined by &: 8 & 4 is 0, which matches nothing. */

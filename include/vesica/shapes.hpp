@@ -81,6 +81,7 @@ enum Error : std::int32_t {
   error_zero_axis = -7,
   error_inverted = -8,
   error_range = -9,
+  error_rings = -11,  // -10 is of an index
 };
 
 /// The kind of a shape template.

@@ -24,6 +24,8 @@
 #include <vesica/iou.hpp>
 #include <vesica/nearest.hpp>
 #include <vesica/overlap.hpp>
+#include <vesica/polygon/bounds.hpp>
+#include <vesica/polygon/overlap.hpp>
 #include <vesica/ratio.hpp>
 #include <vesica/relation.hpp>
 #include <vesica/shape_area.hpp>

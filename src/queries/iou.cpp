@@ -22,7 +22,7 @@ struct IouOfPair {
 
 double area_of_shape(std::int32_t kind, const double* numbers) noexcept {
   double area = std::numeric_limits<double>::quiet_NaN();
-  with_shape(kind, numbers, [&](const HasCore auto& shape) { return shape_area_or_error(shape, area); });
+  with_shape<double>(kind, numbers, [&](const HasCore auto& shape) { return shape_area_or_error(shape, area); });
   return area;
 }
 

@@ -16,6 +16,7 @@ constinit const Query overlap{
     .doubles = pair_table<OverlapOfPair, double>(),
     .floats = pair_table<OverlapOfPair, float>(),
     .reversal = OverlapOfPair::reversal,
+    .paths = polygon::overlap,
 };
 
 consteval OverlapTable overlap_table() noexcept {

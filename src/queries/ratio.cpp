@@ -29,7 +29,7 @@ constinit const PairTable shared_measures = pair_table<SharedMeasure, double>();
 
 /// Returns 0 or error_shape. A shape whose area is a number is valid.
 std::int32_t facts_by_kind(const ShapeOfKind& s, Facts& out) noexcept {
-  return with_shape(s.kind, s.numbers, [&](const HasCore auto& shape) -> std::int32_t {
+  return with_shape<double>(s.kind, s.numbers, [&](const HasCore auto& shape) -> std::int32_t {
     if (std::isnan(s.area) && check(shape) != 0) return error_shape;
     out = detail::ratio::facts(shape, s.area);
     return 0;

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The edges of a polygon or a polyline, in the order of its vertices.
+#pragma once
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <vesica/check.hpp>
+#include <vesica/polygon.hpp>
+
+namespace vesica::detail::polygon {
+
+using Box = Aabb<double>;
+using Edge = Segment<double>;
+
+inline constexpr double infinite = std::numeric_limits<double>::infinity();
+/// Holds nothing, and meets no box.
+inline constexpr Box no_box{infinite, infinite, -infinite, -infinite};
+
+constexpr bool meet(const Box& a, const Box& b) noexcept {
+  using lane::both;
+  return both(both(a.min_x <= b.max_x, b.min_x <= a.max_x), both(a.min_y <= b.max_y, b.min_y <= a.max_y));
+}
+
+/// The box that two boxes share; it may be inverted.
+constexpr Box shared(const Box& a, const Box& b) noexcept {
+  return {greater(a.min_x, b.min_x), greater(a.min_y, b.min_y), lesser(a.max_x, b.max_x), lesser(a.max_y, b.max_y)};
+}
+
+constexpr void extend(Box& box, double x, double y) noexcept {
+  box.min_x = lane::min(x, box.min_x);
+  box.min_y = lane::min(y, box.min_y);
+  box.max_x = lane::max(x, box.max_x);
+  box.max_y = lane::max(y, box.max_y);
+}
+
+constexpr Box box_of(const Edge& e) noexcept {
+  return {lesser(e.x0, e.x1), lesser(e.y0, e.y1), greater(e.x0, e.x1), greater(e.y0, e.y1)};
+}
+
+/// Vertices first to last - 1, and the edges that begin there.
+struct Range {
+  std::int64_t first, last;
+  constexpr std::int64_t length() const noexcept { return last - first; }
+};
+
+/// A view of the vertices of a polygon (closed) or a polyline. Edge i begins at vertex i. Of a chain of two or more
+/// vertices no edge begins at the last; of one vertex, the edge is a point.
+template <class T>
+class Edges {
+ public:
+  Edges(const Polygon<T>& p) noexcept : Edges(p, true) {}    // NOLINT(google-explicit-constructor)
+  Edges(const Polyline<T>& p) noexcept : Edges(p, false) {}  // NOLINT(google-explicit-constructor)
+
+  bool closed() const noexcept { return closed_; }
+  std::int64_t rings() const noexcept { return rings_ == nullptr ? 1 : count_; }
+  /// Vertices of ring j.
+  Range ring(std::int64_t j) const noexcept {
+    if (rings_ == nullptr) return {0, count_};
+    return {offset(j), offset(j + 1)};
+  }
+  /// All vertices.
+  Range all() const noexcept {
+    if (rings_ == nullptr) return {0, count_};
+    return {offset(0), offset(count_)};
+  }
+
+  Point<double> vertex(std::int64_t i) const noexcept {
+    T x, y;
+    std::memcpy(&x, x_ + i * stride_, sizeof x);
+    std::memcpy(&y, y_ + i * stride_, sizeof y);
+    return {static_cast<double>(x), static_cast<double>(y)};
+  }
+
+  /// 0, error_null, error_not_finite, or error_rings for no vertex or offsets that are negative or decrease. The box
+  /// holds all vertices where it is 0.
+  int check(Box& box) const noexcept {
+    if (x_ == nullptr || y_ == nullptr) return error_null;
+    if (count_ < 1) return error_rings;
+    if (rings_ != nullptr) {
+      std::int32_t before = 0;
+      for (std::int64_t j = 0; j <= count_; ++j) {
+        if (offset(j) < before) return error_rings;
+        before = offset(j);
+      }
+    }
+    const Range vertices = all();
+    if (vertices.length() == 0) return error_rings;
+    box = no_box;
+    double zero = 0;  // NaN if a number is not finite
+    for (std::int64_t i = vertices.first; i < vertices.last; ++i) {
+      const auto [x, y] = vertex(i);
+      extend(box, x, y);
+      zero += 0 * x + 0 * y;
+    }
+    return zero == 0 ? 0 : error_not_finite;
+  }
+
+  /// Calls visit(edge, i) for each edge that begins in a range, until it returns true; returns whether it did.
+  template <class Visit>
+  bool for_edges(const Range& range, Visit visit) const noexcept {
+    if (range.first >= range.last) return false;
+    if (rings_ == nullptr) return for_edges_of_ring({0, count_}, range, visit);
+    // The ring of the first vertex: the last one that begins at or before it.
+    std::int64_t low = 0, high = count_;
+    while (high - low > 1) {
+      const std::int64_t middle = low + (high - low) / 2;
+      (offset(middle) <= range.first ? low : high) = middle;
+    }
+    for (std::int64_t j = low; j < count_; ++j) {
+      const Range vertices = ring(j);
+      if (vertices.first >= range.last) break;
+      if (for_edges_of_ring(vertices, range, visit)) return true;
+    }
+    return false;
+  }
+  /// For all edges.
+  template <class Visit>
+  bool for_edges(Visit visit) const noexcept {
+    return for_edges(all(), visit);
+  }
+
+  /// The box of the edges of a range.
+  Box box_of_range(const Range& range) const noexcept {
+    Box box = no_box;
+    for_edges(range, [&](const Edge& e, std::int64_t) {
+      extend(box, e.x0, e.y0);
+      extend(box, e.x1, e.y1);
+      return false;
+    });
+    return box;
+  }
+
+ private:
+  template <class Shape>
+  Edges(const Shape& p, bool closed) noexcept
+      : x_(reinterpret_cast<const unsigned char*>(p.x)),
+        y_(reinterpret_cast<const unsigned char*>(p.y)),
+        stride_(p.stride),
+        rings_(p.rings),
+        count_(p.count),
+        closed_(closed) {}
+
+  std::int32_t offset(std::int64_t j) const noexcept { return rings_[j]; }
+
+  /// The same for one ring.
+  template <class Visit>
+  bool for_edges_of_ring(const Range& vertices, const Range& range, Visit& visit) const noexcept {
+    const std::int64_t first = std::max(vertices.first, range.first), last = std::min(vertices.last, range.last);
+    if (first >= last) return false;
+    Point<double> from = vertex(first);
+    const std::int64_t inner = std::min(last, vertices.last - 1);
+    for (std::int64_t i = first; i < inner; ++i) {
+      const Point<double> to = vertex(i + 1);
+      if (visit(Edge{from.x, from.y, to.x, to.y}, i)) return true;
+      from = to;
+    }
+    if (last < vertices.last) return false;
+    if (!closed_ && vertices.length() > 1) return false;
+    const Point<double> to = vertex(vertices.first);
+    return visit(Edge{from.x, from.y, to.x, to.y}, last - 1);
+  }
+
+  const unsigned char *x_, *y_;
+  std::ptrdiff_t stride_;
+  const std::int32_t* rings_;
+  std::int64_t count_;
+  bool closed_;
+};
+
+template <class T>
+Edges(const Polygon<T>&) -> Edges<T>;
+template <class T>
+Edges(const Polyline<T>&) -> Edges<T>;
+
+}  // namespace vesica::detail::polygon
+
+namespace vesica {
+
+/// 0 when valid, else error_null, error_rings or error_not_finite. Whether edges cross is another question.
+template <Path Shape>
+int check(const Shape& s) noexcept {
+  detail::polygon::Box box;
+  return detail::polygon::Edges(s).check(box);
+}
+
+}  // namespace vesica

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Is a point inside a polygon, by the parity of the edges that a ray from it crosses?
+#pragma once
+
+#include <vesica/exact/number.hpp>
+#include <vesica/polygon/walk.hpp>
+
+namespace vesica::detail::polygon {
+
+/// The side of p on which b lies, seen from a: the sign of (a - p) x (b - p), exact.
+VESICA_COLD inline int exact_side(double px, double py, const Edge& e) noexcept {
+  using exact::from_double;
+  const auto x = from_double(px), y = from_double(py);
+  return ((from_double(e.x0) - x) * (from_double(e.y1) - y) - (from_double(e.y0) - y) * (from_double(e.x1) - x)).sign;
+}
+VESICA_INLINE int side(double px, double py, const Edge& e) noexcept {
+  const double left = (e.x0 - px) * (e.y1 - py), right = (e.y0 - py) * (e.x1 - px);
+  const double cross = left - right;
+  // Each factor is right to u, so each product to 3u and the least number; 2u for u, as every rounding mode allows.
+  const double bound = (lane::abs(left) + lane::abs(right)) * 0x1p-49 + 0x1p-1000;
+  if (cross > bound) return 1;
+  if (cross < -bound) return -1;
+  return exact_side(px, py, e);
+}
+
+/// Does the ray from p to the right cross an edge? The edge holds its lower end and not its upper one, so that a
+/// vertex on the ray counts once. p must be on no edge.
+VESICA_INLINE bool crosses_ray(double px, double py, const Edge& e) noexcept {
+  if ((e.y0 > py) == (e.y1 > py)) return false;
+  if (px < lesser(e.x0, e.x1)) return true;
+  if (px > greater(e.x0, e.x1)) return false;
+  const int s = side(px, py, e);
+  return e.y1 > e.y0 ? s > 0 : s < 0;
+}
+
+/// Is a point that is on no edge inside? Polylines have no inside.
+template <class T>
+bool inside(const Edges<T>& edges, const Point<double>& p) noexcept {
+  if (!edges.closed()) return false;
+  bool odd = false;
+  edges.for_edges([&](const Edge& e, std::int64_t) {
+    odd ^= crosses_ray(p.x, p.y, e);
+    return false;
+  });
+  return odd;
+}
+
+/// The same for many points: blocks that no ray can meet are skipped.
+template <class T>
+class Insides {
+ public:
+  Insides(const Edges<T>& edges, const Box& box) noexcept
+      : edges_(edges), box_(box), blocks_(edges, edges.all(), [](const Box&) { return true; }) {}
+
+  bool hold(const Point<double>& p) const noexcept {
+    if (!edges_.closed() || !meet(box_, {p.x, p.y, p.x, p.y})) return false;
+    bool odd = false;
+    for (int i = 0; i < blocks_.count; ++i) {
+      const Box& box = blocks_.box[i];
+      if (p.y < box.min_y || p.y > box.max_y || p.x > box.max_x) continue;
+      edges_.for_edges(blocks_.range(i), [&](const Edge& e, std::int64_t) {
+        odd ^= crosses_ray(p.x, p.y, e);
+        return false;
+      });
+    }
+    return odd;
+  }
+
+ private:
+  const Edges<T>& edges_;
+  Box box_;
+  Blocks blocks_;
+};
+
+/// Is the first vertex of one of b's rings inside a? If no edges meet, a ring lies inside as its first vertex does.
+template <class T>
+bool holds_ring(const Edges<T>& a, const Box& box_a, const Edges<T>& b) noexcept {
+  if (!a.closed()) return false;
+  if (b.rings() == 1) {
+    const Point<double> p = b.vertex(b.ring(0).first);
+    return meet(box_a, {p.x, p.y, p.x, p.y}) && inside(a, p);
+  }
+  const Insides<T> insides(a, box_a);
+  for (std::int64_t j = 0; j < b.rings(); ++j) {
+    const Range ring = b.ring(j);
+    if (ring.length() > 0 && insides.hold(b.vertex(ring.first))) return true;
+  }
+  return false;
+}
+
+}  // namespace vesica::detail::polygon

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Queries with a polygon or a polyline: one function each, for either scalar and both orders. Descriptors name them.
+#pragma once
+
+#include <cstdint>
+
+namespace vesica {
+
+/// A shape of any kind: a pointer to its struct, of doubles or floats.
+struct Operand {
+  std::int32_t kind;
+  bool is_float;
+  const void* shape;
+};
+
+/// Answers as PairFunction does; at least one operand is a path.
+using PathFunction = std::int32_t (*)(const Operand& a, const Operand& b, void* out) noexcept;
+
+namespace polygon {
+
+std::int32_t overlap(const Operand& a, const Operand& b, void* out) noexcept;
+
+}  // namespace polygon
+}  // namespace vesica

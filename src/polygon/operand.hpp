@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shapes of any kind as the questions of polygons take them: a polygon's edges, or a row of numbers with its kind.
+#pragma once
+
+#include <vesica/polygon/other.hpp>
+
+#include "query.hpp"
+
+namespace vesica {
+
+namespace detail::polygon {
+
+/// A shape of any kind but polygon and polyline. So the code of a question exists once for all of them.
+struct AnyShape {
+  std::int32_t kind;
+  double number[max_fields];
+};
+
+/// action(shape) by its kind.
+template <class Action>
+auto with_shape(const AnyShape& s, Action action) noexcept {
+  decltype(action(Point<double>{})) result{};
+  with_name(s.kind, [&]<template <class> class Shape>(Named<Shape>) -> std::int32_t {
+    result = action(load<Shape<double>>(s.number));
+    return 0;
+  });
+  return result;
+}
+
+inline Box box_about(const AnyShape& s) noexcept {
+  return with_shape(s, [](const auto& shape) { return polygon::box_about(shape); });
+}
+inline Point<double> stored_point(const AnyShape& s) noexcept { return {s.number[0], s.number[1]}; }
+inline int check_other(const AnyShape& s) noexcept {
+  return with_shape(s, [](const auto& shape) { return vesica::check(shape); });
+}
+
+/// A query's code for an edge and a valid shape.
+inline std::int32_t ask_edge(const Query& query, const Edge& e, const AnyShape& s, void* out) noexcept {
+  return query.doubles.of[static_cast<int>(Kind::segment)][s.kind](&e, s.number, out);
+}
+inline bool edge_meets(const Edge& e, const AnyShape& s) noexcept {
+  return ask_edge(queries::overlap, e, s, nullptr) == 1;
+}
+
+}  // namespace detail::polygon
+
+namespace polygon {
+
+using detail::polygon::AnyShape;
+using detail::polygon::Edges;
+
+/// The row of a shape of scalar T.
+template <class T>
+AnyShape any_shape(const Operand& s) noexcept {
+  AnyShape shape{s.kind, {}};
+  for (int k = 0; k < field_count(s.kind); ++k) shape.number[k] = static_cast<double>(static_cast<const T*>(s.shape)[k]);
+  return shape;
+}
+
+template <class T>
+Edges<T> edges(const Operand& s) noexcept {
+  if (s.kind == polygon_kind) return *static_cast<const Polygon<T>*>(s.shape);
+  return *static_cast<const Polyline<T>*>(s.shape);
+}
+
+/// action(edges, other, reversed), where the first operand that is a path comes first; other is an AnyShape or edges.
+template <class T, class Action>
+std::int32_t with_edges_of(const Operand& a, const Operand& b, const Action& action) noexcept {
+  if (is_row(b.kind)) return action(edges<T>(a), any_shape<T>(b), false);
+  if (is_row(a.kind)) return action(edges<T>(b), any_shape<T>(a), true);
+  return action(edges<T>(a), edges<T>(b), false);
+}
+template <class Action>
+std::int32_t with_edges(const Operand& a, const Operand& b, const Action& action) noexcept {
+  return a.is_float ? with_edges_of<float>(a, b, action) : with_edges_of<double>(a, b, action);
+}
+
+}  // namespace polygon
+}  // namespace vesica
