@@ -185,7 +185,7 @@ typedef struct {
     int64_t count;
 } vesica_polygon_f64;
 
-/** As vesica_polygon_f64. */
+/** A polyline. Its members are laid out as those of vesica_polygon_f64, with chains for rings. */
 typedef struct {
     const double *x, *y;
     ptrdiff_t stride;
@@ -814,7 +814,7 @@ VESICA_API int32_t vesica_version_patch(void);
 /**
  * How many numbers does a shape of this kind have?
  * Returns: 2, 4, 3, 4, 6, 6, 5, 7 for VESICA_POINT ... VESICA_ROUND_RECT.
- * Errors: VESICA_E_KIND.
+ * Errors: VESICA_E_KIND, also for polygons and polylines, which have any number of vertices.
  */
 VESICA_API int32_t vesica_field_count(int32_t kind);
 

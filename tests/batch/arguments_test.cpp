@@ -137,7 +137,7 @@ TYPED_TEST(BatchArguments, UnusedMembersMustBeZero) {
 
 TYPED_TEST(BatchArguments, NullIsReportedFirst) {
   auto wrong_kind = this->points_;
-  wrong_kind.kind = vesica::kind_count;
+  wrong_kind.kind = VESICA_POLYLINE + 1;
   EXPECT_EQ(TestFixture::Face::overlap_many(nullptr, &this->points_, this->out_.data()), VESICA_E_NULL);
   EXPECT_EQ(TestFixture::Face::overlap_many(&this->points_, nullptr, this->out_.data()), VESICA_E_NULL);
   EXPECT_EQ(TestFixture::Face::overlap_many(&this->points_, &this->points_, nullptr), VESICA_E_NULL);
@@ -171,7 +171,7 @@ TYPED_TEST(BatchArguments, FieldsBeyondTheKindAreNotLookedAt) {
 }
 
 TYPED_TEST(BatchArguments, UnknownKindsAreReported) {
-  for (const std::int32_t kind : {-1, vesica::kind_count, std::numeric_limits<std::int32_t>::max()}) {
+  for (const std::int32_t kind : {-1, VESICA_POLYLINE + 1, std::numeric_limits<std::int32_t>::max()}) {
     auto wrong = this->disc_;
     wrong.kind = kind;
     this->expect_refused(wrong, VESICA_E_KIND);
@@ -269,7 +269,7 @@ TYPED_TEST(BatchArguments, NothingToAnswerNeedsNoMemory) {
 /// Checks the other arguments even if the arrays are empty.
 TYPED_TEST(BatchArguments, NothingToAnswerIsStillChecked) {
   auto wrong_kind = this->nothing_, wrong_reserved = this->nothing_;
-  wrong_kind.kind = vesica::kind_count;
+  wrong_kind.kind = VESICA_POLYLINE + 1;
   wrong_reserved.reserved = 7;
   this->expect_refused(wrong_kind, VESICA_E_KIND);
   this->expect_refused(wrong_reserved, VESICA_E_ARGUMENT);

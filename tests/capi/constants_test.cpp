@@ -57,6 +57,10 @@ TEST(CapiConstants, StructSizes) {
   EXPECT_EQ(sizeof(vesica_capsule_f32), 20u);
   EXPECT_EQ(sizeof(vesica_round_rect_f64), 56u);
   EXPECT_EQ(sizeof(vesica_round_rect_f32), 28u);
+  EXPECT_EQ(sizeof(vesica_polygon_f64), 3 * sizeof(void*) + sizeof(std::ptrdiff_t) + sizeof(std::int64_t));
+  EXPECT_EQ(sizeof(vesica_polygon_f32), sizeof(vesica_polygon_f64));
+  EXPECT_EQ(sizeof(vesica_polyline_f64), sizeof(vesica_polygon_f64));
+  EXPECT_EQ(sizeof(vesica_polyline_f32), sizeof(vesica_polygon_f64));
 }
 
 // Holds pointers and a ptrdiff_t: these are the numbers of 64-bit machines.
@@ -119,6 +123,8 @@ TEST(CapiConstants, Values) {
   EXPECT_EQ(VESICA_ELLIPSE, 5);
   EXPECT_EQ(VESICA_CAPSULE, 6);
   EXPECT_EQ(VESICA_ROUND_RECT, 7);
+  EXPECT_EQ(VESICA_POLYGON, 8);
+  EXPECT_EQ(VESICA_POLYLINE, 9);
   EXPECT_EQ(VESICA_DISJOINT, 0);
   EXPECT_EQ(VESICA_TOUCH, 1);
   EXPECT_EQ(VESICA_CROSS, 2);
@@ -156,6 +162,7 @@ TEST(CapiConstants, Values) {
   EXPECT_EQ(VESICA_E_INVERTED, -8);
   EXPECT_EQ(VESICA_E_RANGE, -9);
   EXPECT_EQ(VESICA_E_INDEX, -10);
+  EXPECT_EQ(VESICA_E_RINGS, -11);
   EXPECT_EQ(VESICA_JOIN_OVERLAP, 0);
   EXPECT_EQ(VESICA_JOIN_BOUNDS, 1);
   EXPECT_EQ(VESICA_JOIN_CONTAINS, 2);
@@ -177,7 +184,7 @@ TEST(CapiConstants, Version) {
 
 TEST(CapiConstants, EveryErrorHasItsOwnWords) {
   std::set<std::string> phrases{"success", "unknown error"};
-  for (std::int32_t code = VESICA_E_INDEX; code <= VESICA_E_NULL; ++code) {
+  for (std::int32_t code = VESICA_E_RINGS; code <= VESICA_E_NULL; ++code) {
     const char* words = vesica_strerror(code);
     ASSERT_NE(words, nullptr) << code;
     const std::string phrase = words;
@@ -191,7 +198,7 @@ TEST(CapiConstants, EveryErrorHasItsOwnWords) {
 
 TEST(CapiConstants, AnswersAndUnknownCodesHaveWords) {
   for (std::int32_t code : {0, 1, 7, INT32_MAX}) EXPECT_STREQ(vesica_strerror(code), "success") << code;
-  for (std::int32_t code : {-11, -12, -1000, INT32_MIN}) EXPECT_STREQ(vesica_strerror(code), "unknown error") << code;
+  for (std::int32_t code : {VESICA_E_RINGS - 1, -1000, INT32_MIN}) EXPECT_STREQ(vesica_strerror(code), "unknown error") << code;
 }
 
 TEST(CapiConstants, FieldCounts) {
@@ -203,7 +210,10 @@ TEST(CapiConstants, FieldCounts) {
   EXPECT_EQ(vesica_field_count(VESICA_ELLIPSE), 6);
   EXPECT_EQ(vesica_field_count(VESICA_CAPSULE), 5);
   EXPECT_EQ(vesica_field_count(VESICA_ROUND_RECT), 7);
-  for (std::int32_t kind : {-1, 8, INT32_MIN, INT32_MAX}) EXPECT_EQ(vesica_field_count(kind), VESICA_E_KIND) << kind;
+  // Polygons and polylines have any number of vertices.
+  for (std::int32_t kind : {-1, VESICA_POLYGON, VESICA_POLYLINE, 10, INT32_MIN, INT32_MAX}) {
+    EXPECT_EQ(vesica_field_count(kind), VESICA_E_KIND) << kind;
+  }
 }
 
 TEST(CapiConstants, KindNames) {
@@ -215,7 +225,9 @@ TEST(CapiConstants, KindNames) {
   EXPECT_STREQ(vesica_kind_name(VESICA_ELLIPSE), "ellipse");
   EXPECT_STREQ(vesica_kind_name(VESICA_CAPSULE), "capsule");
   EXPECT_STREQ(vesica_kind_name(VESICA_ROUND_RECT), "round_rect");
-  for (std::int32_t kind : {-1, 8, INT32_MIN, INT32_MAX}) EXPECT_EQ(vesica_kind_name(kind), nullptr) << kind;
+  EXPECT_STREQ(vesica_kind_name(VESICA_POLYGON), "polygon");
+  EXPECT_STREQ(vesica_kind_name(VESICA_POLYLINE), "polyline");
+  for (std::int32_t kind : {-1, 10, INT32_MIN, INT32_MAX}) EXPECT_EQ(vesica_kind_name(kind), nullptr) << kind;
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ constexpr std::int32_t operands = 2;
 
 template <class T>
 typename Call<T>::Operand operand(bool null, bool unknown, bool invalid) {
-  const std::int32_t kind = unknown ? 9 : VESICA_RECT;
+  const std::int32_t kind = unknown ? VESICA_POLYLINE + 1 : VESICA_RECT;
   const T* const numbers = invalid ? negative<T> : valid<T>;
   typename Face<T>::Shapes shapes{kind, 0, 1, sizeof(T), {}, nullptr, nullptr, 0};
   for (std::size_t k = 0; k < 6; ++k) shapes.field[k] = numbers + k;

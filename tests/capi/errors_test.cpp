@@ -27,7 +27,7 @@ struct Limits : std::numeric_limits<T> {
 constexpr std::int32_t all_kinds[] = {VESICA_POINT, VESICA_SEGMENT, VESICA_CIRCLE,
                                       VESICA_AABB,  VESICA_RECT,    VESICA_ELLIPSE};
 // Neighbours of the range, its extremes, and numbers that fit once cut to 8 or 16 bits.
-constexpr std::int32_t unknown_kinds[] = {-1, vesica::kind_count, INT32_MIN, INT32_MAX, 256, 65537, -252};
+constexpr std::int32_t unknown_kinds[] = {-1, VESICA_POLYLINE + 1, INT32_MIN, INT32_MAX, 256, 65537, -252};
 
 bool has_axis(std::int32_t kind) { return kind == VESICA_RECT || kind == VESICA_ELLIPSE; }
 

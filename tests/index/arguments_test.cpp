@@ -49,7 +49,7 @@ TYPED_TEST(ArgumentsTest, Build) {
   EXPECT_EQ(build(sets.data(), 1, odd_index, index.size, scratch.get(), scratch.size), VESICA_E_ARGUMENT);
   EXPECT_EQ(build(sets.data(), 1, index.get(), index.size, odd_scratch, scratch.size), VESICA_E_ARGUMENT);
   auto wrong = sets.sets[0];
-  wrong.kind = 8;
+  wrong.kind = VESICA_POLYLINE + 1;
   EXPECT_EQ(build(&wrong, 1, index.get(), index.size, scratch.get(), scratch.size), VESICA_E_KIND);
   wrong = sets.sets[0];
   wrong.count = std::int64_t{1} << 31;

@@ -145,7 +145,7 @@ TEST(InteriorsArrays, InvalidElements) {
   EXPECT_EQ(out[1], 0);
   EXPECT_EQ(out[2], 1);
   EXPECT_EQ(vesica_interiors_overlap_many_f64(&a, nullptr, out), VESICA_E_NULL);
-  b.kind = 8;
+  b.kind = VESICA_POLYLINE + 1;
   EXPECT_EQ(vesica_interiors_overlap_many_f64(&a, &b, out), VESICA_E_KIND);
 }
 

@@ -16,7 +16,10 @@ import sys
 
 E_KIND = -3
 GOOD = 4  # VESICA_RECT
-BAD = [-1, 8, 9, 127, -(2**31), 2**31 - 1]
+BAD = [-1, 10, 127, -(2**31), 2**31 - 1]
+PATHS = [8, 9]  # polygons and polylines; the functions that take them:
+OF_PATHS = ("vesica_field_count", "vesica_kind_name", "vesica_check", "vesica_shapes_from_records", "vesica_bounds_",
+            "vesica_overlap_")
 # These know a kind before any query does; overlap is the first query.
 OF_EVERY_KIND = ("vesica_field_count", "vesica_kind_name", "vesica_check", "vesica_shapes_from_records")
 OVERLAP = [f"vesica_{name}{form}_{scalar}" for name in ("overlap", "interiors_overlap")
@@ -164,7 +167,9 @@ caller = Caller(options.library, description)
 calls, wrong = 0, []
 for function in functions:
     name = function["name"]
-    for bad in BAD if options.dummy is None else [options.dummy, options.dummy + 1]:
+    # A dummy takes the place of the polygons' kinds, which then follow it.
+    refused = BAD + (PATHS if not name.startswith(OF_PATHS) else []) if options.dummy is None else [options.dummy]
+    for bad in refused:
         if bad == options.dummy and (name in OVERLAP or name.startswith(OF_EVERY_KIND)):
             continue
         for kinds in numbers_of_kinds(function, bad):

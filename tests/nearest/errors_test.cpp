@@ -88,7 +88,7 @@ TYPED_TEST(NearestErrors, NullThenKindThenShape) {
     this->expect_error(VESICA_RECT, nullptr, VESICA_RECT, n->data(), VESICA_E_NULL);
     this->expect_error(VESICA_RECT, n->data(), VESICA_RECT, nullptr, VESICA_E_NULL);
     this->expect_error(-1, nullptr, 6, n->data(), VESICA_E_NULL);
-    for (const std::int32_t kind : {-1, 8, std::numeric_limits<std::int32_t>::max()}) {
+    for (const std::int32_t kind : {-1, VESICA_POLYLINE + 1, std::numeric_limits<std::int32_t>::max()}) {
       this->expect_error(kind, n->data(), VESICA_RECT, n->data(), VESICA_E_KIND);
       this->expect_error(VESICA_RECT, n->data(), kind, n->data(), VESICA_E_KIND);
     }

@@ -117,7 +117,7 @@ TEST(Nms, Errors) {
   vesica_shapes_f64 wrong = shapes;
   wrong.kind = VESICA_SEGMENT;
   EXPECT_EQ(call(&wrong, &score, 0.5, scratch.data(), size, &keep, &kept), VESICA_E_KIND);
-  wrong.kind = vesica::kind_count;
+  wrong.kind = VESICA_POLYLINE + 1;
   EXPECT_EQ(call(&wrong, &score, 0.5, scratch.data(), size, &keep, &kept), VESICA_E_KIND);
   wrong = shapes;
   wrong.count = -1;

@@ -21,6 +21,8 @@ package Vesica_C is
    Vesica_Ellipse : constant := 5;
    Vesica_Capsule : constant := 6;
    Vesica_Round_Rect : constant := 7;
+   Vesica_Polygon : constant := 8;
+   Vesica_Polyline : constant := 9;
    Vesica_Disjoint : constant := 0;
    Vesica_Touch : constant := 1;
    Vesica_Cross : constant := 2;
@@ -39,6 +41,7 @@ package Vesica_C is
    Vesica_E_Inverted : constant := -8;
    Vesica_E_Range : constant := -9;
    Vesica_E_Index : constant := -10;
+   Vesica_E_Rings : constant := -11;
    Vesica_Angle_Radians : constant := 0;
    Vesica_Angle_Degrees : constant := 1;
    Vesica_Angle_Quarters : constant := 2;
@@ -140,6 +143,24 @@ package Vesica_C is
       R : IEEE_Float_64;
    end record with Convention => C;
 
+   --  A polygon, or a polyline: vertices in the caller's memory, which are read and not kept.
+   type Vesica_Polygon_F64 is record
+      X : System.Address;
+      Y : System.Address;
+      Stride : ptrdiff_t;
+      Rings : System.Address;
+      Count : Integer_64;
+   end record with Convention => C;
+
+   --  A polyline.
+   type Vesica_Polyline_F64 is record
+      X : System.Address;
+      Y : System.Address;
+      Stride : ptrdiff_t;
+      Rings : System.Address;
+      Count : Integer_64;
+   end record with Convention => C;
+
    --  A distance, and two points that are that far apart: (ax, ay) of shape a and (bx, by) of shape b.
    type Vesica_Closest_Points_F64 is record
       Distance : IEEE_Float_64;
@@ -236,6 +257,24 @@ package Vesica_C is
       Hx : IEEE_Float_32;
       Hy : IEEE_Float_32;
       R : IEEE_Float_32;
+   end record with Convention => C;
+
+   --  A polygon, or a polyline: vertices in the caller's memory, which are read and not kept.
+   type Vesica_Polygon_F32 is record
+      X : System.Address;
+      Y : System.Address;
+      Stride : ptrdiff_t;
+      Rings : System.Address;
+      Count : Integer_64;
+   end record with Convention => C;
+
+   --  A polyline.
+   type Vesica_Polyline_F32 is record
+      X : System.Address;
+      Y : System.Address;
+      Stride : ptrdiff_t;
+      Rings : System.Address;
+      Count : Integer_64;
    end record with Convention => C;
 
    --  A distance, and two points that are that far apart: (ax, ay) of shape a and (bx, by) of shape b.

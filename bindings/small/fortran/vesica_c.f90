@@ -20,6 +20,8 @@ module vesica_c
   integer(c_int32_t), parameter :: vesica_ellipse = 5
   integer(c_int32_t), parameter :: vesica_capsule = 6
   integer(c_int32_t), parameter :: vesica_round_rect = 7
+  integer(c_int32_t), parameter :: vesica_polygon = 8
+  integer(c_int32_t), parameter :: vesica_polyline = 9
   integer(c_int32_t), parameter :: vesica_disjoint = 0
   integer(c_int32_t), parameter :: vesica_touch = 1
   integer(c_int32_t), parameter :: vesica_cross = 2
@@ -38,6 +40,7 @@ module vesica_c
   integer(c_int32_t), parameter :: vesica_e_inverted = -8
   integer(c_int32_t), parameter :: vesica_e_range = -9
   integer(c_int32_t), parameter :: vesica_e_index = -10
+  integer(c_int32_t), parameter :: vesica_e_rings = -11
   integer(c_int32_t), parameter :: vesica_angle_radians = 0
   integer(c_int32_t), parameter :: vesica_angle_degrees = 1
   integer(c_int32_t), parameter :: vesica_angle_quarters = 2
@@ -133,6 +136,24 @@ module vesica_c
     real(c_double) :: hx
     real(c_double) :: hy
     real(c_double) :: r
+  end type
+
+  !> A polygon, or a polyline: vertices in the caller's memory, which are read and not kept.
+  type, bind(c) :: vesica_polygon_f64
+    type(c_ptr) :: x
+    type(c_ptr) :: y
+    integer(c_ptrdiff_t) :: stride
+    type(c_ptr) :: rings
+    integer(c_int64_t) :: count
+  end type
+
+  !> A polyline.
+  type, bind(c) :: vesica_polyline_f64
+    type(c_ptr) :: x
+    type(c_ptr) :: y
+    integer(c_ptrdiff_t) :: stride
+    type(c_ptr) :: rings
+    integer(c_int64_t) :: count
   end type
 
   !> A distance, and two points that are that far apart: (ax, ay) of shape a and (bx, by) of shape b.
@@ -231,6 +252,24 @@ module vesica_c
     real(c_float) :: hx
     real(c_float) :: hy
     real(c_float) :: r
+  end type
+
+  !> A polygon, or a polyline: vertices in the caller's memory, which are read and not kept.
+  type, bind(c) :: vesica_polygon_f32
+    type(c_ptr) :: x
+    type(c_ptr) :: y
+    integer(c_ptrdiff_t) :: stride
+    type(c_ptr) :: rings
+    integer(c_int64_t) :: count
+  end type
+
+  !> A polyline.
+  type, bind(c) :: vesica_polyline_f32
+    type(c_ptr) :: x
+    type(c_ptr) :: y
+    integer(c_ptrdiff_t) :: stride
+    type(c_ptr) :: rings
+    integer(c_int64_t) :: count
   end type
 
   !> A distance, and two points that are that far apart: (ax, ay) of shape a and (bx, by) of shape b.

@@ -21,6 +21,8 @@ const
   vesica_ellipse = 5;
   vesica_capsule = 6;
   vesica_round_rect = 7;
+  vesica_polygon = 8;
+  vesica_polyline = 9;
   vesica_disjoint = 0;
   vesica_touch = 1;
   vesica_cross = 2;
@@ -39,6 +41,7 @@ const
   vesica_e_inverted = -8;
   vesica_e_range = -9;
   vesica_e_index = -10;
+  vesica_e_rings = -11;
   vesica_angle_radians = 0;
   vesica_angle_degrees = 1;
   vesica_angle_quarters = 2;
@@ -137,6 +140,24 @@ type
     r: Double;
   end;
   PVesicaRoundRectF64 = ^TVesicaRoundRectF64;
+  // A polygon, or a polyline: vertices in the caller's memory, which are read and not kept.
+  TVesicaPolygonF64 = record
+    x: PDouble;
+    y: PDouble;
+    stride: PtrInt;
+    rings: PInt32;
+    count: Int64;
+  end;
+  PVesicaPolygonF64 = ^TVesicaPolygonF64;
+  // A polyline.
+  TVesicaPolylineF64 = record
+    x: PDouble;
+    y: PDouble;
+    stride: PtrInt;
+    rings: PInt32;
+    count: Int64;
+  end;
+  PVesicaPolylineF64 = ^TVesicaPolylineF64;
   // A distance, and two points that are that far apart: (ax, ay) of shape a and (bx, by) of shape b.
   TVesicaClosestPointsF64 = record
     distance: Double;
@@ -235,6 +256,24 @@ type
     r: Single;
   end;
   PVesicaRoundRectF32 = ^TVesicaRoundRectF32;
+  // A polygon, or a polyline: vertices in the caller's memory, which are read and not kept.
+  TVesicaPolygonF32 = record
+    x: PSingle;
+    y: PSingle;
+    stride: PtrInt;
+    rings: PInt32;
+    count: Int64;
+  end;
+  PVesicaPolygonF32 = ^TVesicaPolygonF32;
+  // A polyline.
+  TVesicaPolylineF32 = record
+    x: PSingle;
+    y: PSingle;
+    stride: PtrInt;
+    rings: PInt32;
+    count: Int64;
+  end;
+  PVesicaPolylineF32 = ^TVesicaPolylineF32;
   // A distance, and two points that are that far apart: (ax, ay) of shape a and (bx, by) of shape b.
   TVesicaClosestPointsF32 = record
     distance: Single;

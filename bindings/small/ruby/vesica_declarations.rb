@@ -17,6 +17,8 @@ module Vesica
   ELLIPSE = 5
   CAPSULE = 6
   ROUND_RECT = 7
+  POLYGON = 8
+  POLYLINE = 9
   DISJOINT = 0
   TOUCH = 1
   CROSS = 2
@@ -35,6 +37,7 @@ module Vesica
   E_INVERTED = -8
   E_RANGE = -9
   E_INDEX = -10
+  E_RINGS = -11
   ANGLE_RADIANS = 0
   ANGLE_DEGREES = 1
   ANGLE_QUARTERS = 2

@@ -89,7 +89,7 @@ TEST(QueryArguments, CountsKindsAndRows) {
   EXPECT_EQ(vesica_area_many_f64(&a, &b, out.data()), VESICA_E_ARGUMENT);
   EXPECT_EQ(vesica_area_matrix_f64(&a, &b, out.data(), 2), VESICA_E_ARGUMENT);
   EXPECT_EQ(vesica_area_matrix_f64(&a, &b, out.data(), PTRDIFF_MAX / 4), VESICA_E_ARGUMENT);
-  a.kind = vesica::kind_count;
+  a.kind = VESICA_POLYLINE + 1;
   EXPECT_EQ(vesica_iou_many_f64(&a, &b, out.data()), VESICA_E_KIND);
   a.kind = VESICA_CIRCLE;
   a.count = -1;

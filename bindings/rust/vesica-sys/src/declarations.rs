@@ -23,6 +23,10 @@ pub const VESICA_ELLIPSE: i32 = 5;
 pub const VESICA_CAPSULE: i32 = 6;
 /// cx cy ux uy hx hy r
 pub const VESICA_ROUND_RECT: i32 = 7;
+/// vertices of one or more rings
+pub const VESICA_POLYGON: i32 = 8;
+/// vertices of one or more chains
+pub const VESICA_POLYLINE: i32 = 9;
 /// a and b have no common point
 pub const VESICA_DISJOINT: i32 = 0;
 /// they have common points, but their insides have none
@@ -59,6 +63,8 @@ pub const VESICA_E_INVERTED: i32 = -8;
 pub const VESICA_E_RANGE: i32 = -9;
 /// bytes are not an index of this version, or are damaged
 pub const VESICA_E_INDEX: i32 = -10;
+/// a polygon has no vertex, or its offsets are negative or decrease
+pub const VESICA_E_RINGS: i32 = -11;
 pub const VESICA_ANGLE_RADIANS: i32 = 0;
 pub const VESICA_ANGLE_DEGREES: i32 = 1;
 /// quarter turns
@@ -236,6 +242,46 @@ pub type vesica_round_rect_f64 = RoundRect<f64>;
 /// [`RoundRect`] of f32.
 pub type vesica_round_rect_f32 = RoundRect<f32>;
 
+/// A polygon, or a polyline: vertices in the caller's memory, which are read and not kept.
+///
+/// A polygon is the points on an edge, and those around which its rings cross an odd number of times. So a ring inside
+/// another one is a hole, and rings need no order and no direction. Each ring's last vertex is joined to its first,
+/// which may also be repeated at the end. A ring of one vertex is a point, one of two a segment. A polyline is the
+/// points on an edge of its chains, which are not closed. It has no inside. Vertex i is at x + i \* stride bytes and y
+/// + i \* stride bytes. stride is 16 for x y x y ..., 8 for two columns. rings has count + 1 offsets: ring j has the
+/// vertices rings\[j\] to rings\[j + 1\] - 1. If rings is NULL there is one ring of `count` vertices. At least one
+/// vertex is needed; empty rings are allowed.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(missing_docs)]
+pub struct Polygon<T> {
+    pub x: *const T,
+    pub y: *const T,
+    pub stride: isize,
+    pub rings: *const i32,
+    pub count: i64,
+}
+/// [`Polygon`] of f64.
+pub type vesica_polygon_f64 = Polygon<f64>;
+/// [`Polygon`] of f32.
+pub type vesica_polygon_f32 = Polygon<f32>;
+
+/// A polyline. Its members are laid out as those of vesica_polygon_f64, with chains for rings.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(missing_docs)]
+pub struct Polyline<T> {
+    pub x: *const T,
+    pub y: *const T,
+    pub stride: isize,
+    pub rings: *const i32,
+    pub count: i64,
+}
+/// [`Polyline`] of f64.
+pub type vesica_polyline_f64 = Polyline<f64>;
+/// [`Polyline`] of f32.
+pub type vesica_polyline_f32 = Polyline<f32>;
+
 /// A distance, and two points that are that far apart: (ax, ay) of shape a and (bx, by) of shape b.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -271,8 +317,16 @@ pub type vesica_penetration_f32 = Penetration<f32>;
 /// Number k of element i is at field\[k\] + i \* stride bytes, with k in the order of the shape's struct. stride is the
 /// size of a record for records, sizeof(double) for columns, 0 to repeat one shape, and negative to run backwards.
 /// Fields beyond those of the kind are ignored. Numbers need no alignment.
-/// reserved and each must be 0, rings and polygons NULL. They are for kinds with any number of vertices, which this
-/// version does not have. vesica_shapes_from_records_f64 sets them; if you fill the struct yourself, start from {0}.
+/// reserved must be 0, and of these kinds each 0 and rings and polygons NULL. vesica_shapes_from_records_f64 sets them;
+/// if you fill the struct yourself, start from {0}.
+///
+/// Of polygons and polylines, field\[0\] and field\[1\] are x and y of vertex 0, and stride leads from vertex to
+/// vertex. Which vertices element i has is said in one of four ways:  - each \> 0, rings NULL: vertices i \* each to (i
+/// + 1) \* each - 1. So 4 describes quads, and 3 triangles.  - rings, and polygons NULL: the one ring rings\[i\] to
+/// rings\[i + 1\] - 1.  - rings and polygons: the rings polygons\[i\] to polygons\[i + 1\] - 1. These are the offsets
+/// of GeoArrow's polygons.  - each 0, rings NULL: field\[0\] is the first of structs vesica_polygon_f64, stride bytes
+/// apart. field\[1\] is ignored. With rings, each may be the number of vertices in the columns, or 0. If it is given,
+/// an element whose offsets exceed it is invalid, and nothing beyond is read. Offsets must be aligned.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(missing_docs)]
@@ -488,7 +542,7 @@ extern "C" {
     /// Is a shape valid, and if not, which rule does it break?
     ///
     /// Returns: 0 for a valid shape, else the first rule broken: VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE,
-    /// VESICA_E_ZERO_AXIS or VESICA_E_INVERTED.
+    /// VESICA_E_ZERO_AXIS, VESICA_E_INVERTED or VESICA_E_RINGS.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND.
     ///
@@ -1425,7 +1479,7 @@ extern "C" {
     ///
     /// Returns: 2, 4, 3, 4, 6, 6, 5, 7 for VESICA_POINT ... VESICA_ROUND_RECT.
     ///
-    /// Errors: VESICA_E_KIND.
+    /// Errors: VESICA_E_KIND, also for polygons and polylines, which have any number of vertices.
     ///
     /// Since: 0.1.
     pub fn vesica_field_count(kind: i32) -> i32;
@@ -1448,7 +1502,7 @@ extern "C" {
     /// Is a shape valid, and if not, which rule does it break?
     ///
     /// Returns: 0 for a valid shape, else the first rule broken: VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE,
-    /// VESICA_E_ZERO_AXIS or VESICA_E_INVERTED.
+    /// VESICA_E_ZERO_AXIS, VESICA_E_INVERTED or VESICA_E_RINGS.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND.
     ///
