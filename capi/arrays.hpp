@@ -112,7 +112,8 @@ static_assert(field_room<double> >= max_fields && field_room<float> >= max_field
 template <class T>
 batch::Shapes<T> view(const CShapesOf<T>& shapes) noexcept {
   const bool repeats = shapes.count == 1 && is_row(shapes.kind);
-  batch::Shapes<T> v{shapes.kind, shapes.count, repeats ? 0 : shapes.stride, {}, shapes.rings, shapes.polygons, shapes.each};
+  batch::Shapes<T> v{shapes.kind,     shapes.count, repeats ? 0 : shapes.stride, {}, shapes.rings,
+                     shapes.polygons, shapes.each};
   for (int k = 0; k < columns_read(shapes); ++k) v.field[k] = shapes.field[k];
   return v;
 }

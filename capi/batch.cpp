@@ -35,7 +35,8 @@ template <class T>
 int64_t overlap_select(Common common, const CShapesOf<T>* one, const CShapesOf<T>* many, int64_t* out,
                        int64_t capacity) noexcept {
   VESICA_DEFAULT_ENVIRONMENT(overlap_select<T>, common, one, many, out, capacity);
-  const int32_t error = check_call(one, many, capacity > 0 ? out : static_cast<const void*>(one), anything(one, many), suits(common));
+  const int32_t error =
+      check_call(one, many, capacity > 0 ? out : static_cast<const void*>(one), anything(one, many), suits(common));
   if (error != 0) return error;
   if (one->count != 1 || capacity < 0) return VESICA_E_ARGUMENT;
   const auto tally = vesica::batch::select<T>(vesica::kernels(), view<T>(*one), view<T>(*many), out, capacity, common);

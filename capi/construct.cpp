@@ -25,8 +25,7 @@ template <class T, class CShape>
 int32_t bounds(int32_t kind, const void* shape, CShape* out) noexcept {
   if (out == nullptr) return VESICA_E_NULL;
   return construct<vesica::Aabb<T>>(out, [&](auto& box) {
-    return vesica::with_shape<T>(kind, shape,
-                                 [&](const vesica::CoreOrPath auto& s) { return vesica::bounds(s, box); });
+    return vesica::with_shape<T>(kind, shape, [&](const vesica::CoreOrPath auto& s) { return vesica::bounds(s, box); });
   });
 }
 

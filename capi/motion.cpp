@@ -211,9 +211,8 @@ int32_t sweep_bounds(int32_t kind, const void* shape, T vx, T vy, T end, Out* ou
   VESICA_DEFAULT_ENVIRONMENT((sweep_bounds<T, Out>), kind, shape, vx, vy, end, out);
   if (out == nullptr) return VESICA_E_NULL;
   vesica::Aabb<T> box;
-  const int32_t error = vesica::with_shape<T>(kind, shape, [&](const vesica::HasCore auto& s) {
-    return vesica::sweep_bounds(s, vx, vy, end, box);
-  });
+  const int32_t error = vesica::with_shape<T>(
+      kind, shape, [&](const vesica::HasCore auto& s) { return vesica::sweep_bounds(s, vx, vy, end, box); });
   if (error == 0) *out = {box.min_x, box.min_y, box.max_x, box.max_y};
   return error;
 }

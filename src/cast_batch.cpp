@@ -28,7 +28,8 @@ void note(std::int32_t error, std::int32_t& worst) noexcept {
 }
 
 bool is_valid(const Body& body) noexcept {
-  return with_shape<double>(static_cast<std::int32_t>(body.kind), body.number, [](const auto& s) { return check(s); }) == 0;
+  return with_shape<double>(static_cast<std::int32_t>(body.kind), body.number,
+                            [](const auto& s) { return check(s); }) == 0;
 }
 
 /// After a block of which the kernels decide less than a sixteenth, this many blocks are answered as single pairs: the

@@ -54,7 +54,8 @@ using detail::polygon::Edges;
 template <class T>
 AnyShape any_shape(const Operand& s) noexcept {
   AnyShape shape{s.kind, {}};
-  for (int k = 0; k < field_count(s.kind); ++k) shape.number[k] = static_cast<double>(static_cast<const T*>(s.shape)[k]);
+  for (int k = 0; k < field_count(s.kind); ++k)
+    shape.number[k] = static_cast<double>(static_cast<const T*>(s.shape)[k]);
   return shape;
 }
 

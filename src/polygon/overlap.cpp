@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vesica/polygon/overlap.hpp>
 
-#include "polygon/operand.hpp"
 #include "polygon/answers.hpp"
+#include "polygon/operand.hpp"
 
 namespace vesica::polygon {
 

@@ -198,7 +198,8 @@ TEST(CapiConstants, EveryErrorHasItsOwnWords) {
 
 TEST(CapiConstants, AnswersAndUnknownCodesHaveWords) {
   for (std::int32_t code : {0, 1, 7, INT32_MAX}) EXPECT_STREQ(vesica_strerror(code), "success") << code;
-  for (std::int32_t code : {VESICA_E_RINGS - 1, -1000, INT32_MIN}) EXPECT_STREQ(vesica_strerror(code), "unknown error") << code;
+  for (std::int32_t code : {VESICA_E_RINGS - 1, -1000, INT32_MIN})
+    EXPECT_STREQ(vesica_strerror(code), "unknown error") << code;
 }
 
 TEST(CapiConstants, FieldCounts) {

@@ -48,8 +48,8 @@ std::int32_t overlap_or_error(const Edges<T>& a, const Edges<T>& b) noexcept {
 
 /// The checked form with a polygon or a polyline, in either order: 1, 0 or error_shape.
 template <template <class> class A, template <class> class B, class T>
-requires Path<A<T>> || Path<B<T>>
-std::int32_t overlap_or_error(const A<T>& a, const B<T>& b) noexcept {
+requires Path<A<T>> || Path<B<T>> std::int32_t overlap_or_error(const A<T>& a, const B<T>& b)
+noexcept {
   using namespace detail::polygon;
   if constexpr (!Path<A<T>>) {
     return vesica::overlap_or_error(b, a);
