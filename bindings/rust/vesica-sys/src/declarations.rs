@@ -320,7 +320,7 @@ pub type vesica_penetration_f32 = Penetration<f32>;
 /// reserved must be 0, and of these kinds each 0 and rings and polygons NULL. vesica_shapes_from_records_f64 sets them;
 /// if you fill the struct yourself, start from {0}.
 ///
-/// Of polygons and polylines, field\[0\] and field\[1\] are x and y of vertex 0, and stride leads from vertex to
+/// For polygons and polylines, field\[0\] and field\[1\] are x and y of vertex 0, and stride leads from vertex to
 /// vertex. Which vertices element i has is said in one of four ways:  - each \> 0, rings NULL: vertices i \* each to (i
 /// + 1) \* each - 1. So 4 describes quads, and 3 triangles.  - rings, and polygons NULL: the one ring rings\[i\] to
 /// rings\[i + 1\] - 1.  - rings and polygons: the rings polygons\[i\] to polygons\[i + 1\] - 1. These are the offsets
