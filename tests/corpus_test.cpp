@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t overlap_rows = 143;
 constexpr std::size_t distance_rows = 45;
 
-bool narrow(const properties::Numbers& numbers, std::array<float, 6>& out) {
+bool narrow(const properties::Numbers& numbers, properties::NumbersOf<float>& out) {
   for (std::size_t i = 0; i < out.size(); ++i) {
     out[i] = static_cast<float>(numbers[i]);
     if (static_cast<double>(out[i]) != numbers[i]) return false;
@@ -28,7 +28,7 @@ void expect_overlap(const corpus::Row& row, std::int32_t answer) {
   const auto& [kind_a, kind_b, a, b] = row.pair;
   EXPECT_EQ(vesica_overlap_f64(kind_a, a.data(), kind_b, b.data()), answer) << row.id;
   EXPECT_EQ(vesica_overlap_f64(kind_b, b.data(), kind_a, a.data()), answer) << row.id << " in the other order";
-  std::array<float, 6> a_f32{}, b_f32{};
+  properties::NumbersOf<float> a_f32{}, b_f32{};
   if (!narrow(a, a_f32) || !narrow(b, b_f32)) return;
   EXPECT_EQ(vesica_overlap_f32(kind_a, a_f32.data(), kind_b, b_f32.data()), answer) << row.id << " in float";
   EXPECT_EQ(vesica_overlap_f32(kind_b, b_f32.data(), kind_a, a_f32.data()), answer) << row.id << " in float, swapped";

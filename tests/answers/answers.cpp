@@ -47,8 +47,8 @@ Bytes ask_within(const Case& c, Scalar scalar) {
 template <class T>
 Bytes ask_impact_time(const Case& c) {
   using F = capi_tests::Face<T>;
-  std::array<T, 6> a, b;
-  for (std::size_t i = 0; i < 6; ++i) a[i] = static_cast<T>(c.pair.a[i]), b[i] = static_cast<T>(c.pair.b[i]);
+  properties::NumbersOf<T> a, b;
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] = static_cast<T>(c.pair.a[i]), b[i] = static_cast<T>(c.pair.b[i]);
   const T vx = static_cast<T>(c.motion.vx), vy = static_cast<T>(c.motion.vy);
   const typename F::Turn of_a{vy, vx / 2, T{0}}, of_b{vx, vy, T{0}};
   typename F::Impact out{};

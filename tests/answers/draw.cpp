@@ -42,7 +42,7 @@ int main(int argc, char** argv) {
   int complete = 0;
   std::printf("# Drawn by answers_draw %llu: two shapes, and how the second moves in casts.\n",
               static_cast<unsigned long long>(seed));
-  for (std::uint64_t number = 0; complete < 2 * properties::kinds * properties::kinds; ++number) {
+  for (std::uint64_t number = 0; complete < 2 * properties::kinds_with_form * properties::kinds_with_form; ++number) {
     const Group group = draw_group(seed, number);
     const std::size_t n = group.pairs.size();
     const Pair& base = group.pairs[0];

@@ -93,7 +93,7 @@ index_tests::Laid<T> scene(const std::string& name, int of_each_kind, std::uint6
   Random random(seed);
   const double side = std::sqrt(6.0 * of_each_kind) * (name == "lattice" ? 1 : 1.25);
   index_tests::Laid<T> laid;
-  for (std::int32_t kind = 0; kind < properties::kinds; ++kind) {
+  for (std::int32_t kind = 0; kind < properties::kinds_with_form; ++kind) {
     index_tests::Records<T> records{kind, {}};
     for (int i = 0; i < of_each_kind; ++i) {
       const Place place = named.draw(random, side);

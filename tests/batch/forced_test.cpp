@@ -105,8 +105,8 @@ TEST_P(Forced, AgreesWithScalarCalls) {
 
 std::vector<std::pair<int, int>> ordered_pairs() {
   std::vector<std::pair<int, int>> pairs;
-  for (int a = 0; a < 6; ++a) {
-    for (int b = 0; b < 6; ++b) pairs.emplace_back(a, b);
+  for (int a = 0; a < properties::kinds; ++a) {
+    for (int b = 0; b < properties::kinds; ++b) pairs.emplace_back(a, b);
   }
   return pairs;
 }

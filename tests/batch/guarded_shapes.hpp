@@ -43,7 +43,7 @@ class GuardedShapes {
   }
 
  private:
-  std::array<GuardedMemory, 6> memory_;
+  std::array<GuardedMemory, std::tuple_size_v<properties::Numbers>> memory_;
 };
 
 }  // namespace batch_tests

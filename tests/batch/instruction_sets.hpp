@@ -33,7 +33,7 @@ struct Case {
   int kind_a, kind_b;
 };
 
-/// Every instruction set, with VESICA_TEST_PORTABLE the portable one too, both scalars, all 36 ordered pairs of kinds.
+/// Every instruction set, with VESICA_TEST_PORTABLE the portable one too, both scalars, all 64 ordered pairs of kinds.
 std::vector<Case> all_cases();
 
 /// As in "avx2_f32_rect_ellipse".

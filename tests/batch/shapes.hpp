@@ -15,7 +15,7 @@
 namespace batch_tests {
 
 template <class T>
-using Numbers = std::array<T, 6>;
+using Numbers = properties::NumbersOf<T>;
 
 template <class T>
 inline constexpr properties::Scalar scalar_of = sizeof(T) == sizeof(float) ? properties::Scalar::f32
@@ -46,7 +46,7 @@ struct Pairs {
 template <class T>
 Numbers<T> to_scalar(const properties::Numbers& numbers) {
   Numbers<T> result{};
-  for (std::size_t k = 0; k < 6; ++k) {
+  for (std::size_t k = 0; k < result.size(); ++k) {
     const volatile T stored = static_cast<T>(numbers[k]);  // as in properties/pair.cpp
     result[k] = stored;
   }
@@ -57,7 +57,7 @@ Numbers<T> to_scalar(const properties::Numbers& numbers) {
 template <class T>
 std::string describe(int kind_a, const Numbers<T>& a, int kind_b, const Numbers<T>& b) {
   properties::Pair pair{kind_a, kind_b, {}, {}};
-  for (std::size_t k = 0; k < 6; ++k) {
+  for (std::size_t k = 0; k < a.size(); ++k) {
     pair.a[k] = static_cast<double>(a[k]);
     pair.b[k] = static_cast<double>(b[k]);
   }

@@ -6,6 +6,7 @@ set(workload_sources
   properties/generators.cpp
   properties/near_contact.cpp
   properties/pair.cpp
+  properties/refused.cpp
   properties/shape_maker.cpp
   properties/touching.cpp)
 set(batch_test_sources

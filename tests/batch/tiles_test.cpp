@@ -20,7 +20,7 @@ using vesica::batch::Tiles;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A shape about (x, y) that reaches `size` to both sides: exactly along x, except ellipses and turned rectangles.
+/// A shape about (x, y) that reaches `size` to both sides: exactly along x, unless it is an ellipse or turned.
 properties::Numbers shape_at(int kind, double x, double y, double size, bool turned) {
   const double c = turned ? 0.6 : 1, s = turned ? 0.8 : 0;
   switch (kind) {
@@ -32,6 +32,10 @@ properties::Numbers shape_at(int kind, double x, double y, double size, bool tur
       return {x, y, size};
     case VESICA_AABB:
       return {x - size, y - size, x + size, y + size};
+    case VESICA_CAPSULE:
+      return {x - size / 2, y, x + size / 2, y + (turned ? size / 2 : 0), size / 2};
+    case VESICA_ROUND_RECT:
+      return {x, y, c, s, size / 2, turned ? size / 8 : size / 2, size / 2};
     default:
       return {x, y, c, s, size, turned ? size / 4 : size};
   }
@@ -61,7 +65,8 @@ void put_odd_ones(int kind, bool with_invalid, std::vector<Numbers<T>>& shapes, 
         shape = to_scalar<T>(shape_at(kind, draw.chance(0.5) ? most : -most, 0, 1, false));
         break;
       case 2:
-        if (kind == VESICA_CIRCLE || kind >= VESICA_RECT) shape[kind == VESICA_CIRCLE ? 2 : 4] = static_cast<T>(most);
+        if (is_size(properties::role(kind, 2))) shape[2] = static_cast<T>(most);
+        if (is_size(properties::role(kind, 4))) shape[4] = static_cast<T>(most);
         break;
       default:
         shape[draw.chance(0.5) ? 0 : 1] = static_cast<T>(draw.chance(0.5) ? std::nan("") : infinity);

@@ -38,11 +38,11 @@ bool library_overlap(int kind_a, const double* a, int kind_b, const double* b) {
 /// Columns of both sides of pairs.
 template <class T>
 struct Columns {
-  std::array<std::array<T, count>, 6> a, b;
+  std::array<std::array<T, count>, std::tuple_size_v<Numbers<T>>> a, b;
 
   void set(std::size_t i, const properties::Pair& pair) {
     const Numbers<T> first = to_scalar<T>(pair.a), second = to_scalar<T>(pair.b);
-    for (std::size_t k = 0; k < 6; ++k) {
+    for (std::size_t k = 0; k < a.size(); ++k) {
       a[k][i] = first[k];
       b[k][i] = second[k];
     }
@@ -71,7 +71,7 @@ std::int32_t undecided(vesica::BlockKernel<T> kernel, const Columns<T>& columns)
   std::array<std::uint8_t, count> out;
   std::array<std::int32_t, count> list;
   vesica::Block<T> block{};
-  for (std::size_t k = 0; k < 6; ++k) {
+  for (std::size_t k = 0; k < columns.a.size(); ++k) {
     block.first[k] = columns.a[k].data();
     block.second[k] = columns.b[k].data();
   }
@@ -132,6 +132,36 @@ constexpr Expected general[] = {
     {VESICA_RECT, VESICA_ELLIPSE, f64, {0, 1682, 3184}},
     {VESICA_ELLIPSE, VESICA_ELLIPSE, f32, {2, 3346, 2866}},
     {VESICA_ELLIPSE, VESICA_ELLIPSE, f64, {0, 1118, 3019}},
+    {VESICA_POINT, VESICA_CAPSULE, f32, {501, 1436, 2689}},
+    {VESICA_POINT, VESICA_CAPSULE, f64, {53, 927, 2683}},
+    {VESICA_POINT, VESICA_ROUND_RECT, f32, {552, 1005, 2785}},
+    {VESICA_POINT, VESICA_ROUND_RECT, f64, {74, 682, 2716}},
+    {VESICA_SEGMENT, VESICA_CAPSULE, f32, {20, 1817, 3082}},
+    {VESICA_SEGMENT, VESICA_CAPSULE, f64, {1, 1171, 2846}},
+    {VESICA_SEGMENT, VESICA_ROUND_RECT, f32, {17, 1553, 3220}},
+    {VESICA_SEGMENT, VESICA_ROUND_RECT, f64, {2, 998, 3001}},
+    {VESICA_CIRCLE, VESICA_CAPSULE, f32, {1, 1236, 2722}},
+    {VESICA_CIRCLE, VESICA_CAPSULE, f64, {0, 969, 2694}},
+    {VESICA_CIRCLE, VESICA_ROUND_RECT, f32, {2, 590, 2791}},
+    {VESICA_CIRCLE, VESICA_ROUND_RECT, f64, {0, 596, 2829}},
+    {VESICA_AABB, VESICA_CAPSULE, f32, {2, 1317, 3240}},
+    {VESICA_AABB, VESICA_CAPSULE, f64, {0, 1109, 3279}},
+    {VESICA_AABB, VESICA_ROUND_RECT, f32, {1, 797, 3421}},
+    {VESICA_AABB, VESICA_ROUND_RECT, f64, {0, 787, 3205}},
+    {VESICA_RECT, VESICA_CAPSULE, f32, {0, 1335, 2766}},
+    {VESICA_RECT, VESICA_CAPSULE, f64, {1, 1174, 2935}},
+    {VESICA_RECT, VESICA_ROUND_RECT, f32, {1, 782, 2868}},
+    {VESICA_RECT, VESICA_ROUND_RECT, f64, {0, 848, 2891}},
+    {VESICA_ELLIPSE, VESICA_CAPSULE, f32, {113, 2409, 3686}},
+    {VESICA_ELLIPSE, VESICA_CAPSULE, f64, {33, 1964, 3952}},
+    {VESICA_ELLIPSE, VESICA_ROUND_RECT, f32, {41, 1520, 3627}},
+    {VESICA_ELLIPSE, VESICA_ROUND_RECT, f64, {33, 1462, 3852}},
+    {VESICA_CAPSULE, VESICA_CAPSULE, f32, {0, 1772, 3166}},
+    {VESICA_CAPSULE, VESICA_CAPSULE, f64, {0, 1181, 3160}},
+    {VESICA_CAPSULE, VESICA_ROUND_RECT, f32, {1, 1523, 3252}},
+    {VESICA_CAPSULE, VESICA_ROUND_RECT, f64, {0, 947, 3001}},
+    {VESICA_ROUND_RECT, VESICA_ROUND_RECT, f32, {0, 749, 2802}},
+    {VESICA_ROUND_RECT, VESICA_ROUND_RECT, f64, {0, 752, 2883}},
 };
 /// The kernels for unit axes; what is not here is the general one.
 constexpr Expected unit[] = {

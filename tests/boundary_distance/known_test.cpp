@@ -11,7 +11,7 @@
 
 namespace {
 
-using Numbers = std::array<double, 6>;
+using Numbers = properties::NumbersOf<double>;
 
 struct Case {
   const char* name;
@@ -31,7 +31,7 @@ vesica_closest_points_f64 ask(const Case& c) {
 }
 
 vesica_closest_points_f32 ask_f32(const Case& c) {
-  std::array<float, 6> a{}, b{};
+  properties::NumbersOf<float> a{}, b{};
   for (std::size_t i = 0; i < 6; ++i) a[i] = static_cast<float>(c.a[i]), b[i] = static_cast<float>(c.b[i]);
   vesica_closest_points_f32 out{-1, -1, -1, -1, -1};
   EXPECT_EQ(vesica_boundary_distance_f32(c.kind_a, a.data(), c.kind_b, b.data(), &out), 0) << c.name;
@@ -193,7 +193,7 @@ TEST(BoundaryDistanceKnown, DisjointShapesGiveWhatNearestGives) {
 TEST(BoundaryDistanceKnown, AllScales) {
   for (const int exponent : {-1060, -1000, -500, -40, 40, 500, 1000}) {
     const double k = std::ldexp(1, exponent);
-    const std::array<double, 6> outer{0, 0, k, 0, 5, 3}, inner{1.5 * k, 0, 0, k, 1, 3};
+    const properties::NumbersOf<double> outer{0, 0, k, 0, 5, 3}, inner{1.5 * k, 0, 0, k, 1, 3};
     vesica_closest_points_f64 out;
     ASSERT_EQ(vesica_boundary_distance_f64(VESICA_ELLIPSE, outer.data(), VESICA_ELLIPSE, inner.data(), &out), 0);
     EXPECT_DOUBLE_EQ(out.distance, 0.5 * k) << exponent;
@@ -204,7 +204,8 @@ TEST(BoundaryDistanceKnown, AllScales) {
 
 TEST(BoundaryDistanceKnown, ANeedleAroundAPointAndMixedScales) {
   // The true distance is 2^-1000, far below the rounding of the needle's length.
-  const std::array<double, 6> needle{0, 0, 1, 0, 1, 0x1p-1000}, point{0, 0}, huge{0, 0, 1, 0, 0x1p1000, 0x1p1000};
+  const properties::NumbersOf<double> needle{0, 0, 1, 0, 1, 0x1p-1000}, point{0, 0},
+      huge{0, 0, 1, 0, 0x1p1000, 0x1p1000};
   vesica_closest_points_f64 out;
   ASSERT_EQ(vesica_boundary_distance_f64(VESICA_ELLIPSE, needle.data(), VESICA_POINT, point.data(), &out), 0);
   EXPECT_GT(out.distance, 0);
@@ -216,7 +217,7 @@ TEST(BoundaryDistanceKnown, ANeedleAroundAPointAndMixedScales) {
 }
 
 TEST(BoundaryDistanceKnown, AboveTheRangeIsAnErrorAndFloatsStayAboveZero) {
-  const std::array<double, 6> vast{0, 0, 1e300, 0, 1e300, 1e300}, point{0, 0};
+  const properties::NumbersOf<double> vast{0, 0, 1e300, 0, 1e300, 1e300}, point{0, 0};
   vesica_closest_points_f64 out{7, 7, 7, 7, 7};
   EXPECT_EQ(vesica_boundary_distance_f64(VESICA_ELLIPSE, vast.data(), VESICA_POINT, point.data(), &out),
             VESICA_E_RANGE);
@@ -225,7 +226,8 @@ TEST(BoundaryDistanceKnown, AboveTheRangeIsAnErrorAndFloatsStayAboveZero) {
   vesica_closest_points_f32 small;
   ASSERT_EQ(vesica_boundary_distance_f32(VESICA_CIRCLE, disc.data(), VESICA_POINT, origin.data(), &small), 0);
   EXPECT_EQ(small.distance, 0x1p-149f);
-  const std::array<float, 6> thin{0, 0, 1, 0, 1, 1}, thinner{0, 0, 0x1p-100f, 0, 0x1.fffffep99f, 0x1.fffffep99f};
+  const properties::NumbersOf<float> thin{0, 0, 1, 0, 1, 1},
+      thinner{0, 0, 0x1p-100f, 0, 0x1.fffffep99f, 0x1.fffffep99f};
   ASSERT_EQ(vesica_boundary_distance_f32(VESICA_ELLIPSE, thin.data(), VESICA_ELLIPSE, thinner.data(), &small), 0);
   EXPECT_EQ(small.distance, 0x1p-24f);
 }
@@ -233,7 +235,7 @@ TEST(BoundaryDistanceKnown, AboveTheRangeIsAnErrorAndFloatsStayAboveZero) {
 /// Issues errors in the order NULL, kind, shape, and leaves the result alone.
 template <class T, class Out, class Ask>
 void expect_errors(Ask ask_for) {
-  const std::array<T, 6> good{0, 0, 1, 0, 2, 1}, bad{0, 0, 0, 0, 2, 1};
+  const properties::NumbersOf<T> good{0, 0, 1, 0, 2, 1}, bad{0, 0, 0, 0, 2, 1};
   Out out{7, 7, 7, 7, 7};
   EXPECT_EQ(ask_for(9, nullptr, VESICA_RECT, good.data(), &out), VESICA_E_NULL);
   EXPECT_EQ(ask_for(VESICA_RECT, good.data(), 9, nullptr, &out), VESICA_E_NULL);
@@ -243,7 +245,7 @@ void expect_errors(Ask ask_for) {
   for (int kind = VESICA_POINT; kind <= VESICA_ELLIPSE; ++kind) {
     EXPECT_EQ(ask_for(VESICA_RECT, bad.data(), kind, good.data(), &out), VESICA_E_SHAPE);
     EXPECT_EQ(ask_for(kind, good.data(), VESICA_ELLIPSE, bad.data(), &out), VESICA_E_SHAPE);
-    std::array<T, 6> nan = good;
+    properties::NumbersOf<T> nan = good;
     nan[1] = std::numeric_limits<T>::quiet_NaN();
     EXPECT_EQ(ask_for(kind, nan.data(), VESICA_ELLIPSE, good.data(), &out), VESICA_E_SHAPE);
   }

@@ -55,8 +55,8 @@ TEST(Accuracy, OfThePoint) {
   int hits = 0;
   for (const properties::Workload workload : {properties::Workload::random, properties::Workload::grid,
                                               properties::Workload::degenerate, properties::Workload::thin}) {
-    for (int a = 0; a < properties::kinds; ++a) {
-      for (int b = 0; b < properties::kinds; ++b) {
+    for (int a = 0; a < properties::kinds_with_form; ++a) {
+      for (int b = 0; b < properties::kinds_with_form; ++b) {
         properties::Stream stream(workload, a, b, Scalar::f64, properties::seed() + 41);
         properties::Random random(properties::seed() + 42);
         for (int i = 0; i < 60 * properties::repeat(); ++i) {
@@ -88,7 +88,7 @@ TEST(Accuracy, AlongTheOutline) {
   int hits = 0, needles = 0;
   for (const properties::Workload workload : {properties::Workload::random, properties::Workload::grid,
                                               properties::Workload::degenerate, properties::Workload::thin}) {
-    for (int a = 0; a < properties::kinds; ++a) {
+    for (int a = 0; a < properties::kinds_with_form; ++a) {
       properties::Stream stream(workload, a, VESICA_POINT, Scalar::f64, properties::seed() + 43);
       properties::Random random(properties::seed() + 44);
       for (int i = 0; i < 400 * properties::repeat(); ++i) {

@@ -26,7 +26,7 @@ constexpr Scalar scalar_of = sizeof(T) == 8 ? Scalar::f64 : Scalar::f32;
 template <class T>
 struct Arrays {
   int kind_a, kind_b;
-  std::vector<std::array<T, 6>> a, b;
+  std::vector<properties::NumbersOf<T>> a, b;
   std::vector<std::array<T, 2>> v;
   typename Face<T>::Shapes shapes_a{}, shapes_b{};
 
@@ -47,7 +47,7 @@ struct Arrays {
   void add(const Pair& p, const Motion& m) {
     a.emplace_back();
     b.emplace_back();
-    for (std::size_t k = 0; k < 6; ++k) {
+    for (std::size_t k = 0; k < 7; ++k) {
       a.back()[k] = static_cast<T>(p.a[k]);
       b.back()[k] = static_cast<T>(p.b[k]);
     }
@@ -60,7 +60,7 @@ struct Arrays {
   }
   std::string describe(std::size_t i) const {
     Pair p{kind_a, kind_b, {}, {}};
-    for (std::size_t k = 0; k < 6; ++k) {
+    for (std::size_t k = 0; k < 7; ++k) {
       p.a[k] = static_cast<double>(a[i][k]);
       p.b[k] = static_cast<double>(b[i][k]);
     }

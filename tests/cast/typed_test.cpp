@@ -26,8 +26,8 @@ using capi_tests::Face;
 using properties::shape_of;
 
 template <class T>
-std::array<T, 6> in_scalar(const Numbers& n) {
-  std::array<T, 6> out{};
+properties::NumbersOf<T> in_scalar(const Numbers& n) {
+  properties::NumbersOf<T> out{};
   for (std::size_t k = 0; k < n.size(); ++k) out[k] = static_cast<T>(n[k]);
   return out;
 }
@@ -70,7 +70,7 @@ TYPED_TEST(TypedCasts, RefuseWhatTheCastByKindRefuses) {
   const T nan = std::numeric_limits<T>::quiet_NaN(), infinity = std::numeric_limits<T>::infinity();
   constexpr std::array<T, 5> untouched{7, 7, 7, 7, 7};
   for (const auto& typed : capi::typed_casts(T{})) {
-    const std::array<T, 6> a{0, 0, 1, 1, 1, 1}, b{-5, -6, 1, 1, 1, 1};
+    const properties::NumbersOf<T> a{0, 0, 1, 1, 1, 1}, b{-5, -6, 1, 1, 1, 1};
     auto out = std::bit_cast<typename Face<T>::Impact>(untouched);
     EXPECT_EQ(typed.cast(nullptr, b.data(), 1, 1, 1, &out), VESICA_E_NULL);
     EXPECT_EQ(typed.cast(a.data(), nullptr, 1, 1, 1, &out), VESICA_E_NULL);

@@ -15,6 +15,8 @@ constexpr const char* header =
     "id,source,kind_a,a0,a1,a2,a3,a4,a5,kind_b,b0,b1,b2,b3,b4,b5,query,expected,tolerance,note";
 enum Column { id, source, kind_a, a0, kind_b = 9, b0, query = 16, expected, tolerance, note, column_count };
 
+constexpr std::size_t most_numbers = 6;
+
 using Fields = std::vector<std::string>;
 
 void require(bool holds, const std::string& what) {
@@ -54,7 +56,7 @@ int kind(const Fields& fields, std::size_t column) {
 properties::Numbers numbers(const Fields& fields, std::size_t kind_column) {
   properties::Numbers result{};
   const auto used = static_cast<std::size_t>(vesica_field_count(kind(fields, kind_column)));
-  for (std::size_t i = 0; i < result.size(); ++i) {
+  for (std::size_t i = 0; i < most_numbers; ++i) {
     const std::size_t column = kind_column + 1 + i;
     if (i < used) {
       result[i] = number(fields, column);

@@ -142,7 +142,7 @@ TEST(Crossings, OfFlatEllipsesAreThoseOfFlatRectangles) {
   int places = 0;
   for (const std::vector<double>& numbers : flat) {
     const Kinded ellipse{VESICA_ELLIPSE, numbers}, rect{VESICA_RECT, numbers};
-    for (int kind = 0; kind < kinds; ++kind) {
+    for (int kind = 0; kind < properties::kinds_with_form; ++kind) {
       for (const Kinded& other : small_shapes(kind)) {
         const auto of_ellipse = ask(other, ellipse), of_rect = ask(other, rect), exchanged = ask(ellipse, other);
         EXPECT_EQ(std::memcmp(&of_ellipse, &of_rect, sizeof of_rect), 0) << kind_name(kind) << ' ' << places;

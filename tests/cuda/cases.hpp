@@ -107,10 +107,10 @@ int ask_vectors(const char* path, const Ask& ask) {
     int expected = 0;
     const auto read = [&](int& kind, properties::Numbers& numbers) {
       words >> kind;
-      for (double& x : numbers) {
+      for (std::size_t k = 0; k < 6; ++k) {
         std::uint64_t bits = 0;
         words >> std::hex >> bits >> std::dec;
-        x = std::bit_cast<double>(bits);
+        numbers[k] = std::bit_cast<double>(bits);
       }
     };
     if (!(words >> what) || (what != "f64" && what != "f32")) continue;

@@ -31,7 +31,7 @@ DeviceColumns<T> upload(int kind, const std::vector<Pair>& pairs, const properti
 
 template <class T>
 std::int32_t expected(int kind_a, const properties::Numbers& a, int kind_b, const properties::Numbers& b) {
-  std::array<T, 6> x{}, y{};
+  properties::NumbersOf<T> x{}, y{};
   std::transform(a.begin(), a.end(), x.begin(), [](double number) { return static_cast<T>(number); });
   std::transform(b.begin(), b.end(), y.begin(), [](double number) { return static_cast<T>(number); });
   return cases::answer(kind_a, x.data(), kind_b, y.data());

@@ -28,26 +28,28 @@ static_assert(offsetof(vesica::cuda::Shapes<float>, count) == offsetof(vesica_sh
 static_assert(offsetof(vesica::cuda::Shapes<float>, stride) == offsetof(vesica_shapes_f32, stride));
 static_assert(offsetof(vesica::cuda::Shapes<double>, field) == offsetof(vesica_shapes_f64, field));
 
-/// Shapes of one kind, a record of six numbers each; as records or as columns.
+constexpr std::size_t fields = std::tuple_size_v<properties::Numbers>;
+
+/// Shapes of one kind, in records as long as the longest kind's; as records or as columns.
 template <class T>
 struct Array {
   int kind;
-  std::vector<std::array<T, 6>> records;
+  std::vector<properties::NumbersOf<T>> records;
   std::vector<T> columns;
 
   std::int64_t count() const { return static_cast<std::int64_t>(records.size()); }
   vesica::cuda::Shapes<T> as_records() const {
-    vesica::cuda::Shapes<T> s{kind, 0, count(), sizeof(std::array<T, 6>), {}};
-    for (std::size_t k = 0; k < 6; ++k) s.field[k] = records[0].data() + k;
+    vesica::cuda::Shapes<T> s{kind, 0, count(), sizeof(properties::NumbersOf<T>), {}};
+    for (std::size_t k = 0; k < fields; ++k) s.field[k] = records[0].data() + k;
     return s;
   }
   vesica::cuda::Shapes<T> as_columns() {
     columns.clear();
-    for (std::size_t k = 0; k < 6; ++k) {
+    for (std::size_t k = 0; k < fields; ++k) {
       for (const auto& record : records) columns.push_back(record[k]);
     }
     vesica::cuda::Shapes<T> s{kind, 0, count(), sizeof(T), {}};
-    for (std::size_t k = 0; k < 6; ++k) s.field[k] = columns.data() + k * records.size();
+    for (std::size_t k = 0; k < fields; ++k) s.field[k] = columns.data() + k * records.size();
     return s;
   }
 };
@@ -122,7 +124,7 @@ struct Batch {
 
   std::string describe(std::int64_t i, std::int64_t j) const {
     Pair pair{a.kind, b.kind, {}, {}};
-    for (std::size_t k = 0; k < 6; ++k) {
+    for (std::size_t k = 0; k < fields; ++k) {
       pair.a[k] = static_cast<double>(a.records[static_cast<std::size_t>(i)][k]);
       pair.b[k] = static_cast<double>(b.records[static_cast<std::size_t>(j)][k]);
     }
@@ -136,8 +138,8 @@ void expect_answers(const std::vector<Pair>& pairs) {
   batch.a.kind = pairs[0].kind_a;
   batch.b.kind = pairs[0].kind_b;
   for (const Pair& pair : pairs) {
-    std::array<T, 6> a, b;
-    for (std::size_t k = 0; k < 6; ++k) {
+    properties::NumbersOf<T> a, b;
+    for (std::size_t k = 0; k < fields; ++k) {
       a[k] = static_cast<T>(pair.a[k]);
       b[k] = static_cast<T>(pair.b[k]);
     }
@@ -159,7 +161,7 @@ void ask(Scalar scalar, const std::vector<Pair>& pairs) {
     return f32 ? expect_answers<vesica::A, vesica::B, float>(pairs)                                 \
                : expect_answers<vesica::A, vesica::B, double>(pairs);                               \
   }
-  VESICA_EACH_PAIR_OF_FORMS(VESICA_ASK)
+  VESICA_EACH_PAIR(VESICA_ASK)
 #undef VESICA_ASK
   FAIL() << "no pair of kinds " << kind_a << " and " << kind_b;
 }

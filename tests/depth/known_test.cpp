@@ -11,7 +11,7 @@
 
 namespace {
 
-using Numbers = std::array<double, 6>;
+using Numbers = properties::NumbersOf<double>;
 
 struct Case {
   const char* name;
@@ -29,7 +29,7 @@ vesica_penetration_f64 ask(const Case& c) {
 }
 
 vesica_penetration_f32 ask_f32(const Case& c) {
-  std::array<float, 6> a{}, b{};
+  properties::NumbersOf<float> a{}, b{};
   for (std::size_t i = 0; i < 6; ++i) a[i] = static_cast<float>(c.a[i]), b[i] = static_cast<float>(c.b[i]);
   vesica_penetration_f32 out{-1, -1, -1};
   EXPECT_EQ(vesica_depth_f32(c.kind_a, a.data(), c.kind_b, b.data(), &out), 0) << c.name;
@@ -135,7 +135,7 @@ TEST(DepthKnown, ConcentricShapesTakeTheShortWayOut) {
 TEST(DepthKnown, AllScales) {
   for (const int exponent : {-1060, -1000, -500, -40, 40, 500, 1000}) {
     const double k = std::ldexp(1, exponent);
-    const std::array<double, 6> a{0, 0, k, 0, 5, 3}, b{7 * k, 0, 1, 0, 3 * k, 4 * k}, box{7 * k, 0, 0, k, 4, 3};
+    const properties::NumbersOf<double> a{0, 0, k, 0, 5, 3}, b{7 * k, 0, 1, 0, 3 * k, 4 * k}, box{7 * k, 0, 0, k, 4, 3};
     vesica_penetration_f64 out;
     for (const int kind : {VESICA_ELLIPSE, VESICA_RECT}) {
       ASSERT_EQ(vesica_depth_f64(VESICA_ELLIPSE, a.data(), kind, kind == VESICA_RECT ? box.data() : b.data(), &out), 0);
@@ -157,16 +157,16 @@ TEST(DepthKnown, MixedScales) {
 }
 
 TEST(DepthKnown, AboveTheRangeIsAnErrorAndFloatsStayAboveZero) {
-  const std::array<double, 6> vast{0, 0, 1e300, 0, 1e300, 1e300}, point{0, 0};
+  const properties::NumbersOf<double> vast{0, 0, 1e300, 0, 1e300, 1e300}, point{0, 0};
   vesica_penetration_f64 out{7, 7, 7};
   EXPECT_EQ(vesica_depth_f64(VESICA_ELLIPSE, vast.data(), VESICA_POINT, point.data(), &out), VESICA_E_RANGE);
   EXPECT_EQ(vesica_depth_f64(VESICA_POINT, point.data(), VESICA_RECT, vast.data(), &out), VESICA_E_RANGE);
   EXPECT_TRUE(out.depth == 7 && out.x == 7 && out.y == 7);
-  const std::array<float, 6> broad{0, 0, 1, 0, 3e38f, 3e38f};
+  const properties::NumbersOf<float> broad{0, 0, 1, 0, 3e38f, 3e38f};
   vesica_penetration_f32 narrow{7, 7, 7};
   EXPECT_EQ(vesica_depth_f32(VESICA_RECT, broad.data(), VESICA_ELLIPSE, broad.data(), &narrow), VESICA_E_RANGE);
   EXPECT_EQ(narrow.depth, 7);
-  const std::array<float, 6> thin{0, 0, 0x1p-100f, 0, 0x1p-100f, 0x1p-100f};
+  const properties::NumbersOf<float> thin{0, 0, 0x1p-100f, 0, 0x1p-100f, 0x1p-100f};
   const std::array<float, 2> origin{0, 0};
   ASSERT_EQ(vesica_depth_f32(VESICA_ELLIPSE, thin.data(), VESICA_POINT, origin.data(), &narrow), 0);
   EXPECT_EQ(narrow.depth, 0x1p-149f);
@@ -175,7 +175,7 @@ TEST(DepthKnown, AboveTheRangeIsAnErrorAndFloatsStayAboveZero) {
 /// Errors come in the order NULL, kind, shape, and leave the result alone.
 template <class T, class Out, class Ask>
 void expect_errors(Ask ask_for) {
-  const std::array<T, 6> good{0, 0, 1, 0, 2, 1}, bad{0, 0, 0, 0, 2, 1};
+  const properties::NumbersOf<T> good{0, 0, 1, 0, 2, 1}, bad{0, 0, 0, 0, 2, 1};
   Out out{7, 7, 7};
   EXPECT_EQ(ask_for(9, nullptr, VESICA_RECT, good.data(), &out), VESICA_E_NULL);
   EXPECT_EQ(ask_for(VESICA_RECT, good.data(), 9, nullptr, &out), VESICA_E_NULL);
@@ -185,7 +185,7 @@ void expect_errors(Ask ask_for) {
   for (int kind = VESICA_POINT; kind <= VESICA_ELLIPSE; ++kind) {
     EXPECT_EQ(ask_for(VESICA_RECT, bad.data(), kind, good.data(), &out), VESICA_E_SHAPE);
     EXPECT_EQ(ask_for(kind, good.data(), VESICA_ELLIPSE, bad.data(), &out), VESICA_E_SHAPE);
-    std::array<T, 6> nan = good;
+    properties::NumbersOf<T> nan = good;
     nan[1] = std::numeric_limits<T>::quiet_NaN();
     EXPECT_EQ(ask_for(kind, nan.data(), VESICA_ELLIPSE, good.data(), &out), VESICA_E_SHAPE);
   }

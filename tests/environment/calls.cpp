@@ -24,10 +24,10 @@ void append(Bytes& bytes, const T& value) {
   append(bytes, &value, 1);
 }
 
-const std::array<double, 6>& first(const Input& p, double) { return p.a_f64; }
-const std::array<double, 6>& second(const Input& p, double) { return p.b_f64; }
-const std::array<float, 6>& first(const Input& p, float) { return p.a_f32; }
-const std::array<float, 6>& second(const Input& p, float) { return p.b_f32; }
+const properties::NumbersOf<double>& first(const Input& p, double) { return p.a_f64; }
+const properties::NumbersOf<double>& second(const Input& p, double) { return p.b_f64; }
+const properties::NumbersOf<float>& first(const Input& p, float) { return p.a_f32; }
+const properties::NumbersOf<float>& second(const Input& p, float) { return p.b_f32; }
 
 /// function(kind_a, a, kind_b, b).
 template <class T, auto function>
@@ -163,7 +163,7 @@ Bytes ask_misfit(const Input& p) {
 /// Both sides of a list of pairs as arrays. Odd places are not aligned for any number.
 template <class T, class Shapes>
 struct Operands {
-  std::vector<std::array<T, 6>> records_a, records_b;
+  std::vector<properties::NumbersOf<T>> records_a, records_b;
   Shapes a{}, b{};
 
   explicit Operands(const Inputs& inputs) {
@@ -178,13 +178,13 @@ struct Operands {
  private:
   Bytes memory_a, memory_b;
 
-  static Shapes array(int kind, const std::vector<std::array<T, 6>>& from, Place place, Bytes& memory) {
+  static Shapes array(int kind, const std::vector<properties::NumbersOf<T>>& from, Place place, Bytes& memory) {
     const std::size_t odd = place == Place::records ? 0 : 1, count = from.size();
     const std::size_t stride = place == Place::odd_columns ? sizeof(T) : sizeof from[0] + odd;
     const std::size_t field = place == Place::odd_columns ? count * sizeof(T) + odd : sizeof(T);
-    memory.resize(odd + 6 * (sizeof(T) + odd) * (count + 1));
+    memory.resize(odd + from[0].size() * (sizeof(T) + odd) * (count + 1));
     Shapes s{kind, 0, static_cast<std::int64_t>(count), static_cast<std::ptrdiff_t>(stride), {}, nullptr, nullptr, 0};
-    for (std::size_t k = 0; k < 6; ++k) {
+    for (std::size_t k = 0; k < from[0].size(); ++k) {
       unsigned char* const column = memory.data() + odd + k * field;
       for (std::size_t i = 0; i < count; ++i) std::memcpy(column + i * stride, &from[i][k], sizeof(T));
       s.field[k] = reinterpret_cast<const T*>(column);

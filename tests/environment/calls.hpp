@@ -16,8 +16,8 @@ using Bytes = std::vector<unsigned char>;
 /// A pair of shapes with its numbers in both scalar types, converted in the default environment.
 struct Input {
   int kind_a, kind_b;
-  std::array<double, 6> a_f64, b_f64;
-  std::array<float, 6> a_f32, b_f32;
+  properties::NumbersOf<double> a_f64, b_f64;
+  properties::NumbersOf<float> a_f32, b_f32;
 
   explicit Input(const properties::Pair& pair);
 };

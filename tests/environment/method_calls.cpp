@@ -11,11 +11,11 @@ namespace {
 using properties::Scalar;
 
 template <class Shape>
-const Shape* shape(const std::array<double, 6>& numbers, const std::array<float, 6>&, double) {
+const Shape* shape(const properties::NumbersOf<double>& numbers, const properties::NumbersOf<float>&, double) {
   return reinterpret_cast<const Shape*>(numbers.data());
 }
 template <class Shape>
-const Shape* shape(const std::array<double, 6>&, const std::array<float, 6>& numbers, float) {
+const Shape* shape(const properties::NumbersOf<double>&, const properties::NumbersOf<float>& numbers, float) {
   return reinterpret_cast<const Shape*>(numbers.data());
 }
 

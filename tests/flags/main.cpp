@@ -42,6 +42,8 @@ struct Library {
   }
 };
 
+constexpr std::size_t fields = std::tuple_size_v<properties::Numbers>;
+
 class Comparison {
  public:
   Comparison(void* file, bool same_bits)
@@ -51,8 +53,8 @@ class Comparison {
 
   template <class T>
   void ask(const Pair& pair) {
-    T a[6], b[6];
-    for (std::size_t i = 0; i < 6; ++i) {
+    T a[fields], b[fields];
+    for (std::size_t i = 0; i < fields; ++i) {
       a[i] = static_cast<T>(pair.a[i]);
       b[i] = static_cast<T>(pair.b[i]);
     }

@@ -106,7 +106,8 @@ TEST_P(Samples, NoneOverlapBefore) {
   EXPECT_GE(near_enough_, ends_ * 9 / 10);
 }
 
-INSTANTIATE_TEST_SUITE_P(ImpactTime, Samples, testing::ValuesIn(properties::all_pairs_of_kinds()),
+INSTANTIATE_TEST_SUITE_P(ImpactTime, Samples,
+                         testing::ValuesIn(properties::all_pairs_of_kinds(properties::kinds_with_form)),
                          properties::test_name);
 
 }  // namespace

@@ -183,7 +183,8 @@ TEST_P(InteriorsOfPairs, FollowFromTheRelation) {
   EXPECT_GT(counted_[1], 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Pairs, InteriorsOfPairs, testing::ValuesIn(properties::all_pairs_of_kinds()),
+INSTANTIATE_TEST_SUITE_P(Pairs, InteriorsOfPairs,
+                         testing::ValuesIn(properties::all_pairs_of_kinds(properties::kinds_with_form)),
                          properties::test_name);
 
 /// The least radius at which two shapes overlap is bisected. At the next larger one insides meet, at the next smaller

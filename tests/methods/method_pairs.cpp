@@ -19,7 +19,7 @@ bool overlap_of_library(int kind_a, const double* a, int kind_b, const double* b
 
 properties::Numbers with_sizes_times(int kind, properties::Numbers numbers, double factor) {
   for (int i = 0; i < properties::field_count(kind); ++i) {
-    if (properties::role(kind, i) == properties::Role::size) numbers[static_cast<std::size_t>(i)] *= factor;
+    if (properties::is_size(properties::role(kind, i))) numbers[static_cast<std::size_t>(i)] *= factor;
   }
   if (kind != VESICA_SEGMENT) return numbers;
   const double x = (numbers[0] + numbers[2]) / 2, y = (numbers[1] + numbers[3]) / 2;

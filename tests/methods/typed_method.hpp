@@ -32,7 +32,7 @@ template <auto function>
 class InvalidInput {
   using Typed = capi::Typed<function>;
   using T = typename Typed::Scalar;
-  using Numbers = std::array<T, 6>;
+  using Numbers = properties::NumbersOf<T>;
 
  public:
   /// NULL before all else, then every field of either shape, not finite, and each rule of its kind.

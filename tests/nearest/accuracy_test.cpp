@@ -118,6 +118,8 @@ TEST_P(Accuracy, EveryWorkload) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Nearest, Accuracy, testing::ValuesIn(properties::all_pairs_of_kinds()), properties::test_name);
+INSTANTIATE_TEST_SUITE_P(Nearest, Accuracy,
+                         testing::ValuesIn(properties::all_pairs_of_kinds(properties::kinds_with_form)),
+                         properties::test_name);
 
 }  // namespace

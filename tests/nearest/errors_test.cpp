@@ -28,7 +28,7 @@ template <class T>
 class NearestErrors : public testing::Test {
  protected:
   using Out = typename Face<T>::Out;
-  using Numbers = std::array<T, 6>;
+  using Numbers = properties::NumbersOf<T>;
 
   void expect_error(std::int32_t kind_a, const T* a, std::int32_t kind_b, const T* b, std::int32_t error) {
     const Out before{1, 2, 3, 4, 5};

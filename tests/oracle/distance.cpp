@@ -14,14 +14,6 @@
 namespace oracle {
 namespace {
 
-/// A circle as its centre, which is then the only corner.
-Corners skeleton(const Region& region) {
-  return region.corners.empty() ? Corners{region.ellipse.centre} : region.corners;
-}
-mpz_class radius(int kind, const Region& region) {
-  return kind == VESICA_CIRCLE && region.corners.empty() ? region.ellipse.p.x : mpz_class(0);
-}
-
 bool points_within(const Vector& x, const Vector& y, const mpz_class& reach) {
   return dot(x - y, x - y) <= reach * reach;
 }
@@ -74,7 +66,16 @@ bool edge_near_ellipse(const Vector& from, const Vector& to, const Ellipse& e, c
   return distinct_roots_below_1(contacts(e, from, to, reach)) > 0;
 }
 
-/// Corners that are apart from an ellipse.
+bool is_disc(const Ellipse& e) { return e.q == Vector{-e.p.y, e.p.x}; }
+
+}  // namespace
+
+Region with_core(const Region& region) {
+  const Ellipse& e = region.ellipse;
+  const bool along_axes = region.corners.empty() && is_disc(e) && (e.p.x == 0 || e.p.y == 0);
+  return along_axes ? Region{{e.centre}, {}, abs(e.p.x + e.p.y)} : region;
+}
+
 bool near_ellipse(const Corners& c, const Ellipse& e, const mpz_class& reach) {
   if (reach == 0) return false;
   for (const Vector& x : c) {
@@ -86,20 +87,20 @@ bool near_ellipse(const Corners& c, const Ellipse& e, const mpz_class& reach) {
   return false;
 }
 
-bool is_curved(int kind, const Region& region) { return kind == VESICA_ELLIPSE && region.corners.empty(); }
-
-}  // namespace
+bool near(const Region& a, const Region& b, const mpz_class& distance) {
+  const mpz_class reach = a.radius + b.radius + distance;
+  const Corners &first = a.corners, &second = b.corners;
+  if (first.empty()) return near_ellipse(second, a.ellipse, reach);
+  if (second.empty()) return near_ellipse(first, b.ellipse, reach);
+  return any_corner_within(first, second, reach) || any_corner_within(second, first, reach) ||
+         (first.size() > 1 && contains(first, second[0])) || (second.size() > 1 && contains(second, first[0]));
+}
 
 bool within(int kind_a, const double* a, int kind_b, const double* b, double distance) {
   if (overlap(kind_a, a, kind_b, b)) return true;
   // The distance in the unit of the shapes is how far a unit velocity leads.
   const MovingPair p = regions_on_way(kind_a, a, kind_b, b, {distance, 0, 1});
-  const Corners first = skeleton(p.a), second = skeleton(p.b);
-  const mpz_class reach = radius(kind_a, p.a) + radius(kind_b, p.b) + p.by.x;
-  if (is_curved(kind_a, p.a)) return near_ellipse(second, p.a.ellipse, reach);
-  if (is_curved(kind_b, p.b)) return near_ellipse(first, p.b.ellipse, reach);
-  return any_corner_within(first, second, reach) || any_corner_within(second, first, reach) ||
-         (first.size() > 1 && contains(first, second[0])) || (second.size() > 1 && contains(second, first[0]));
+  return near(with_core(p.a), with_core(p.b), p.by.x);
 }
 
 }  // namespace oracle

@@ -41,18 +41,6 @@ bool hull_holds(const Corners& c, const Vector& x) {
   return true;
 }
 
-/// The differences of points of a and points of b are the moves of b that bring them together.
-bool polygons_meet(const Corners& a, const Corners& b, const Vector& way) {
-  Corners moves;
-  for (const Vector& x : a) {
-    for (const Vector& y : b) {
-      moves.push_back(x - y);
-      moves.push_back(x - y - way);
-    }
-  }
-  return hull_holds(hull(moves), {0, 0});
-}
-
 /// Does the segment from y to z come within r of the origin?
 bool within(const Vector& y, const Vector& z, const mpz_class& radius_squared) {
   if (dot(y, y) <= radius_squared || dot(z, z) <= radius_squared) return true;
@@ -62,6 +50,28 @@ bool within(const Vector& y, const Vector& z, const mpz_class& radius_squared) {
   return height * height <= radius_squared * dot(d, d);
 }
 
+/// Does a convex polygon come within r of the origin?
+bool hull_within(const Corners& c, const mpz_class& radius) {
+  if (hull_holds(c, {0, 0})) return true;
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    if (within(c[i], c[(i + 1) % c.size()], radius * radius)) return true;
+  }
+  return false;
+}
+
+/// The differences of points of a and points of b are the moves of b that bring them together: to at most the sum of
+/// both radii.
+bool polygons_meet(const Corners& a, const Corners& b, const mpz_class& radii, const Vector& way) {
+  Corners moves;
+  for (const Vector& x : a) {
+    for (const Vector& y : b) {
+      moves.push_back(x - y);
+      moves.push_back(x - y - way);
+    }
+  }
+  return hull_within(hull(moves), radii);
+}
+
 /// way: of the polygon.
 bool polygon_meets_ellipse(const Corners& c, const Ellipse& e, const Vector& way) {
   Corners places;
@@ -69,13 +79,15 @@ bool polygon_meets_ellipse(const Corners& c, const Ellipse& e, const Vector& way
     places.push_back(to_disc(e, x));
     places.push_back(to_disc(e, x + way));
   }
+  return hull_within(hull(places), cross(e.p, e.q));
+}
+
+/// The core with a radius > 0 is moved: its way is a polygon, from which the ellipse may be as far as the radius.
+bool rounded_meets_ellipse(const Region& rounded, const Ellipse& e, const Vector& way) {
+  Corners places = rounded.corners;
+  for (const Vector& x : rounded.corners) places.push_back(x + way);
   const Corners swept = hull(places);
-  const mpz_class radius = cross(e.p, e.q);
-  if (hull_holds(swept, {0, 0})) return true;
-  for (std::size_t i = 0; i < swept.size(); ++i) {
-    if (within(swept[i], swept[(i + 1) % swept.size()], radius * radius)) return true;
-  }
-  return false;
+  return polygon_overlaps_ellipse(swept, e) || near_ellipse(swept, e, rounded.radius);
 }
 
 Polynomial operator+(Polynomial f, const Polynomial& g) {
@@ -159,8 +171,16 @@ bool ellipses_meet(const Ellipse& a, const Ellipse& b, const Vector& way) {
 }  // namespace
 
 bool meets(int kind_a, const double* a, int kind_b, const double* b, const Way& way) {
-  const auto [ra, rb, by] = regions_on_way(kind_a, a, kind_b, b, way);
-  if (!ra.corners.empty() && !rb.corners.empty()) return polygons_meet(ra.corners, rb.corners, by);
+  auto [ra, rb, by] = regions_on_way(kind_a, a, kind_b, b, way);
+  if (ra.radius + rb.radius > 0) {
+    ra = with_core(ra);
+    rb = with_core(rb);
+    if (ra.corners.empty()) return rounded_meets_ellipse(rb, ra.ellipse, by);
+    if (rb.corners.empty()) return rounded_meets_ellipse(ra, rb.ellipse, {-by.x, -by.y});
+  }
+  if (!ra.corners.empty() && !rb.corners.empty()) {
+    return polygons_meet(ra.corners, rb.corners, ra.radius + rb.radius, by);
+  }
   if (!ra.corners.empty()) return polygon_meets_ellipse(ra.corners, rb.ellipse, {-by.x, -by.y});
   if (!rb.corners.empty()) return polygon_meets_ellipse(rb.corners, ra.ellipse, by);
   return ellipses_meet(ra.ellipse, rb.ellipse, by);

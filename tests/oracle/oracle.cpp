@@ -25,12 +25,7 @@ bool polygons_overlap(const Corners& a, const Corners& b) {
   for (const Vector& x : b) {
     if (contains(a, x)) return true;
   }
-  for (std::size_t i = 0; i < edge_count(a); ++i) {
-    for (std::size_t j = 0; j < edge_count(b); ++j) {
-      if (cross_inside(a[i], edge_end(a, i), b[j], edge_end(b, j))) return true;
-    }
-  }
-  return false;
+  return edges_cross(a, b);
 }
 
 bool contains(const Ellipse& e, const Vector& x) {
@@ -48,19 +43,6 @@ bool edge_meets_disc(const Vector& y, const Vector& z, const mpz_class& radius_s
   if (sgn(half_b) >= 0 || -half_b >= a) return false;
   const mpz_class c = dot(y, y) - radius_squared;
   return half_b * half_b >= a * c;
-}
-
-bool polygon_overlaps_ellipse(const Corners& c, const Ellipse& e) {
-  if (contains(c, e.centre)) return true;
-  for (const Vector& x : c) {
-    if (contains(e, x)) return true;
-  }
-  const mpz_class radius = cross(e.p, e.q);
-  const mpz_class radius_squared = radius * radius;
-  for (std::size_t i = 0; i < edge_count(c); ++i) {
-    if (edge_meets_disc(to_disc(e, c[i]), to_disc(e, edge_end(c, i)), radius_squared)) return true;
-  }
-  return false;
 }
 
 /// Symmetric 3 x 3 matrix M of a conic: X' M X <= 0 on the solid ellipse, X = (x, y, 1).
@@ -113,7 +95,36 @@ Polynomial characteristic(const Matrix& a, const Matrix& b) {
   return f;
 }
 
+bool cores_overlap(const Region& a, const Region& b) {
+  if (!a.corners.empty() && !b.corners.empty()) return polygons_overlap(a.corners, b.corners);
+  if (!a.corners.empty()) return polygon_overlaps_ellipse(a.corners, b.ellipse);
+  if (!b.corners.empty()) return polygon_overlaps_ellipse(b.corners, a.ellipse);
+  return ellipses_overlap(a.ellipse, b.ellipse);
+}
+
 }  // namespace
+
+bool edges_cross(const Corners& a, const Corners& b) {
+  for (std::size_t i = 0; i < edge_count(a); ++i) {
+    for (std::size_t j = 0; j < edge_count(b); ++j) {
+      if (cross_inside(a[i], edge_end(a, i), b[j], edge_end(b, j))) return true;
+    }
+  }
+  return false;
+}
+
+bool polygon_overlaps_ellipse(const Corners& c, const Ellipse& e) {
+  if (contains(c, e.centre)) return true;
+  for (const Vector& x : c) {
+    if (contains(e, x)) return true;
+  }
+  const mpz_class radius = cross(e.p, e.q);
+  const mpz_class radius_squared = radius * radius;
+  for (std::size_t i = 0; i < edge_count(c); ++i) {
+    if (edge_meets_disc(to_disc(e, c[i]), to_disc(e, edge_end(c, i)), radius_squared)) return true;
+  }
+  return false;
+}
 
 /// Wang, Wang and Kim, "An algebraic condition for the separation of two ellipsoids" (2001): solid ellipses are
 /// disjoint iff det(x A + B) has two distinct positive roots; a double one means that they touch from outside.
@@ -124,10 +135,7 @@ bool ellipses_overlap(const Ellipse& a, const Ellipse& b) {
 
 bool overlap(int kind_a, const double* a, int kind_b, const double* b) {
   const auto [ra, rb] = regions(kind_a, a, kind_b, b);
-  if (!ra.corners.empty() && !rb.corners.empty()) return polygons_overlap(ra.corners, rb.corners);
-  if (!ra.corners.empty()) return polygon_overlaps_ellipse(ra.corners, rb.ellipse);
-  if (!rb.corners.empty()) return polygon_overlaps_ellipse(rb.corners, ra.ellipse);
-  return ellipses_overlap(ra.ellipse, rb.ellipse);
+  return cores_overlap(ra, rb) || (ra.radius + rb.radius > 0 && near(with_core(ra), with_core(rb), 0));
 }
 
 }  // namespace oracle

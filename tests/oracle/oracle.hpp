@@ -10,7 +10,8 @@ namespace oracle {
 /// The shapes must be valid: nothing is checked.
 bool overlap(int kind_a, const double* a, int kind_b, const double* b);
 
-/// The relation of a to b, as a code of vesica.h; otherwise as overlap.
+/// The relation of a to b, as a code of vesica.h; otherwise as overlap. Not of an ellipse with an area and a shape with
+/// a core and a radius.
 int relation(int kind_a, const double* a, int kind_b, const double* b);
 
 }  // namespace oracle

@@ -35,11 +35,13 @@ Dyadic operator*(const Dyadic& a, const Dyadic& b) {
 
 /// A shape's numbers as lengths: axis times half extent in place of the two.
 std::vector<Dyadic> lengths(int kind, const double* n) {
-  if (kind == VESICA_RECT || kind == VESICA_ELLIPSE) {
+  if (kind == VESICA_RECT || kind == VESICA_ELLIPSE || kind == VESICA_ROUND_RECT) {
     const Dyadic ux = dyadic(n[2]), uy = dyadic(n[3]), h = dyadic(n[4]), k = dyadic(n[5]);
-    return {dyadic(n[0]), dyadic(n[1]), h * ux, h * uy, k * ux, k * uy};
+    std::vector<Dyadic> result{dyadic(n[0]), dyadic(n[1]), h * ux, h * uy, k * ux, k * uy};
+    if (kind == VESICA_ROUND_RECT) result.push_back(dyadic(n[6]));
+    return result;
   }
-  const int count = kind == VESICA_POINT ? 2 : kind == VESICA_CIRCLE ? 3 : 4;
+  const int count = kind == VESICA_POINT ? 2 : kind == VESICA_CIRCLE ? 3 : kind == VESICA_CAPSULE ? 5 : 4;
   std::vector<Dyadic> result;
   for (int i = 0; i < count; ++i) result.push_back(dyadic(n[i]));
   return result;
@@ -88,6 +90,12 @@ Region region(int kind, const std::vector<mpz_class>& n) {
       return {box(first, {n[2], n[3]}), {}};
     case VESICA_RECT:
       return {parallelogram(first, {n[2], n[3]}, {-n[5], n[4]}), {}};
+    case VESICA_CAPSULE:
+    case VESICA_ROUND_RECT: {
+      Region core = region(kind == VESICA_CAPSULE ? VESICA_SEGMENT : VESICA_RECT, n);
+      core.radius = n.back();
+      return core;
+    }
     default:
       return round_region(first, {n[2], n[3]}, {-n[5], n[4]});
   }

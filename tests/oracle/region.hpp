@@ -32,10 +32,11 @@ struct Ellipse {
   Vector centre, p, q;
 };
 
-/// A polygon, or an ellipse when there are no corners.
+/// A polygon, or an ellipse when there are no corners; and all that is at most the radius from a polygon.
 struct Region {
   Corners corners;
   Ellipse ellipse;
+  mpz_class radius = 0;
 };
 
 /// Two shapes in one unit. Kinds and flat numbers as in vesica.h.
@@ -51,15 +52,30 @@ struct MovingPair {
 };
 MovingPair regions_on_way(int kind_a, const double* a, int kind_b, const double* b, const Way& way);
 
-/// A polygon's edges as pairs of corner indices: none, one or four.
-inline std::size_t edge_count(const Corners& c) { return c.size() == 2 ? 1 : c.size() == 4 ? 4 : 0; }
+/// A polygon's edges as pairs of corner indices: none, one, or as many as corners.
+inline std::size_t edge_count(const Corners& c) { return c.size() > 2 ? c.size() : c.size() == 2 ? 1 : 0; }
 inline const Vector& edge_end(const Corners& c, std::size_t edge) { return c[(edge + 1) % c.size()]; }
 
 /// Is x in the polygon, outline included?
 bool contains(const Corners& c, const Vector& x);
 
+/// Does an edge of a cross one of b, both of them inside?
+bool edges_cross(const Corners& a, const Corners& b);
+
 /// Do two solid ellipses share a point?
 bool ellipses_overlap(const Ellipse& a, const Ellipse& b);
+/// Do a convex polygon, counter-clockwise, and a solid ellipse share a point?
+bool polygon_overlaps_ellipse(const Corners& c, const Ellipse& e);
+
+/// A disc as its centre with a radius; other regions as they are.
+Region with_core(const Region& region);
+/// Are two regions whose cores are apart, not both of them ellipses but discs, at most the distance apart?
+bool near(const Region& a, const Region& b, const mpz_class& distance);
+/// Is an ellipse at most `reach` from a convex polygon that is apart from it?
+bool near_ellipse(const Corners& c, const Ellipse& e, const mpz_class& reach);
+
+/// The relation of two regions with cores that are polygons, of which at least one has a radius.
+int rounded_relation(const Region& a, const Region& b);
 
 /// X in the frame where the ellipse is the disc of radius p x q about the origin.
 Vector to_disc(const Ellipse& e, const Vector& x);

@@ -187,6 +187,7 @@ int relation(const Ellipse& e, const Ellipse& f) {
 
 int relation(int kind_a, const double* a, int kind_b, const double* b) {
   const auto [ra, rb] = regions(kind_a, a, kind_b, b);
+  if (ra.radius + rb.radius > 0) return rounded_relation(with_core(ra), with_core(rb));
   if (!ra.corners.empty() && !rb.corners.empty()) return relation(ra.corners, rb.corners);
   if (!ra.corners.empty()) return relation(ra.corners, rb.ellipse);
   if (!rb.corners.empty()) return converse(relation(rb.corners, ra.ellipse));

@@ -14,9 +14,9 @@ namespace {
 using namespace properties;
 
 constexpr int cases_per_workload = 5000;
-constexpr int answers_per_case = 3;
+constexpr int answers_per_case = 2;
 constexpr int most_printed = 3;
-static_assert(21 * 2 * all_workloads.size() * cases_per_workload * answers_per_case >= 1'200'000);
+static_assert(36 * 2 * all_workloads.size() * cases_per_workload * answers_per_case >= 1'200'000);
 
 class Differential : public testing::TestWithParam<Kinds> {};
 
@@ -40,6 +40,7 @@ TEST_P(Differential, AgreesWithOracle) {
       };
       expect_truth("by kind", overlap_by_kind(kinds.scalar, pair));
       expect_truth("by kind, other order,", overlap_by_kind(kinds.scalar, swapped(pair)));
+      if (kinds.b >= kinds_with_form) continue;  // no typed functions
       expect_truth("typed", overlap_typed(kinds.scalar, pair));
       if (kinds.a == kinds.b) expect_truth("typed, other order,", overlap_typed(kinds.scalar, swapped(pair)));
     }

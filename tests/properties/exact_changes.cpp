@@ -14,8 +14,6 @@
 namespace properties {
 namespace {
 
-bool has_axis(int kind) { return kind == VESICA_RECT || kind == VESICA_ELLIPSE; }
-
 using Number = std::optional<double>;
 
 /// a + b when no bit is lost (Knuth's two-sum).
@@ -72,15 +70,37 @@ std::optional<Shape> box_as_rect(const Numbers& n, Scalar scalar) {
 }
 
 std::vector<std::optional<Shape>> point_as_others(const Numbers& n) {
-  return {Shape{VESICA_SEGMENT, {n[0], n[1], n[0], n[1]}}, Shape{VESICA_CIRCLE, {n[0], n[1], 0}},
-          Shape{VESICA_AABB, {n[0], n[1], n[0], n[1]}}, Shape{VESICA_RECT, {n[0], n[1], 3, -1, 0, 0}},
-          Shape{VESICA_ELLIPSE, {n[0], n[1], -2, 5, 0, 0}}};
+  return {Shape{VESICA_SEGMENT, {n[0], n[1], n[0], n[1]}},       Shape{VESICA_CIRCLE, {n[0], n[1], 0}},
+          Shape{VESICA_AABB, {n[0], n[1], n[0], n[1]}},          Shape{VESICA_RECT, {n[0], n[1], 3, -1, 0, 0}},
+          Shape{VESICA_ELLIPSE, {n[0], n[1], -2, 5, 0, 0}},      Shape{VESICA_CAPSULE, {n[0], n[1], n[0], n[1], 0}},
+          Shape{VESICA_ROUND_RECT, {n[0], n[1], 3, -1, 0, 0, 0}}};
+}
+
+/// A rectangle with a radius of 0.
+std::optional<Shape> as_round_rect(const std::optional<Shape>& rect) {
+  return rect ? std::optional(Shape{VESICA_ROUND_RECT, rect->numbers}) : rect;
+}
+
+std::vector<std::optional<Shape>> circle_as_others(double x, double y, double r) {
+  return {Shape{VESICA_CIRCLE, {x, y, r}}, Shape{VESICA_ELLIPSE, {x, y, 0, -1, r, r}},
+          Shape{VESICA_CAPSULE, {x, y, x, y, r}}, Shape{VESICA_ROUND_RECT, {x, y, 3, -1, 0, 0, r}}};
+}
+
+std::vector<std::optional<Shape>> capsule_as_others(const Numbers& n, Scalar scalar) {
+  if (n[0] == n[2] && n[1] == n[3]) return circle_as_others(n[0], n[1], n[4]);
+  std::vector<std::optional<Shape>> result;
+  if (n[4] == 0) result.push_back(Shape{VESICA_SEGMENT, {n[0], n[1], n[2], n[3]}});
+  const Number cx = half(sum(n[0], n[2], scalar), scalar), cy = half(sum(n[1], n[3], scalar), scalar);
+  const Number ux = half(sum(n[2], -n[0], scalar), scalar), uy = half(sum(n[3], -n[1], scalar), scalar);
+  result.push_back(shape_of(VESICA_ROUND_RECT, {cx, cy, ux, uy, 1.0, 0.0, n[4]}));
+  return result;
 }
 
 std::vector<std::optional<Shape>> rect_as_others(const Numbers& n, Scalar scalar) {
   std::vector<std::optional<Shape>> result;
   const auto corner = corners(n, scalar);
   if (n[4] == 0 || n[5] == 0) result.push_back(Shape{VESICA_ELLIPSE, n});
+  result.push_back(Shape{VESICA_ROUND_RECT, n});
   if ((n[4] == 0 || n[5] == 0) && corner[0] && corner[2]) {
     const Numbers &low = corner[0]->numbers, &high = corner[2]->numbers;
     result.push_back(Shape{VESICA_SEGMENT, {low[0], low[1], high[0], high[1]}});
@@ -93,20 +113,45 @@ std::vector<std::optional<Shape>> rect_as_others(const Numbers& n, Scalar scalar
   return result;
 }
 
+std::vector<std::optional<Shape>> round_rect_as_others(const Numbers& n, Scalar scalar) {
+  if (n[4] == 0 && n[5] == 0) return circle_as_others(n[0], n[1], n[6]);
+  std::vector<std::optional<Shape>> result;
+  if (n[6] == 0) result.push_back(Shape{VESICA_RECT, n});
+  const auto corner = corners(n, scalar);
+  if ((n[4] == 0 || n[5] == 0) && corner[0] && corner[2]) {
+    const Numbers &low = corner[0]->numbers, &high = corner[2]->numbers;
+    result.push_back(Shape{VESICA_CAPSULE, {low[0], low[1], high[0], high[1], n[6]}});
+  }
+  return result;
+}
+
+std::vector<std::optional<Shape>> segment_as_others(const Numbers& n) {
+  std::vector<std::optional<Shape>> result{Shape{VESICA_CAPSULE, n}};
+  if (n[0] != n[2] && n[1] != n[3]) return result;
+  const auto [low_x, high_x] = std::minmax(n[0], n[2]);
+  const auto [low_y, high_y] = std::minmax(n[1], n[3]);
+  result.push_back(Shape{VESICA_AABB, {low_x, low_y, high_x, high_y}});
+  return result;
+}
+
 std::vector<std::optional<Shape>> others(const Shape& shape, Scalar scalar) {
   const Numbers& n = shape.numbers;
   switch (shape.kind) {
     case VESICA_POINT:
       return point_as_others(n);
     case VESICA_SEGMENT:
-      if (n[0] != n[2] && n[1] != n[3]) return {};
-      return {
-          Shape{VESICA_AABB, {std::min(n[0], n[2]), std::min(n[1], n[3]), std::max(n[0], n[2]), std::max(n[1], n[3])}}};
+      return segment_as_others(n);
     case VESICA_CIRCLE:
-      return {Shape{VESICA_ELLIPSE, {n[0], n[1], 0, -1, n[2], n[2]}}};
-    case VESICA_AABB:
-      if (n[0] == n[2] || n[1] == n[3]) return {Shape{VESICA_SEGMENT, n}, box_as_rect(n, scalar)};
-      return {box_as_rect(n, scalar)};
+      return circle_as_others(n[0], n[1], n[2]);
+    case VESICA_AABB: {
+      const auto rect = box_as_rect(n, scalar);
+      if (n[0] == n[2] || n[1] == n[3]) return {Shape{VESICA_SEGMENT, n}, rect, as_round_rect(rect)};
+      return {rect, as_round_rect(rect)};
+    }
+    case VESICA_CAPSULE:
+      return capsule_as_others(n, scalar);
+    case VESICA_ROUND_RECT:
+      return round_rect_as_others(n, scalar);
     case VESICA_RECT:
       return rect_as_others(n, scalar);
     default: {
@@ -128,7 +173,7 @@ int random_exponent(Scalar scalar, Random& random) {
 Shape mirrored(const Shape& shape) {
   Numbers n = shape.numbers;
   n[0] = -n[0];
-  if (role(shape.kind, 2) != Role::size) n[2] = -n[2];
+  if (role(shape.kind, 2) != Role::radius) n[2] = -n[2];
   if (shape.kind == VESICA_AABB) std::swap(n[0], n[2]);
   return {shape.kind, n};
 }
@@ -137,7 +182,7 @@ Shape turned(const Shape& shape) {
   const Numbers& n = shape.numbers;
   if (shape.kind == VESICA_AABB) return {shape.kind, {-n[3], n[0], -n[1], n[2]}};
   if (shape.kind == VESICA_CIRCLE) return {shape.kind, {-n[1], n[0], n[2]}};
-  return {shape.kind, {-n[1], n[0], -n[3], n[2], n[4], n[5]}};
+  return {shape.kind, {-n[1], n[0], -n[3], n[2], n[4], n[5], n[6]}};
 }
 
 std::optional<Shape> scaled_exactly(const Shape& shape, Scalar scalar, int exponent, bool scale_axis) {
@@ -150,13 +195,13 @@ std::optional<Shape> scaled_exactly(const Shape& shape, Scalar scalar, int expon
 std::optional<Shape> with_negated_axis(const Shape& shape) {
   if (!has_axis(shape.kind)) return {};
   const Numbers& n = shape.numbers;
-  return Shape{shape.kind, {n[0], n[1], -n[2], -n[3], n[4], n[5]}};
+  return Shape{shape.kind, {n[0], n[1], -n[2], -n[3], n[4], n[5], n[6]}};
 }
 
 std::optional<Shape> with_turned_axis(const Shape& shape) {
   if (!has_axis(shape.kind)) return {};
   const Numbers& n = shape.numbers;
-  return Shape{shape.kind, {n[0], n[1], -n[3], n[2], n[5], n[4]}};
+  return Shape{shape.kind, {n[0], n[1], -n[3], n[2], n[5], n[4], n[6]}};
 }
 
 std::optional<Shape> with_scaled_axis(const Shape& shape, Scalar scalar, int exponent) {
@@ -172,15 +217,15 @@ std::optional<Shape> with_scaled_axis(const Shape& shape, Scalar scalar, int exp
 }
 
 std::optional<Shape> with_ends_exchanged(const Shape& shape) {
-  if (shape.kind != VESICA_SEGMENT) return {};
+  if (shape.kind != VESICA_SEGMENT && shape.kind != VESICA_CAPSULE) return {};
   const Numbers& n = shape.numbers;
-  return Shape{shape.kind, {n[2], n[3], n[0], n[1]}};
+  return Shape{shape.kind, {n[2], n[3], n[0], n[1], n[4]}};
 }
 
 std::vector<Shape> as_other_kinds(const Shape& shape, Scalar scalar) {
   std::vector<Shape> result;
   for (const std::optional<Shape>& other : others(shape, scalar)) {
-    if (other) result.push_back(*other);
+    if (other && other->kind != shape.kind) result.push_back(*other);
   }
   return result;
 }
@@ -202,7 +247,7 @@ std::vector<Shape> own_points(const Shape& shape, Scalar scalar) {
   const Numbers& n = shape.numbers;
   std::vector<std::optional<Shape>> points{Shape{VESICA_POINT, {n[0], n[1]}}};
   const auto add = [&](const Number& x, const Number& y) { points.push_back(shape_of(VESICA_POINT, {x, y})); };
-  if (shape.kind == VESICA_SEGMENT || shape.kind == VESICA_AABB) add(n[2], n[3]);
+  if (role(shape.kind, 2) == Role::x) add(n[2], n[3]);
   if (shape.kind == VESICA_AABB) {
     add(n[0], n[3]);
     add(n[2], n[1]);
@@ -211,8 +256,15 @@ std::vector<Shape> own_points(const Shape& shape, Scalar scalar) {
     add(sum(n[0], n[2], scalar), n[1]);
     add(n[0], sum(n[1], -n[2], scalar));
   }
-  if (shape.kind == VESICA_RECT) {
-    for (const auto& corner : corners(n, scalar)) points.push_back(corner);
+  if (shape.kind == VESICA_CAPSULE) {
+    add(sum(n[0], n[4], scalar), n[1]);
+    add(n[2], sum(n[3], -n[4], scalar));
+  }
+  if (shape.kind == VESICA_RECT || shape.kind == VESICA_ROUND_RECT) {
+    for (const auto& corner : corners(n, scalar)) {
+      points.push_back(corner);
+      if (shape.kind == VESICA_ROUND_RECT && corner) add(sum(corner->numbers[0], n[6], scalar), corner->numbers[1]);
+    }
   }
   if (shape.kind == VESICA_ELLIPSE) {
     // Vertices are the corners of the segments that the two axes are.

@@ -115,7 +115,7 @@ Pair thin_pair(int kind_a, int kind_b, Scalar scalar, Random& random) {
   const Proportions a = thin(scalar, random);
   const Proportions b = random.chance(0.3) ? ordinary(random) : random.chance(0.5) ? a : thin(scalar, random);
   Pair pair{kind_a, kind_b, shape_at_origin(kind_a, random, a), shape_at_origin(kind_b, random, b)};
-  const bool axes = role(kind_a, 2) == Role::axis && role(kind_b, 2) == Role::axis;
+  const bool axes = has_axis(kind_a) && has_axis(kind_b);
   if (axes && random.chance(0.4)) align(pair, scalar, random);
   return placed(pair, random);
 }
@@ -162,12 +162,11 @@ class MixedScale {
   Numbers shape(int kind) {
     Numbers n{};
     const int axis_exponent = any_exponent();
-    const bool has_axis = role(kind, 2) == Role::axis;
     for (int i = 0; i < field_count(kind); ++i) {
       const Role r = role(kind, i);
       int exponent = coherent_ && random_.chance(0.8) ? common_ + random_.integer(-2, 2) : any_exponent();
       if (r == Role::axis && coherent_) exponent = axis_exponent + (random_.chance(0.8) ? random_.integer(-1, 1) : 0);
-      if (r == Role::size && has_axis && coherent_) exponent -= axis_exponent;
+      if (r == Role::size && coherent_) exponent -= axis_exponent;
       n[static_cast<std::size_t>(i)] = number(exponent);
     }
     return n;

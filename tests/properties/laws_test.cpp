@@ -82,7 +82,6 @@ void Laws::reflexivity(const Shape& shape) {
   for (const Shape& point : own_points(shape, GetParam().scalar)) demand("own point", twice, pair_of(point, shape), 1);
 }
 
-bool has_axis(int kind) { return role(kind, 2) == Role::axis; }
 bool has_size(int kind) { return kind >= 2; }
 
 TEST_P(Laws, Hold) {

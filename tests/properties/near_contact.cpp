@@ -39,7 +39,7 @@ double candidate(Pair pair, Place place, Scalar scalar, Random& random) {
   const double old = number_at(pair, place);
   const Role r = role(kind_at(pair, place), place.field);
   if (random.chance(0.1)) return 0;
-  if (r == Role::size || r == Role::axis) {
+  if (is_size(r) || r == Role::axis) {
     double x = std::ldexp(old == 0 ? 1 : old, random.integer(-6, 6));
     x *= random.between(1, 2);
     return nearest(scalar, r == Role::axis ? x * random.sign() : x);

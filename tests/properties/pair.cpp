@@ -37,24 +37,34 @@ const char* kind_name(int kind) { return vesica_kind_name(kind); }
 Role role(int kind, int field) {
   if (field >= field_count(kind)) return Role::unused;
   if (field < 2) return field == 0 ? Role::x : Role::y;
-  if (kind == VESICA_CIRCLE) return Role::size;
-  if (kind == VESICA_SEGMENT || kind == VESICA_AABB) return field == 2 ? Role::x : Role::y;
+  if (kind == VESICA_CIRCLE || field == 6 || (kind == VESICA_CAPSULE && field == 4)) return Role::radius;
+  if (kind == VESICA_SEGMENT || kind == VESICA_AABB || kind == VESICA_CAPSULE) return field == 2 ? Role::x : Role::y;
   return field < 4 ? Role::axis : Role::size;
 }
+
+bool has_axis(int kind) { return role(kind, 2) == Role::axis; }
 
 bool valid(int kind, const Numbers& n) {
   for (int i = 0; i < field_count(kind); ++i) {
     const double x = n[static_cast<std::size_t>(i)];
-    if (!std::isfinite(x) || (role(kind, i) == Role::size && x < 0)) return false;
+    if (!std::isfinite(x) || (is_size(role(kind, i)) && x < 0)) return false;
   }
   if (kind == VESICA_AABB) return n[0] <= n[2] && n[1] <= n[3];
-  return role(kind, 2) != Role::axis || n[2] != 0 || n[3] != 0;
+  return !has_axis(kind) || n[2] != 0 || n[3] != 0;
 }
 
 bool has_area(int kind, const Numbers& n) {
-  if (kind == VESICA_CIRCLE) return n[2] > 0;
   if (kind == VESICA_AABB) return n[0] < n[2] && n[1] < n[3];
-  return role(kind, 4) == Role::size && n[4] > 0 && n[5] > 0;
+  return radius(kind, n) > 0 || (has_axis(kind) && n[4] > 0 && n[5] > 0);
+}
+
+double radius(int kind, const Numbers& n) {
+  const int last = field_count(kind) - 1;
+  return role(kind, last) == Role::radius ? n[static_cast<std::size_t>(last)] : 0;
+}
+
+bool is_curved(int kind, const Numbers& n) {
+  return radius(kind, n) > 0 || (kind == VESICA_ELLIPSE && has_area(kind, n));
 }
 
 bool is_moderate(const Pair& pair, double most) {
@@ -85,19 +95,19 @@ double at_ordinal(Scalar scalar, std::int64_t place) {
 Numbers nearest_shape(Scalar scalar, int kind, Numbers n) {
   for (int i = 0; i < field_count(kind); ++i) {
     double& x = n[static_cast<std::size_t>(i)];
-    x = nearest(scalar, role(kind, i) == Role::size ? std::fabs(x) : x);
+    x = nearest(scalar, is_size(role(kind, i)) ? std::fabs(x) : x);
   }
   if (kind == VESICA_AABB) {
     if (n[0] > n[2]) std::swap(n[0], n[2]);
     if (n[1] > n[3]) std::swap(n[1], n[3]);
   }
-  if (role(kind, 2) == Role::axis && n[2] == 0 && n[3] == 0) n[2] = at_ordinal(scalar, 1);
+  if (has_axis(kind) && n[2] == 0 && n[3] == 0) n[2] = at_ordinal(scalar, 1);
   return n;
 }
 
-std::array<float, 6> narrow(const Numbers& numbers) {
-  std::array<float, 6> result{};
-  for (std::size_t i = 0; i < 6; ++i) result[i] = to_float(numbers[i]);
+NumbersOf<float> narrow(const Numbers& numbers) {
+  NumbersOf<float> result{};
+  for (std::size_t i = 0; i < numbers.size(); ++i) result[i] = to_float(numbers[i]);
   return result;
 }
 

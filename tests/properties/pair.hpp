@@ -13,12 +13,17 @@ namespace properties {
 enum class Scalar { f32, f64 };
 const char* name(Scalar scalar);
 
-/// A shape's numbers in the order of vesica.h; those its kind does not use are 0. For Scalar::f32 each is a float's
-/// value, so the pair is the same shapes in both scalar types.
-using Numbers = std::array<double, 6>;
+/// A shape's numbers in the order of vesica.h; those its kind does not use are 0.
+template <class T>
+using NumbersOf = std::array<T, 7>;
+/// For Scalar::f32 each is a float's value, so the pair is the same shapes in both scalar types.
+using Numbers = NumbersOf<double>;
 
-/// The kinds that workloads and the oracle know: those below this number. Every query answers all of them.
-inline constexpr int kinds = 6;
+/// The kinds that workloads and the oracle know: those below this number. Some questions refuse pairs with a capsule or
+/// a rounded rectangle (refused.hpp).
+inline constexpr int kinds = 8;
+/// The kinds below this number have a form; their pairs have typed functions, and every question answers them.
+inline constexpr int kinds_with_form = 6;
 
 struct Pair {
   int kind_a, kind_b;
@@ -28,8 +33,11 @@ struct Pair {
 inline Pair swapped(const Pair& p) { return {p.kind_b, p.kind_a, p.b, p.a}; }
 
 /// The meaning of a shape's number.
-enum class Role { x, y, axis, size, unused };
+enum class Role { x, y, axis, size, radius, unused };
 Role role(int kind, int field);
+/// Must the number be 0 or more? A size beside an axis is in units of the axis, and a radius in units of coordinates.
+constexpr bool is_size(Role role) { return role == Role::size || role == Role::radius; }
+bool has_axis(int kind);
 int field_count(int kind);
 const char* kind_name(int kind);
 
@@ -37,9 +45,14 @@ const char* kind_name(int kind);
 bool valid(int kind, const Numbers& numbers);
 /// Returns true if a valid shape has an area.
 bool has_area(int kind, const Numbers& numbers);
-/// A circle or an ellipse; and one with an area.
+/// A circle or an ellipse.
 constexpr bool is_round(int kind) { return kind == VESICA_CIRCLE || kind == VESICA_ELLIPSE; }
-inline bool is_curved(int kind, const Numbers& numbers) { return is_round(kind) && has_area(kind, numbers); }
+/// A capsule or a rounded rectangle.
+constexpr bool is_inflated(int kind) { return kind == VESICA_CAPSULE || kind == VESICA_ROUND_RECT; }
+/// The radius of a shape that has one, else 0.
+double radius(int kind, const Numbers& numbers);
+/// Has the outline a curved part?
+bool is_curved(int kind, const Numbers& numbers);
 /// Is each number of both shapes 0, or from 1 / most to most in magnitude?
 bool is_moderate(const Pair& pair, double most);
 
@@ -56,7 +69,7 @@ double at_ordinal(Scalar scalar, std::int64_t place);
 Numbers nearest_shape(Scalar scalar, int kind, Numbers numbers);
 
 /// The numbers as floats, which they must be.
-std::array<float, 6> narrow(const Numbers& numbers);
+NumbersOf<float> narrow(const Numbers& numbers);
 
 /// Both shapes with hexadecimal numbers, to be pasted into a test.
 std::string describe(const Pair& pair);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The 21 pairs of kinds in both scalar types, as parameters of a GoogleTest suite.
+/// The 36 pairs of kinds in both scalar types, as parameters of a GoogleTest suite.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "properties/pair.hpp"
+#include "properties/refused.hpp"
 
 namespace properties {
 
@@ -25,13 +26,21 @@ inline std::string to_string(const Kinds& k) {
 /// How GoogleTest shows a parameter.
 inline void PrintTo(const Kinds& k, std::ostream* out) { *out << to_string(k); }
 
-inline std::vector<Kinds> all_pairs_of_kinds() {
+/// The pairs of the first `count` kinds.
+inline std::vector<Kinds> all_pairs_of_kinds(int count = kinds) {
   std::vector<Kinds> result;
-  for (int a = 0; a < kinds; ++a) {
-    for (int b = a; b < kinds; ++b) {
+  for (int a = 0; a < count; ++a) {
+    for (int b = a; b < count; ++b) {
       for (const Scalar scalar : {Scalar::f64, Scalar::f32}) result.push_back({a, b, scalar});
     }
   }
+  return result;
+}
+
+/// The pairs that a question answers.
+inline std::vector<Kinds> pairs_that_answer(Question question) {
+  std::vector<Kinds> result = all_pairs_of_kinds();
+  std::erase_if(result, [question](const Kinds& k) { return refuses(question, k.a, k.b); });
   return result;
 }
 

@@ -69,6 +69,14 @@ Supported ellipse_along(Random& random, const Direction& n, Vector u) {
   return {{0, 0, u.x, u.y, a, b}, {along * u.x - across * u.y, along * u.y + across * u.x}};
 }
 
+/// The core made larger by a radius of whole lengths.
+Supported inflated(Supported core, int radius_field, Random& random, const Direction& n) {
+  const double times = random.integer(0, 4);
+  core.numbers[static_cast<std::size_t>(radius_field)] = times * n.length;
+  core.support = {core.support.x + times * n.x, core.support.y + times * n.y};
+  return core;
+}
+
 Supported supported(int kind, Random& random, const Direction& n) {
   Vector u{0, 0};
   while (u.x == 0 && u.y == 0) u = {double(random.integer(-3, 3)), double(random.integer(-3, 3))};
@@ -87,6 +95,10 @@ Supported supported(int kind, Random& random, const Direction& n) {
     }
     case VESICA_RECT:
       return rect_along(random, n, u);
+    case VESICA_CAPSULE:
+      return inflated(segment_along(random, n), 4, random, n);
+    case VESICA_ROUND_RECT:
+      return inflated(rect_along(random, n, u), 6, random, n);
     default:
       return ellipse_along(random, n, u);
   }

@@ -65,7 +65,7 @@ std::int64_t ask_matrix(const vesica_shapes_f32* a, const vesica_shapes_f32* b, 
 }
 
 template <class T>
-using Record = std::array<T, 6>;
+using Record = properties::NumbersOf<T>;
 template <class T>
 Record<T> record(const properties::Numbers& n) {
   if constexpr (sizeof(T) == 8)
@@ -135,7 +135,8 @@ TEST_P(SignedDistance, IsDistanceOrDepth) {
   GetParam().scalar == Scalar::f64 ? check<double>(GetParam()) : check<float>(GetParam());
 }
 
-INSTANTIATE_TEST_SUITE_P(All, SignedDistance, testing::ValuesIn(properties::all_pairs_of_kinds()),
+INSTANTIATE_TEST_SUITE_P(All, SignedDistance,
+                         testing::ValuesIn(properties::all_pairs_of_kinds(properties::kinds_with_form)),
                          properties::test_name);
 
 TEST(SignedDistanceKnown, Literals) {

@@ -57,7 +57,7 @@ const Known known[] = {
 Pair scaled(Pair p, double k) {
   for (auto [kind, numbers] : {std::pair{p.kind_a, &p.a}, {p.kind_b, &p.b}}) {
     for (std::size_t i = 0; i < 6; ++i) {
-      if (properties::role(kind, static_cast<int>(i)) != properties::Role::size || kind == VESICA_CIRCLE) {
+      if (properties::role(kind, static_cast<int>(i)) != properties::Role::size) {
         (*numbers)[i] *= k;
       }
     }

@@ -192,8 +192,8 @@ Answer call(Query query, const Caller<T>& caller) {
 
 }  // namespace
 
-std::array<float, 6> as_floats(const Numbers& numbers) {
-  std::array<float, 6> result{};
+properties::NumbersOf<float> as_floats(const Numbers& numbers) {
+  properties::NumbersOf<float> result{};
   for (std::size_t i = 0; i < 6; ++i) {
     const volatile float stored = static_cast<float>(numbers[i]);
     result[i] = stored;

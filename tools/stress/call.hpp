@@ -45,6 +45,6 @@ double draw_distance(Scalar scalar, const Pair& pair, properties::Random& random
 std::int32_t check(Scalar scalar, int kind, const Numbers& numbers);
 
 /// The numbers as floats; unlike properties::narrow, for those of invalid shapes too.
-std::array<float, 6> as_floats(const Numbers& numbers);
+properties::NumbersOf<float> as_floats(const Numbers& numbers);
 
 }  // namespace stress

@@ -77,7 +77,8 @@ void scale_role(Pair& p, Random& random) {
   const int by = random.chance(0.5) ? random.integer(-64, 64) : random.integer(-1500, 1500);
   const int kind = first ? p.kind_a : p.kind_b;
   for (int i = 0; i < properties::field_count(kind); ++i) {
-    if (properties::role(kind, i) == role) {
+    const auto of_number = properties::role(kind, i);
+    if (of_number == role || (is_size(of_number) && is_size(role))) {
       double& x = (first ? p.a : p.b)[static_cast<std::size_t>(i)];
       x = scaled(x, by);
     }

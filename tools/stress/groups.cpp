@@ -83,7 +83,7 @@ Numbers shrunk(Scalar scalar, int kind, Numbers n, Random& random) {
     for (const std::size_t i : {0U, 1U}) n[i + 2] = n[i] + (n[i + 2] - n[i]) * by;
   }
   for (int i = 0; i < properties::field_count(kind); ++i) {
-    if (properties::role(kind, i) == Role::size) n[static_cast<std::size_t>(i)] *= by;
+    if (is_size(properties::role(kind, i))) n[static_cast<std::size_t>(i)] *= by;
   }
   return properties::nearest_shape(scalar, kind, n);
 }
@@ -157,8 +157,8 @@ bool still_valid(const Pair& p, const Place& place) {
 double candidate(Pair p, const Place& place, Scalar scalar, bool odd, Random& random) {
   const double old = number_at(p, place);
   const Role role = properties::role(place.in_b ? p.kind_b : p.kind_a, place.field);
-  if (odd) return role == Role::size ? std::fabs(odd_number(scalar, random)) : odd_number(scalar, random);
-  if (role == Role::size || role == Role::axis) {
+  if (odd) return is_size(role) ? std::fabs(odd_number(scalar, random)) : odd_number(scalar, random);
+  if (is_size(role) || role == Role::axis) {
     const double power = std::ldexp(1, random.integer(-6, 6));
     const double x = power * (old == 0 ? 1 : old) * random.between(1, 2);
     return properties::nearest(scalar, role == Role::axis ? x * random.sign() : x);
@@ -266,7 +266,7 @@ Pair broken(const Pair& pair, std::uint64_t random_bits) {
     n[2] = 0, n[3] = random.chance(0.5) ? -0.0 : 0.0;
   } else if (how == 1 && kind == VESICA_AABB && n[0] < n[2]) {
     std::swap(n[0], n[2]);
-  } else if (how == 2 && properties::role(kind, field) == Role::size && x > 0) {
+  } else if (how == 2 && is_size(properties::role(kind, field)) && x > 0) {
     x = -x;
   } else {
     const double infinity = std::numeric_limits<double>::infinity();

@@ -36,7 +36,7 @@ double extent_of(int kind, const Numbers& n) {
     const double x = std::fabs(n[static_cast<std::size_t>(i)]);
     const Role r = properties::role(kind, i);
     if (r == Role::x || r == Role::y) place = std::fmax(place, x);
-    if (r == Role::size) size = std::fmax(size, x);
+    if (is_size(r)) size = std::fmax(size, x);
   }
   if (kind >= VESICA_RECT) axis = std::fabs(n[2]) + std::fabs(n[3]);
   // Products that underflow count as the least number.

@@ -33,7 +33,8 @@ void demand_code(Judge& j, const char* law, std::int32_t expected, std::int32_t 
 
 /// The function of the two kinds, in the order that it has.
 template <class T>
-void demand_typed(Judge& j, const Case& c, const std::array<T, 6>& a, const std::array<T, 6>& b, std::int32_t code) {
+void demand_typed(Judge& j, const Case& c, const properties::NumbersOf<T>& a, const properties::NumbersOf<T>& b,
+                  std::int32_t code) {
   for (const auto& pair : capi::Api<T>::typed_pairs) {
     if (pair.kind_a == c.pair.kind_a && pair.kind_b == c.pair.kind_b) {
       demand_code(j, "typed", code, pair.overlap(a.data(), b.data()));

@@ -50,7 +50,7 @@ std::pair<bool, bool> moderate(const Pair& p) {
   const auto sizes = [](int kind, const properties::Numbers& numbers) {
     for (int i = 0; i < properties::field_count(kind); ++i) {
       const double x = numbers[static_cast<std::size_t>(i)];
-      if (properties::role(kind, i) == properties::Role::size && !(x >= 0x1p-40 && x <= 0x1p40)) return false;
+      if (properties::is_size(properties::role(kind, i)) && !(x >= 0x1p-40 && x <= 0x1p40)) return false;
     }
     return true;
   };

@@ -14,7 +14,7 @@ std::int32_t first_rule_broken(int kind, const Numbers& n) {
     if (!std::isfinite(n[static_cast<std::size_t>(i)])) return VESICA_E_NOT_FINITE;
   }
   for (int i = 0; i < properties::field_count(kind); ++i) {
-    if (properties::role(kind, i) == properties::Role::size && n[static_cast<std::size_t>(i)] < 0) {
+    if (properties::is_size(properties::role(kind, i)) && n[static_cast<std::size_t>(i)] < 0) {
       return VESICA_E_NEGATIVE_SIZE;
     }
   }

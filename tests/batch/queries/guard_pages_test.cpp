@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // No byte outside an array is read or written by any function of arrays, at every length from 0 to 40, on the
 // instruction set that VESICA_ISA names: every array lies against a page that may not be touched, before or behind it.
-// A fault is the failure. What is written is written throughout, so no call has refused.
+// A fault is the failure. What is written is written throughout; a call that refuses the kinds writes nothing.
 #include "batch/guard_pages.hpp"
 
 #include <gtest/gtest.h>
@@ -114,7 +114,8 @@ class GuardPagesOfArrays : public testing::Test {
     std::array<Out*, columns> out;
     for (Out*& column : out) column = rooms.room<Out>(n);
     const std::int64_t code = call(out);
-    for (const Out* column : out) EXPECT_EQ(written(column, n), n) << name << " returned " << code;
+    const std::size_t expected = code == VESICA_E_KIND ? 0 : n;
+    for (const Out* column : out) EXPECT_EQ(written(column, n), expected) << name << " returned " << code;
   }
 
   void many(const Shapes& a, const Shapes& b, std::size_t n, Edge edge) {
@@ -147,7 +148,7 @@ class GuardPagesOfArrays : public testing::Test {
     const bool backward = columns % 2 == 1 && size > 0;
     const auto row_stride = static_cast<std::ptrdiff_t>(step) * (backward ? -1 : 1);
     const std::int64_t code = call(out + (backward ? (rows - 1) * step : 0), row_stride);
-    EXPECT_EQ(written(out, size), rows * columns) << name << " returned " << code;
+    EXPECT_EQ(written(out, size), code == VESICA_E_KIND ? 0 : rows * columns) << name << " returned " << code;
   }
 
   void matrix(const Shapes& a, const Shapes& b, Edge edge) {
@@ -264,7 +265,7 @@ TYPED_TEST(GuardPagesOfArrays, AreNotTouchedByBoxes) {
         auto* const bounds = rooms.room<typename F::Aabb>(n);
         const std::int64_t code = F::bounds_many(&all, bounds);
         EXPECT_EQ(written(bounds, n), n) << code;
-        if (kind < VESICA_RECT) continue;
+        if (kind != VESICA_RECT && kind != VESICA_ELLIPSE) continue;
         T* const corners = rooms.room<T>(8 * n);
         T* const boxes = rooms.room<T>(5 * n);
         F::corners_of_shapes(&all, corners);

@@ -107,6 +107,8 @@ template <class T>
 void check_all(int kind_a, int kind_b) {
   const Pairs<T>& pairs = mixed_pairs<T>(kind_a, kind_b);
   for (const QueryFace<T>& face : query_faces<T>()) {
+    Result<T> unused{};
+    if (face.scalar(kind_a, pairs.a[0].data(), kind_b, pairs.b[0].data(), unused) == VESICA_E_KIND) continue;
     std::size_t begin = 0;
     for (const std::size_t n : {0, 1, 7, 9, 300}) {
       check_many(face, pairs, begin, n, Layout::columns, Layout::columns);
@@ -182,8 +184,8 @@ TEST(QueriesOfRectanglesCornerToCorner, HaveTheBitsOfScalarCalls) {
 
 std::vector<std::pair<int, int>> ordered_pairs() {
   std::vector<std::pair<int, int>> pairs;
-  for (int a = 0; a < 6; ++a) {
-    for (int b = 0; b < 6; ++b) pairs.emplace_back(a, b);
+  for (int a = 0; a < properties::kinds; ++a) {
+    for (int b = 0; b < properties::kinds; ++b) pairs.emplace_back(a, b);
   }
   return pairs;
 }

@@ -212,8 +212,7 @@ void scale(Case& c, Random& random) {
     const bool axis = random.chance(0.5);
     for (int i = 0; i < properties::field_count(kind); ++i) {
       const Role role = properties::role(kind, i);
-      const bool has_axis = kind == VESICA_RECT || kind == VESICA_ELLIPSE;
-      if (has_axis && role == (axis ? Role::size : Role::axis)) continue;
+      if (properties::has_axis(kind) && role == (axis ? Role::size : Role::axis)) continue;
       numbers[static_cast<std::size_t>(i)] *= length;
     }
   }

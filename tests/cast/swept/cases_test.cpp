@@ -48,6 +48,7 @@ TEST_P(Grazing, IsBetweenContactAndNone) {
   EXPECT_GT(seen, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Cast, Grazing, testing::ValuesIn(properties::all_pairs_of_kinds()), properties::test_name);
+INSTANTIATE_TEST_SUITE_P(Cast, Grazing, testing::ValuesIn(properties::all_pairs_of_kinds(properties::kinds_with_form)),
+                         properties::test_name);
 
 }  // namespace
