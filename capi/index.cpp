@@ -14,7 +14,7 @@ template <class T>
 int32_t check_build(const CShapesOf<T>* sets, int32_t set_count, const void* to, int64_t size, const void* scratch,
                     int64_t scratch_size, index::Sets& view) noexcept {
   if (to == nullptr || scratch == nullptr) return VESICA_E_NULL;
-  const int32_t error = view_sets<T>(sets, set_count, view);
+  const int32_t error = view_sets<T>(sets, set_count, view, vesica::has_core_or_path);
   if (error != 0) return error;
   const bool room = size >= index::size_bound(view.items) && scratch_size >= index::scratch_bound(view.items);
   return room && aligned(to) && aligned(scratch) ? 0 : VESICA_E_ARGUMENT;
@@ -56,8 +56,8 @@ int64_t select(const void* from, const CShapesOf<T>* sets, int32_t set_count, co
   VESICA_DEFAULT_ENVIRONMENT(select<T>, from, sets, set_count, one, out, capacity, state);
   if (one == nullptr || (capacity > 0 && (out == nullptr || state == nullptr))) return VESICA_E_NULL;
   index::Sets items, single;
-  int32_t error = first_error(check_index(from), view_sets<T>(one, 1, single));
-  if (sets != nullptr) error = first_error(error, view_sets<T>(sets, set_count, items));
+  int32_t error = first_error(check_index(from), view_sets<T>(one, 1, single, vesica::has_core_or_path));
+  if (sets != nullptr) error = first_error(error, view_sets<T>(sets, set_count, items, vesica::has_core_or_path));
   if (error != 0) return error;
   if (capacity < 0 || single.items != 1) return VESICA_E_ARGUMENT;
   if (sets == nullptr ? set_count != 0 : items.items != index::View(from).items()) return VESICA_E_ARGUMENT;

@@ -18,8 +18,9 @@ inline bool aligned(const void* p) noexcept {
 
 template <class T>
 index::Set set_of(const CShapesOf<T>& shapes, int64_t first) noexcept {
-  index::Set set{shapes.kind, first, shapes.count, shapes.stride, {}};
-  for (int k = 0; k < field_count(shapes.kind); ++k) {
+  index::Set set{shapes.kind,  first,           shapes.count, shapes.stride, {},
+                 shapes.rings, shapes.polygons, shapes.each};
+  for (int k = 0; k < columns_read(shapes); ++k) {
     set.field[k] = reinterpret_cast<const unsigned char*>(shapes.field[k]);
   }
   return set;
@@ -52,9 +53,10 @@ inline int32_t check_index(const void* index) noexcept {
   return index::header_is_sound(index, INT64_MAX) ? 0 : VESICA_E_INDEX;
 }
 
-/// Columns of gathered shapes, as batches take them; a single shape repeats.
+/// Columns of gathered shapes, as batches take them; a single shape repeats. Paths are structs.
 template <class T>
 batch::Shapes<T> columns_of(int32_t kind, const void* const* field, int64_t count) noexcept {
+  if (!is_row(kind)) return {kind, count, sizeof(Polygon<T>), {static_cast<const T*>(field[0])}};
   batch::Shapes<T> shapes{kind, count, count == 1 ? 0 : static_cast<ptrdiff_t>(sizeof(T)), {}};
   for (int k = 0; k < field_count(kind); ++k) shapes.field[k] = static_cast<const T*>(field[k]);
   return shapes;

@@ -30,17 +30,22 @@ template <class T>
 int32_t check_side(int32_t query, const void* from, const CShapesOf<T>* sets, int32_t set_count,
                    index::Sets& view) noexcept {
   if (query == VESICA_JOIN_BOUNDS) return check_index(from);
-  const int32_t error = first_error(check_index(from), view_sets<T>(sets, set_count, view));
+  const int32_t error = first_error(check_index(from), view_sets<T>(sets, set_count, view, vesica::has_core_or_path));
   if (error != 0) return error;
   return view.items == index::View(from).items() ? 0 : VESICA_E_ARGUMENT;
 }
 
+bool decides(int32_t query, int32_t kind_a, int32_t kind_b) noexcept {
+  if (query == VESICA_JOIN_INTERIORS) return vesica::is_row(kind_a) && vesica::is_row(kind_b);
+  if (query != VESICA_JOIN_CONTAINS && query != VESICA_JOIN_INSIDE) return true;
+  return vesica::queries::contains.answers(kind_a, kind_b);
+}
+
 /// True if the query decides every pair of a set of one side and a set of the other.
 bool decides_all(int32_t query, const index::Sets& a, const index::Sets& b) noexcept {
-  if (query != VESICA_JOIN_CONTAINS && query != VESICA_JOIN_INSIDE) return true;
   for (int i = 0; i < a.count; ++i) {
     for (int j = 0; j < b.count; ++j) {
-      if (!vesica::queries::contains.answers(a.set[i].kind, b.set[j].kind)) return false;
+      if (!decides(query, a.set[i].kind, b.set[j].kind)) return false;
     }
   }
   return true;

@@ -32,7 +32,7 @@ concept HasRelation = HasCore<A> && HasCore<B> &&(HasForm<B> || ShapeTraits<A>::
 /// Kinds whose shapes are a row of numbers: those of each_shape.hpp.
 VESICA_INLINE constexpr bool is_row(std::int32_t kind) noexcept { return kind >= 0 && kind < kind_count; }
 /// Those, polygons and polylines.
-VESICA_INLINE constexpr bool is_kind(std::int32_t kind) noexcept { return kind >= 0 && kind <= polyline_kind; }
+VESICA_INLINE constexpr bool is_kind(std::int32_t kind) noexcept { return kind >= 0 && kind < all_kinds; }
 
 /// One shape from its struct's bytes, which need no alignment.
 template <class Shape>
@@ -136,6 +136,11 @@ constexpr bool has_form(std::int32_t kind) noexcept {
 /// True if shapes of this kind have a core.
 constexpr bool has_core(std::int32_t kind) noexcept {
   return with_core(kind, []<template <class> class Shape>(Named<Shape>) { return 1; }) == 1;
+}
+
+/// True if shapes of this kind have a core, or are polygons or polylines.
+constexpr bool has_core_or_path(std::int32_t kind) noexcept {
+  return has_core(kind) || (is_kind(kind) && !is_row(kind));
 }
 
 /// True if shapes of this kind may have an area.

@@ -86,7 +86,7 @@ extern "C" {
  * Polygons and polylines are taken by:
  *   check, bounds
  *   overlap
- * and the arrays of these.
+ * the arrays of these, indexes, index_select, and joins by overlap or bounds.
  */
 #define VESICA_POINT 0   /**< x y */
 #define VESICA_SEGMENT 1 /**< x0 y0 x1 y1 */

@@ -33,7 +33,7 @@ struct Polyline {
 };
 
 /// Their kinds follow those of the list.
-inline constexpr std::int32_t polygon_kind = kind_count, polyline_kind = kind_count + 1;
+inline constexpr std::int32_t polygon_kind = kind_count, polyline_kind = kind_count + 1, all_kinds = kind_count + 2;
 
 template <class Shape>
 inline constexpr bool is_path = false;

@@ -3,6 +3,7 @@
 
 #include <cstring>
 
+#include "index/boxes.hpp"
 #include "index/directory.hpp"
 #include "index/frame.hpp"
 #include "index/plan.hpp"
@@ -104,7 +105,6 @@ class Builder {
   /// Calls done(first, n, boxes) for boxes of the items begin to end, or of those the list names there.
   template <class Done>
   void each_boxes(const std::uint32_t* list, std::int64_t begin, std::int64_t end, Done done) noexcept {
-    Fields fields;
     Boxes boxes;
     for (std::int64_t i = begin; i < end;) {
       const Set& set = sets_.set[sets_.of(list == nullptr ? i : list[i])];
@@ -112,15 +112,13 @@ class Builder {
       std::int64_t n = end - i < chunk ? end - i : chunk;
       if (list == nullptr) {
         if (behind - i < n) n = behind - i;
-        load(sets_, set, i - set.first, static_cast<int>(n), fields);
       } else {
         // Lists are ascending: a set's items are together.
         std::int64_t same = 1;
         while (same < n && list[i + same] < behind) ++same;
         n = same;
-        gather(sets_, set, list + i, static_cast<int>(n), fields);
       }
-      kernels_.bounds(set.kind, fields, static_cast<int>(n), boxes);
+      find_boxes(kernels_, sets_, set, i - set.first, list == nullptr ? nullptr : list + i, static_cast<int>(n), boxes);
       done(i, static_cast<int>(n), boxes);
       i += n;
     }

@@ -9,6 +9,7 @@
 #include <vesica/shapes.hpp>
 
 #include "by_kind.hpp"
+#include "polygon/element.hpp"
 
 namespace vesica::index {
 
@@ -22,6 +23,14 @@ struct Set {
   std::int64_t first, count;  // items
   std::ptrdiff_t stride;      // bytes
   const unsigned char* field[max_fields];
+  // For polygons and polylines alone, as in vesica_shapes_<T>.
+  const std::int32_t *rings = nullptr, *polygons = nullptr;
+  std::int64_t each = 0;
+
+  PathArray paths() const noexcept {
+    const auto at = [this](int k) { return reinterpret_cast<const std::byte*>(field[k]); };
+    return {at(0), at(1), stride, rings, polygons, each};
+  }
 };
 
 struct Sets {

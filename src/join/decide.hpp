@@ -24,6 +24,13 @@ struct Columns {
   alignas(64) unsigned char column[max_fields][decided_at_once * sizeof(double)];
   const void* field[max_fields];
 
+  /// Shapes of paths, one struct after the other.
+  template <class T>
+  Polygon<T>* paths() noexcept {
+    static_assert(sizeof column >= decided_at_once * sizeof(Polygon<T>));
+    return reinterpret_cast<Polygon<T>*>(column[0]);
+  }
+
   /// To be called before the first use: columns may lie in scratch.
   void begin() noexcept {
     for (int k = 0; k < max_fields; ++k) field[k] = column[k];
@@ -36,11 +43,13 @@ struct OneShape {
   const void* field[max_fields];
 
   /// The first shape of others.
-  void set(const Columns& first) noexcept {
+  void set(const Columns& first, std::int32_t kind) noexcept {
     for (int k = 0; k < max_fields; ++k) {
       std::memcpy(number[k], first.column[k], sizeof number[k]);
       field[k] = number[k];
     }
+    static_assert(sizeof number >= sizeof(Polygon<double>));
+    if (!is_row(kind)) std::memcpy(number[0], first.column[0], sizeof(Polygon<double>));
   }
 };
 
@@ -167,10 +176,20 @@ inline const Set* only_set_of(const Sets& sets, std::int32_t kind) noexcept {
   return found;
 }
 
-/// Columns of items of one kind.
+/// Structs of items that are polygons, or polylines.
+template <class T>
+void gather_paths(const Sets& sets, const std::uint32_t* item, int n, Columns& out) noexcept {
+  for (int i = 0; i < n; ++i) {
+    const Set& set = sets.set[sets.of(item[i])];
+    out.paths<T>()[i] = path_at<T>(set.paths(), item[i] - set.first);
+  }
+}
+
+/// Columns of items of one kind; of polygons and polylines structs.
 template <class T>
 void gather_columns(const Sets& sets, std::int32_t kind, const std::uint32_t* item, int n, int behind, Recent* recent,
                     std::uint32_t mark, Columns& out) noexcept {
+  if (!is_row(kind)) return gather_paths<T>(sets, item, n, out);
   if (const Set* set = only_set_of(sets, kind)) {
     return with_field_count(field_count(kind), [&]<int count>(std::integral_constant<int, count>) {
       gather_set<T, count>(*set, item, n, behind, recent, mark, out);

@@ -222,15 +222,15 @@ class Runner {
   /// Sorts by pair of kinds, decides each run, and puts the verdicts back in the candidates' places.
   void decide_mixed(std::int32_t n) noexcept {
     Scratch& s = scratch_;
-    std::int32_t begin[kind_count * kind_count + 1] = {};
+    std::int32_t begin[all_kinds * all_kinds + 1] = {};
     for (std::int32_t i = 0; i < n; ++i) {
       const std::int32_t kind_a = join_.a.sets->set[join_.a.sets->of(s.a[i])].kind;
       const std::int32_t kind_b = join_.b.sets->set[join_.b.sets->of(s.b[i])].kind;
-      s.key[i] = static_cast<std::uint8_t>(kind_a * kind_count + kind_b);
+      s.key[i] = static_cast<std::uint8_t>(kind_a * all_kinds + kind_b);
       ++begin[s.key[i] + 1];
     }
-    for (int k = 0; k < kind_count * kind_count; ++k) begin[k + 1] += begin[k];
-    std::int32_t place[kind_count * kind_count];
+    for (int k = 0; k < all_kinds * all_kinds; ++k) begin[k + 1] += begin[k];
+    std::int32_t place[all_kinds * all_kinds];
     std::memcpy(place, begin, sizeof place);
     for (std::int32_t i = 0; i < n; ++i) {
       const std::int32_t to = place[s.key[i]]++;
@@ -238,10 +238,10 @@ class Runner {
       s.sorted_a[to] = s.a[i];
       s.sorted_b[to] = s.b[i];
     }
-    for (int k = 0; k < kind_count * kind_count; ++k) {
+    for (int k = 0; k < all_kinds * all_kinds; ++k) {
       const std::int32_t from = begin[k], length = begin[k + 1] - from;
       if (length == 0) continue;
-      decide_run(k / kind_count, k % kind_count, s.sorted_a + from, s.sorted_b + from, length, s.sorted + from);
+      decide_run(k / all_kinds, k % all_kinds, s.sorted_a + from, s.sorted_b + from, length, s.sorted + from);
     }
     for (std::int32_t i = 0; i < n; ++i) s.verdict[s.order[i]] = s.sorted[i];
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "index/boxes.hpp"
 #include "index/frame.hpp"
 #include "join/entries.hpp"
 #include "join/plain_distance.hpp"
@@ -24,7 +25,7 @@ class Search {
     const Set& set = of.set[of.of(item)];
     kind_ = set.kind;
     gather_columns(of, kind_, &item, 1, 0, many_);
-    one_.set(many_);
+    one_.set(many_, kind_);
     if (has_core(kind_)) core_ = core_of<T>(set, item);
     constexpr bool narrow = sizeof(T) == sizeof(float);
     shape_ = {{box[0], box[1], box[2], box[3]}, 1 - (narrow ? 0x1p-22 : 0x1p-48), narrow ? 0x1p-140 : 0x1p-1070};
@@ -294,11 +295,9 @@ class Search {
 }  // namespace
 
 bool bounds_of_item(const Kernels& kernels, const Sets& sets, std::uint32_t item, double (&box)[4]) noexcept {
-  Fields fields;
   Boxes boxes;
   const Set& set = sets.set[sets.of(item)];
-  load(sets, set, item - set.first, 1, fields);
-  kernels.bounds(set.kind, fields, 1, boxes);
+  find_boxes(kernels, sets, set, item - set.first, nullptr, 1, boxes);
   box[0] = boxes.min_x[0];
   box[1] = boxes.min_y[0];
   box[2] = boxes.max_x[0];

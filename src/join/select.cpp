@@ -62,8 +62,9 @@ class Selector {
     if (selection_.decide == nullptr) return;
     many_.begin();
     const std::uint32_t zero = 0;
-    gather_columns(selection_.one, selection_.one.set[0].kind, &zero, 1, 0, many_);
-    one_.set(many_);
+    const std::int32_t kind = selection_.one.set[0].kind;
+    gather_columns(selection_.one, kind, &zero, 1, 0, many_);
+    one_.set(many_, kind);
   }
 
   void list_blocks() noexcept {
@@ -82,7 +83,7 @@ class Selector {
     std::uint32_t some[room];
     std::uint16_t place[room];
     std::uint8_t verdict[room];
-    for (std::int32_t kind = 0; kind < kind_count; ++kind) {
+    for (std::int32_t kind = 0; kind < all_kinds; ++kind) {
       std::int32_t n = 0;
       for (std::int32_t i = 0; i < count_; ++i) {
         if (selection_.sets->set[selection_.sets->of(item_[i])].kind != kind) continue;

@@ -337,7 +337,7 @@ class Suppressor {
     if (open_count_ == 0) return;
     const std::uint32_t item = item_[place];
     gather_columns(asked_.sets, kind_, &item, 1, 0, others_);
-    one_.set(others_);
+    one_.set(others_, kind_);
     if (open_count_ <= most_listed) return close_some(open_, open_count_);
     each_block_near(view, place, [&](std::uint32_t* near, std::int32_t n) {
       std::int32_t open = 0;

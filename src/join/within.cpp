@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "join/within.hpp"
 
+#include "index/boxes.hpp"
 #include "index/frame.hpp"
 #include "join/nearest.hpp"
 
@@ -43,15 +44,13 @@ double extent(double min_x, double min_y, double max_x, double max_y) noexcept {
 
 /// The greatest extent of a valid shape.
 double greatest_extent(const Kernels& kernels, const Sets& sets) noexcept {
-  Fields fields;
   Boxes boxes;
   double greatest = 0;
   for (int s = 0; s < sets.count; ++s) {
     const Set& set = sets.set[s];
     for (std::int64_t begin = 0; begin < set.count; begin += chunk) {
       const int n = static_cast<int>(set.count - begin < chunk ? set.count - begin : chunk);
-      load(sets, set, begin, n, fields);
-      kernels.bounds(set.kind, fields, n, boxes);
+      find_boxes(kernels, sets, set, begin, nullptr, n, boxes);
       for (int i = 0; i < n; ++i) {
         const double x = extent(boxes.min_x[i], boxes.min_y[i], boxes.max_x[i], boxes.max_y[i]);
         if (boxes.valid[i] == 1 && x > greatest) greatest = x;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "columns.hpp"
+#include "polygon/element.hpp"
 #include "queries.hpp"
 
 namespace vesica::batch {
@@ -22,15 +23,10 @@ class Element {
   Element(const Shapes<T>& shapes, std::int64_t i) noexcept : kind_(shapes.kind) {
     if (is_row(kind_)) {
       for (int k = 0; k < field_count(kind_); ++k) number_[k] = shapes.field[k].advanced(i * shapes.stride)[0];
-    } else if (shapes.rings == nullptr && shapes.each == 0) {
-      std::memcpy(&path_, shapes.field[0].advanced(i * shapes.stride).bytes(), sizeof path_);
-    } else if (shapes.rings == nullptr) {
-      set(shapes, i * shapes.each, nullptr, shapes.each);
-    } else if (shapes.polygons == nullptr) {
-      set_rings(shapes, i, 1);
     } else {
-      const std::int64_t first = shapes.polygons[i], last = shapes.polygons[i + 1];
-      set_rings(shapes, first, first < 0 ? -1 : last - first);
+      path_ = path_at<T>({shapes.field[0].bytes(), shapes.field[1].bytes(), shapes.stride, shapes.rings,
+                          shapes.polygons, shapes.each},
+                         i);
     }
   }
 
@@ -39,21 +35,6 @@ class Element {
   }
 
  private:
-  void set(const Shapes<T>& shapes, std::int64_t first, const std::int32_t* rings, std::int64_t count) noexcept {
-    const auto at = [&](int k) {
-      return reinterpret_cast<const T*>(shapes.field[k].advanced(first * shapes.stride).bytes());
-    };
-    path_ = {at(0), at(1), shapes.stride, rings, count};
-  }
-  /// Offsets that are known to exceed the columns make a polygon without rings, which is invalid.
-  void set_rings(const Shapes<T>& shapes, std::int64_t first, std::int64_t count) noexcept {
-    bool sound = count > 0;
-    for (std::int64_t j = first; sound && shapes.each > 0 && j <= first + count; ++j) {
-      sound = shapes.rings[j] <= shapes.each;
-    }
-    set(shapes, 0, sound ? shapes.rings + first : shapes.rings, sound ? count : 0);
-  }
-
   std::int32_t kind_;
   T number_[max_fields];
   Polygon<T> path_;  // or a polyline: their structs are the same

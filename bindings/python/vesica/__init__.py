@@ -19,6 +19,7 @@ from ._library import VesicaError
 from ._library import library as c
 from .index import Index
 from .motion import Cast, Impact, Turn, cast, cast_first, impact_time, sweep_bounds
+from .paths import polygons, polylines
 from .queries import (
     ClosestPoints,
     Crossings,
@@ -82,5 +83,5 @@ from .shapes import (
 from .topology import de9im, de9im_match, intersection
 
 __version__ = "{}.{}.{}".format(c.vesica_version_major(), c.vesica_version_minor(), c.vesica_version_patch())
-_MODULES = "queries", "index", "motion", "topology"
+_MODULES = "queries", "index", "paths", "motion", "topology"
 __all__ = [name for name in dir() if not name.startswith("_") and name not in _MODULES]

@@ -51,6 +51,10 @@ def by_scalar(name):
 
 
 def all_points(function, a, b, *more):
-    """The points (n, 2) that a function of two single shapes writes: no two kinds have more than 8."""
+    """The points (n, 2) that a function of two single shapes writes. Without polygons they are at most 8."""
     out = numpy.empty((8, 2), a.dtype)
-    return out[: checked(function(a.kind, a.record, b.kind, b.record, out.ctypes.data, len(out), *more))]
+    while True:
+        count = checked(function(a.kind, a.record, b.kind, b.record, out.ctypes.data, len(out), *more))
+        if count <= len(out):
+            return out[:count]
+        out = numpy.empty((count, 2), a.dtype)

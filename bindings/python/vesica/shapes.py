@@ -23,14 +23,18 @@ class Kind(enum.IntEnum):
     ELLIPSE = _declarations.ELLIPSE
     CAPSULE = _declarations.CAPSULE
     ROUND_RECT = _declarations.ROUND_RECT
+    POLYGON = _declarations.POLYGON
+    POLYLINE = _declarations.POLYLINE
 
 
-#: The numbers of each kind, in their order.
+#: The numbers of each kind, in their order; not of polygons and polylines, which have any number of vertices.
 FIELDS = {
-    kind: tuple(name for name, _ in getattr(_declarations, f"{kind.name.lower()}_f64")._fields_) for kind in Kind
+    kind: tuple(name for name, _ in getattr(_declarations, f"{kind.name.lower()}_f64")._fields_)
+    for kind in Kind
+    if kind < Kind.POLYGON
 }
-_VIEWS = {"d": _declarations.shapes_f64, "f": _declarations.shapes_f32}
-_CHECK = by_scalar("check")
+VIEWS = {"d": _declarations.shapes_f64, "f": _declarations.shapes_f32}
+CHECK = by_scalar("check")
 _RECT_FROM_CORNERS, _CORNERS_MISFIT = by_scalar("rect_from_corners"), by_scalar("rect_corners_misfit")
 _ELLIPSE_FROM_COVARIANCE = by_scalar("ellipse_from_covariance")
 _RECTS_FROM_BOXES, _ELLIPSES_FROM_BOXES = by_scalar("rects_from_boxes"), by_scalar("ellipses_from_boxes")
@@ -123,7 +127,7 @@ class Shapes:
     def invalid(self):
         """The numbers of the invalid shapes: NaN or infinity, a negative size, a zero axis, or min above max."""
         rows = numpy.atleast_2d(numpy.ascontiguousarray(self.numbers))
-        check, start, step = _CHECK[self.letter], rows.ctypes.data, rows.shape[1] * self.dtype.itemsize
+        check, start, step = CHECK[self.letter], rows.ctypes.data, rows.shape[1] * self.dtype.itemsize
         return numpy.array([i for i in range(len(rows)) if check(self.kind, start + i * step) < 0], numpy.int64)
 
 
@@ -136,12 +140,17 @@ def _shapes_of(kind, columns, single=False):
     letter = dtype.char
     stride = columns[0].strides[0] if len(columns[0]) > 1 else dtype.itemsize
     addresses = [column.ctypes.data for column in columns]
-    view = _VIEWS[letter](int(kind), 0, len(columns[0]), stride, (ctypes.c_void_p * 8)(*addresses))
+    view = VIEWS[letter](int(kind), 0, len(columns[0]), stride, (ctypes.c_void_p * 8)(*addresses))
     scalar = ctypes.c_double if letter == "d" else ctypes.c_float
     # view is the C library's of the array; record what the functions of two shapes take for a single shape.
     record = _record(scalar, addresses) if single else None
-    made = Shapes.__new__(Shapes)
-    for name, value in zip(Shapes.__slots__, (kind, single, tuple(columns), dtype, letter, view, record)):
+    return new_shapes(Shapes, kind, single, tuple(columns), dtype, view, record)
+
+
+def new_shapes(made_as, kind, single, columns, dtype, view, record):
+    """Shapes with these members, which belong together."""
+    made = made_as.__new__(made_as)
+    for name, value in zip(Shapes.__slots__, (kind, single, columns, dtype, dtype.char, view, record)):
         object.__setattr__(made, name, value)
     return made
 
@@ -277,6 +286,8 @@ def shapes(kind, array):
     array that has fields of the names in FIELDS, among others.
     """
     kind = Kind(kind)
+    if kind not in FIELDS:
+        raise TypeError(f"{kind.name.lower()} shapes have vertices: they are made by vesica.{kind.name.lower()}s")
     names = getattr(getattr(array, "dtype", None), "names", None)
     if names is None:
         rows, single = _rows(array, f"{kind.name.lower()} shapes", *FIELDS[kind])
@@ -481,4 +492,4 @@ def check(shape):
     """Raises VesicaError, which says why, if a single shape is invalid. Of arrays, `Shapes.invalid` tells which are."""
     if not the_shapes(shape, "shape").single:
         raise TypeError("check takes a single shape")
-    checked(_CHECK[shape.letter](shape.kind, shape.record))
+    checked(CHECK[shape.letter](shape.kind, shape.record))
