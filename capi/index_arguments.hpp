@@ -18,8 +18,7 @@ inline bool aligned(const void* p) noexcept {
 
 template <class T>
 index::Set set_of(const CShapesOf<T>& shapes, int64_t first) noexcept {
-  index::Set set{shapes.kind,  first,           shapes.count, shapes.stride, {},
-                 shapes.rings, shapes.polygons, shapes.each};
+  index::Set set{shapes.kind, first, shapes.count, shapes.stride, {}, shapes.rings, shapes.polygons, shapes.each};
   for (int k = 0; k < columns_read(shapes); ++k) {
     set.field[k] = reinterpret_cast<const unsigned char*>(shapes.field[k]);
   }
@@ -28,13 +27,13 @@ index::Set set_of(const CShapesOf<T>& shapes, int64_t first) noexcept {
 
 /// The sets laid end to end; 0 or what is wrong: NULL, a kind, or an argument. Empty sets leave no trace.
 template <class T>
-int32_t view_sets(const CShapesOf<T>* sets, int32_t set_count, index::Sets& out) noexcept {
+int32_t view_sets(const CShapesOf<T>* sets, int32_t set_count, index::Sets& out, Suits suits = has_core) noexcept {
   if (set_count < 0) return VESICA_E_ARGUMENT;
   if (sets == nullptr && set_count > 0) return VESICA_E_NULL;
   out.is_float = sizeof(T) == sizeof(float);
   int32_t worst = 0;
   for (int32_t s = 0; s < set_count; ++s) {
-    int32_t error = check_array(sets[s], has_core);
+    int32_t error = check_array(sets[s], suits);
     if (error == 0 && sets[s].count > 0 && has_null(sets[s])) error = VESICA_E_NULL;
     if (error == 0 && sets[s].count > index::most_items - out.items) error = VESICA_E_ARGUMENT;
     if (error == 0 && sets[s].count > 0 && out.count == index::most_sets) error = VESICA_E_ARGUMENT;

@@ -35,9 +35,8 @@ bool has_distance(int32_t kind) noexcept {
 template <class T>
 int32_t check_nearest(const void* from, const CSets<T>& sets, const CSets<T>& asked, int64_t k, T within,
                       const void* out, const void* distance, index::Sets& view, index::Sets& asked_view) noexcept {
-  const int32_t of_shapes =
-      first_error(view_sets<T>(asked.sets, asked.count, asked_view, has_distance),
-                  view_sets<T>(sets.sets, sets.count, view, has_distance));
+  const int32_t of_shapes = first_error(view_sets<T>(asked.sets, asked.count, asked_view, has_distance),
+                                        view_sets<T>(sets.sets, sets.count, view, has_distance));
   const bool writes = k > 0 && (of_shapes != 0 || asked_view.items > 0);
   if (writes && (out == nullptr || distance == nullptr)) return VESICA_E_NULL;
   const int32_t error = first_error(check_index(from), of_shapes);

@@ -24,9 +24,9 @@ class Element {
     if (is_row(kind_)) {
       for (int k = 0; k < field_count(kind_); ++k) number_[k] = shapes.field[k].advanced(i * shapes.stride)[0];
     } else {
-      path_ = path_at<T>({shapes.field[0].bytes(), shapes.field[1].bytes(), shapes.stride, shapes.rings,
-                          shapes.polygons, shapes.each},
-                         i);
+      path_ = path_at<T>(
+          {shapes.field[0].bytes(), shapes.field[1].bytes(), shapes.stride, shapes.rings, shapes.polygons, shapes.each},
+          i);
     }
   }
 

@@ -20,8 +20,8 @@ struct PathArray {
   bool holds_structs() const noexcept { return rings == nullptr && each == 0; }
 };
 
-/// Element i. Its pointers need no alignment. Offsets that are known to exceed the columns make a polygon without rings,
-/// which is invalid. A polyline's struct is the same.
+/// Element i. Its pointers need no alignment. Offsets that exceed the columns, if their length is known, make a polygon
+/// without rings, which is invalid. A polyline's struct is the same.
 template <class T>
 Polygon<T> path_at(const PathArray& paths, std::int64_t i) noexcept {
   Polygon<T> path;

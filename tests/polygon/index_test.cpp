@@ -118,7 +118,7 @@ struct Sets {
   }
 };
 
-Room index_of(const Sets& sets) {
+inline Room index_of(const Sets& sets) {
   Room index(vesica_index_size(sets.items())), scratch(vesica_index_scratch(sets.items()));
   EXPECT_GT(vesica_index_build_f64(sets.sets.data(), static_cast<std::int32_t>(sets.sets.size()), index.memory.get(),
                                    index.size, scratch.memory.get(), scratch.size),
@@ -186,9 +186,8 @@ TEST(PolygonIndex, SelectsAsEveryItemAsked) {
     }
     std::int64_t state[4] = {}, out[40];
     while (state[0] != -1) {
-      const std::int64_t n =
-          vesica_index_select_f64(index.memory.get(), sets.sets.data(), static_cast<std::int32_t>(sets.sets.size()),
-                                  &single, out, 40, state);
+      const std::int64_t n = vesica_index_select_f64(
+          index.memory.get(), sets.sets.data(), static_cast<std::int32_t>(sets.sets.size()), &single, out, 40, state);
       ASSERT_GE(n, 0);
       found.insert(out, out + n);
     }

@@ -16,7 +16,7 @@ def any_value(draw):
     size = draw.choice([0, 1, 2, 3, 4, 5, 6, 7])
     count = draw.choice([0, 1, 2, 3])
     array = numpy.array([[draw.choice(numbers) for _ in range(size)] for _ in range(count)])
-    kind = draw.choice(list(vesica.Kind))
+    kind = draw.choice(list(vesica.FIELDS))
     fields = len(vesica.FIELDS[kind])
     rows = [[draw.choice(numbers) for _ in range(fields)] for _ in range(count)]
     with numpy.errstate(all="ignore"):
@@ -70,6 +70,8 @@ FITTING = {
     "kind": lambda draw: vesica.Kind.ELLIPSE,
     "array": lambda draw: rows(draw, draw.choice([5, 6])),
     "xy": lambda draw: rows(draw, 2),
+    "vertices": lambda draw: draw.choice([[rows(draw, 2)] * 3, rows(draw, 2), numpy.zeros((2, 4, 2))]),
+    "offsets": lambda draw: (),
     "xyr": lambda draw: rows(draw, 3),
     "xyxy": lambda draw: rows(draw, 4),
     "xyxyr": lambda draw: rows(draw, 5),

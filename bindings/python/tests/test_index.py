@@ -14,7 +14,7 @@ from vesica import Kind
 from test_queries import ROUNDED, random_shapes
 
 
-def mixed(count, generator, dtype, kinds=Kind):
+def mixed(count, generator, dtype, kinds=vesica.FIELDS):
     sets = []
     for kind in kinds:
         shapes = random_shapes(kind, count, generator, dtype)
@@ -45,7 +45,7 @@ class Index(unittest.TestCase):
 
     def test_joins(self):
         generator = numpy.random.default_rng(7)
-        kinds = [kind for kind in Kind if kind not in ROUNDED]
+        kinds = [kind for kind in vesica.FIELDS if kind not in ROUNDED]
         for dtype in ("f8", "f4"):
             a, b = mixed(40, generator, dtype, kinds), mixed(30, generator, dtype, kinds)
             index_a, index_b = vesica.Index(*a), vesica.Index(*b)

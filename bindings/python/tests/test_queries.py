@@ -47,7 +47,7 @@ def is_answered(name, kind_a, kind_b):
 class Consistent(unittest.TestCase):
     def test_arrays_say_what_single_shapes_say(self):
         generator = numpy.random.default_rng(random.randrange(1 << 30))
-        for kind_a, kind_b, dtype in itertools.product(Kind, Kind, ("f8", "f4")):
+        for kind_a, kind_b, dtype in itertools.product(vesica.FIELDS, vesica.FIELDS, ("f8", "f4")):
             a, b = (random_shapes(kind, 7, generator, dtype) for kind in (kind_a, kind_b))
             for name in QUERIES:
                 if is_answered(name, kind_a, kind_b):
@@ -339,7 +339,7 @@ class Vectors(unittest.TestCase):
             for at in (0, 7):
                 numbers = struct.unpack(">6d", bytes.fromhex("".join(words[at + 1 : at + 7])))
                 kind = int(words[at])
-                if 0 <= kind < len(Kind):
+                if 0 <= kind < len(vesica.FIELDS):
                     numbers = numbers[: len(vesica.FIELDS[Kind(kind)])]
                     shapes.append(vesica.shapes(kind, numpy.array(numbers, dtype)))
             if len(shapes) < 2:
