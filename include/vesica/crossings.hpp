@@ -3,12 +3,14 @@
 ///
 /// The outline of a shape with area is the curve around it; a segment, a point, and a shape without area are their own
 /// outlines. How many places there are is decided by exact signs: a place where outlines touch counts once, whatever
-/// the order of contact. A stretch that straight outlines share counts as its two end points, and sets `shared`; so
-/// equal boxes meet at their corners. Equal curves meet everywhere: no places, and `shared` is set.
+/// the order of contact. A stretch that edges share, or arcs about one corner, counts as its two end points, and sets
+/// `shared`; so equal boxes meet at their corners, and equal capsules where their edges begin and end. Equal circles and
+/// ellipses meet everywhere: no places, and `shared` is set.
 ///
 /// Places come in order along a's outline: counter-clockwise (in the frame of the stored axis) from the corner -hx u -
-/// hy perp u of a box, from the end of the axis +u of an ellipse (+x of a circle); from a segment's first end. A place
-/// exactly there is the first. Places closer than the accuracy may be in either order, or be equal. The same holds for
+/// hy perp u of a box, from the end of the axis +u of an ellipse (+x of a circle); from a segment's first end. With a
+/// radius the outline begins with the edge from that corner or end, moved out: of a capsule, the edge to the right of
+/// its segment. A place exactly there is the first. Places closer than the accuracy may be in either order, or be equal. The same holds for
 /// places of two ellipses within 2^-95 of a turn of each other on the smaller one, as can happen with needles of
 /// aspects beyond 2^90.
 ///
@@ -18,11 +20,11 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <vesica/crossings/box_box.hpp>
 #include <vesica/crossings/box_ellipse.hpp>
 #include <vesica/crossings/ellipse_ellipse.hpp>
+#include <vesica/crossings/inflated.hpp>
 #include <vesica/overlap.hpp>
 #include <vesica/shape_area.hpp>
 
@@ -33,8 +35,21 @@ namespace detail::crossings {
 template <class Shape>
 inline constexpr bool is_round = ShapeTraits<Shape>::kind == Kind::circle || ShapeTraits<Shape>::kind == Kind::ellipse;
 
-inline std::array<double, 3> numbers(const Circle<double>& s) noexcept { return {s.cx, s.cy, s.r}; }
-inline std::array<double, 6> numbers(const Ellipse<double>& s) noexcept { return {s.cx, s.cy, s.ux, s.uy, s.a, s.b}; }
+/// Not known for an ellipse and a core with a radius.
+template <class A, class B>
+inline constexpr bool answers = !(ShapeTraits<A>::kind == Kind::ellipse &&
+                                  form::Inflated<B>)&&!(ShapeTraits<B>::kind == Kind::ellipse && form::Inflated<A>);
+
+/// True if a's numbers are the later ones of two shapes of one kind.
+template <class Shape>
+bool is_later(const Shape& a, const Shape& b) noexcept {
+  return with_numbers(a, [&](auto... x) {
+    return with_numbers(b, [&](auto... y) {
+      const double first[] = {x...}, second[] = {y...};
+      return std::lexicographical_compare(second, second + sizeof...(y), first, first + sizeof...(x));
+    });
+  });
+}
 
 /// True if places are searched along a's outline: along the smaller shape's, in either order of the arguments.
 template <class A, class B>
@@ -45,8 +60,7 @@ bool is_first(const A& a, const B& b) noexcept {
   if constexpr (ShapeTraits<A>::kind != ShapeTraits<B>::kind) {
     return ShapeTraits<A>::kind < ShapeTraits<B>::kind;
   } else {
-    const auto x = numbers(a), y = numbers(b);
-    return std::lexicographical_compare(x.begin(), x.end(), y.begin(), y.end());
+    return is_later(b, a);
   }
 }
 
@@ -72,6 +86,24 @@ CrossingPoints<double> between(const A& a, const B& b) noexcept {
     if (is_first(a, b)) return places(form_a, StoredOutline(a), form_b).in_order(false);
     return places(form_b, StoredOutline(b), form_a).in_order(true);
   }
+}
+
+/// With a core and a radius. Kinds that need no radius are asked instead. Either order of the shapes takes the same one.
+template <class A, class B>
+requires(form::Inflated<A> || form::Inflated<B>) CrossingPoints<double> between(const A& a, const B& b)
+noexcept {
+  return form::with_simplest(a, [&](const auto& p) {
+    return form::with_simplest(b, [&](const auto& q) {
+      if constexpr (!std::is_same_v<decltype(p), const A&> || !std::is_same_v<decltype(q), const B&>) {
+        return between(p, q);
+      } else {
+        bool reversed = !vesica::detail::in_order<A, B>;
+        if constexpr (std::is_same_v<A, B>) reversed = is_later(a, b);
+        return reversed ? crossings(round_outline(b), round_outline(a)).in_order(true)
+                        : crossings(round_outline(a), round_outline(b)).in_order(false);
+      }
+    });
+  });
 }
 
 /// One place where outlines meet, the same in either order of the shapes. Returns false if there is none, and writes
@@ -123,11 +155,13 @@ std::int32_t store(const CrossingPoints<double>& found, CrossingPoints<T>& out) 
 }  // namespace detail::crossings
 
 /// The number of places where two outlines meet, up to 8, with the places in `out`; shapes of any kinds, in either
-/// order.
+/// order, but an ellipse with a capsule or a rounded rectangle.
 /// Errors: error_shape, error_range (a place is beyond the finite numbers); on error `out` is untouched. Floats are the
 /// double places, rounded.
 template <template <class> class A, template <class> class B, class T>
-std::int32_t crossings_or_error(const A<T>& a, const B<T>& b, CrossingPoints<T>& out) noexcept {
+requires(detail::crossings::answers<A<T>, B<T>>) std::int32_t
+    crossings_or_error(const A<T>& a, const B<T>& b, CrossingPoints<T>& out)
+noexcept {
   const auto verdict = detail::crossings::overlap_filter(widen(a), widen(b));
   if (!verdict.overlap && !verdict.disjoint && (check(a) != 0 || check(b) != 0)) return error_shape;
   return detail::crossings::store(
@@ -136,7 +170,8 @@ std::int32_t crossings_or_error(const A<T>& a, const B<T>& b, CrossingPoints<T>&
 
 /// The same as a value: none where there is an error.
 template <template <class> class A, template <class> class B, class T>
-CrossingPoints<T> crossings(const A<T>& a, const B<T>& b) noexcept {
+requires(detail::crossings::answers<A<T>, B<T>>) CrossingPoints<T> crossings(const A<T>& a, const B<T>& b)
+noexcept {
   CrossingPoints<T> out{};
   crossings_or_error(a, b, out);
   return out;

@@ -26,6 +26,11 @@ inline int dimension(const Aabb<double>& s) noexcept {
 }
 inline int dimension(const Rect<double>& s) noexcept { return (s.hx > 0 ? 1 : 0) + (s.hy > 0 ? 1 : 0); }
 inline int dimension(const Ellipse<double>& s) noexcept { return (s.a > 0 ? 1 : 0) + (s.b > 0 ? 1 : 0); }
+/// With a radius above 0.
+template <form::Inflated Shape>
+int dimension(const Shape&) noexcept {
+  return 2;
+}
 
 template <class Shape>
 inline constexpr bool is_round = ShapeTraits<Shape>::kind == Kind::circle || ShapeTraits<Shape>::kind == Kind::ellipse;
@@ -63,17 +68,22 @@ template <class A, class B>
 VESICA_CALLED NineIntersections of_segment(const A& a, const B& b, Relation r, int dimension_b) noexcept {
   NineIntersections m;
   if (of_segment_by_relation(r, dimension_b, m)) return m;
-  if (dimension_b == 1) return of_segments(straight_form(a), straight_form(b), r);
-  if constexpr (is_round<B>) {
-    return of_segment_and_ellipse(straight_form(a), exact::form(b), r);
+  if constexpr (form::Inflated<B>) {
+    return of_segment_and_outline(straight_form(a), crossings::round_outline(b), r);
   } else {
-    return of_segment_and_box(straight_form(a), straight_form(b), r);
+    if (dimension_b == 1) return of_segments(straight_form(a), straight_form(b), r);
+    if constexpr (is_round<B>) {
+      return of_segment_and_ellipse(straight_form(a), exact::form(b), r);
+    } else {
+      return of_segment_and_box(straight_form(a), straight_form(b), r);
+    }
   }
 }
 
 template <class A, class B>
 NineIntersections of_areas(const A& a, const B& b, Relation r) noexcept {
-  if constexpr (is_round<A> || is_round<B>) {
+  constexpr bool may_share = form::Inflated<A> || form::Inflated<B> || (!is_round<A> && !is_round<B>);
+  if constexpr (!may_share) {
     return of_areas(r, '0');
   } else {
     const bool settled = r == Relation::disjoint || r == Relation::inside || r == Relation::contains;
@@ -86,7 +96,31 @@ template <class A, class B>
 VESICA_INLINE NineIntersections in_order_of_dimension(const A& a, const B& b, Relation r) noexcept {
   const int of_a = dimension(a), of_b = dimension(b);
   if (of_a == 0) return of_point(r, of_b);
-  return of_a == 1 ? of_segment(a, b, r, of_b) : of_areas(a, b, r);
+  if constexpr (!form::Inflated<A>) {
+    if (of_a == 1) return of_segment(a, b, r, of_b);
+  }
+  return of_areas(a, b, r);
+}
+
+template <class A, class B>
+VESICA_INLINE NineIntersections by_relation(const A& a, const B& b, Relation r) noexcept {
+  return dimension(a) <= dimension(b) ? in_order_of_dimension(a, b, r)
+                                      : transposed(in_order_of_dimension(b, a, converse(r)));
+}
+/// With a core and a radius. Kinds that need no radius are asked instead.
+template <class A, class B>
+requires(form::Inflated<A> || form::Inflated<B>) NineIntersections by_relation(const A& a, const B& b, Relation r)
+noexcept {
+  return form::with_simplest(a, [&](const auto& p) {
+    return form::with_simplest(b, [&](const auto& q) {
+      if constexpr (std::is_same_v<decltype(p), const A&> && std::is_same_v<decltype(q), const B&>) {
+        return dimension(a) <= dimension(b) ? in_order_of_dimension(a, b, r)
+                                            : transposed(in_order_of_dimension(b, a, converse(r)));
+      } else {
+        return by_relation(p, q, r);
+      }
+    });
+  });
 }
 
 /// de9im_or_error() for kinds in order.
@@ -94,9 +128,7 @@ template <class A, class B>
 VESICA_INLINE std::int32_t de9im_in_order(const A& a, const B& b, NineIntersections& out) noexcept {
   const std::int32_t code = called_relation(a, b);
   if (code < 0) return code;
-  const auto r = static_cast<Relation>(code);
-  out = dimension(a) <= dimension(b) ? in_order_of_dimension(a, b, r)
-                                     : transposed(in_order_of_dimension(b, a, converse(r)));
+  out = by_relation(a, b, static_cast<Relation>(code));
   return 0;
 }
 /// The same as a call, but of a point, which is shorter than a call.

@@ -25,7 +25,7 @@ struct SharedRegion {
 namespace detail::intersection {
 
 template <class Shape>
-inline constexpr bool is_round = ShapeTraits<Shape>::kind == Kind::circle || ShapeTraits<Shape>::kind == Kind::ellipse;
+inline constexpr bool is_round = crossings::is_round<Shape> || form::Inflated<Shape>;
 template <class Shape>
 inline constexpr bool is_thin = ShapeTraits<Shape>::kind == Kind::point || ShapeTraits<Shape>::kind == Kind::segment;
 
@@ -38,21 +38,30 @@ inline bool has_area(const Ellipse<double>& s) noexcept { return s.a > 0 && s.b 
 inline Point<double> straight(const Circle<double>& s) noexcept { return {s.cx, s.cy}; }
 inline Rect<double> straight(const Ellipse<double>& s) noexcept { return {s.cx, s.cy, s.ux, s.uy, s.a, s.b}; }
 
-/// A point or a segment that meets a disc or an ellipse with area. Ends that are inside are vertices; an end outside is
+template <class Shape>
+exact::Ellipse outline(const Shape& s) noexcept {
+  return exact::form(s);
+}
+template <form::Inflated Shape>
+crossings::RoundOutline outline(const Shape& s) noexcept {
+  return crossings::round_outline(s);
+}
+
+/// A point or a segment that meets a round shape with area. Ends that are inside are vertices; an end outside is
 /// replaced by the first or last place where the segment meets the outline.
 template <class A, class B>
 Vertices in_round(const A& a, const B& b) noexcept {
   const crossings::Corners ends(exact::form(a));
-  const exact::Ellipse form = exact::form(b);
+  const auto round = outline(b);
   Rounded corner{};
   corners(a, corner);
   Vertices v;
-  const int start = de9im::place_in(form, ends.x[0], ends.y[0]);
+  const int start = de9im::place_in(round, ends.x[0], ends.y[0]);
   if (ends.count == 1) {
     v.add(corner[0]);
     return v;
   }
-  const int end = de9im::place_in(form, ends.x[1], ends.y[1]);
+  const int end = de9im::place_in(round, ends.x[1], ends.y[1]);
   if (start >= 0 && end >= 0) {
     v.add(corner[0]);
     v.add(corner[1]);
@@ -77,7 +86,15 @@ Vertices in_round(const A& a, const B& b) noexcept {
 /// For shapes that overlap, of kinds in order.
 template <class A, class B>
 Vertices region(const A& a, const B& b) noexcept {
-  if constexpr (is_round<B>) {
+  if constexpr (form::Inflated<B>) {
+    return form::with_simplest(b, [&](const auto& q) {
+      if constexpr (std::is_same_v<decltype(q), const B&>) {
+        return in_round(a, b);
+      } else {
+        return region(a, q);
+      }
+    });
+  } else if constexpr (is_round<B>) {
     return has_area(b) ? in_round(a, b) : region(a, straight(b));
   } else {
     Rounded corner_a{}, corner_b{};
@@ -85,16 +102,6 @@ Vertices region(const A& a, const B& b) noexcept {
     corners(b, corner_b);
     return common_region(exact::form(a), exact::form(b), corner_a, corner_b);
   }
-}
-
-template <class Shape>
-bool is_later(const Shape& a, const Shape& b) noexcept {
-  return with_numbers(a, [&](auto... x) {
-    return with_numbers(b, [&](auto... y) {
-      const double first[] = {x...}, second[] = {y...};
-      return std::lexicographical_compare(second, second + sizeof...(y), first, first + sizeof...(x));
-    });
-  });
 }
 
 /// Rounds to T, from the lowest vertex on. A zero becomes +0, as its sign could depend on the order of the shapes.
@@ -141,7 +148,7 @@ noexcept {
       return 0;
     }
     if constexpr (detail::in_order<B<T>, A<T>>) {
-      if (shared::is_later(a, b)) return shared::store(shared::region(b, a), out);
+      if (detail::crossings::is_later(a, b)) return shared::store(shared::region(b, a), out);
     }
     return shared::store(shared::region(a, b), out);
   }

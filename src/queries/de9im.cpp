@@ -11,7 +11,7 @@ namespace {
 struct De9imOfPair {
   static constexpr Reversal reversal = Reversal::unknown;  // its result is no list of numbers
   template <class A, class B>
-  static constexpr bool answers = HasForm<A>&& HasForm<B>;
+  static constexpr bool answers = HasRelation<A, B>;
   template <class T>
   using Result = NineIntersections;
   template <class A, class B, class Result>

@@ -13,7 +13,7 @@ struct IntersectionOfPair {
   template <class T>
   using Result = SharedRegion<T>;
   template <class A, class B>
-  static constexpr bool answers = HasForm<A>&& HasForm<B>&& detail::intersection::answers<A, B>;
+  static constexpr bool answers = HasCore<A>&& HasCore<B>&& detail::intersection::answers<A, B>;
   template <class A, class B, class Result>
   VESICA_INLINE static std::int32_t answer(const A& a, const B& b, Result& out) noexcept {
     return intersection_or_error(a, b, out);

@@ -21,21 +21,6 @@ bool overlap(const Shape& a, const Shape& b) {
   return vesica_overlap_f64(a.kind, a.number.data(), b.kind, b.number.data()) == 1;
 }
 
-Shape moved(Shape s, double dx) {
-  s.number[0] += dx;
-  if (s.kind == VESICA_CAPSULE) s.number[2] += dx;
-  return s;
-}
-
-/// Lengths times k; of an ellipse and of rectangles the axis.
-Shape times(Shape s, double k) {
-  const bool has_axis = s.kind == VESICA_RECT || s.kind == VESICA_ELLIPSE || s.kind == VESICA_ROUND_RECT;
-  for (std::size_t i = 0; i < s.number.size(); ++i) {
-    if (!has_axis || i < 4 || i == 6) s.number[i] *= k;
-  }
-  return s;
-}
-
 /// Finds how far b moves along x until it leaves a: two places that no double lies between, or a few.
 bool contact(const Shape& a, const Shape& b, double& from, double& to) {
   from = 0, to = 16;

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "properties/random.hpp"
@@ -30,6 +31,18 @@ Shape shape(std::int32_t kind, properties::Random& random);
 Shape any_shape(properties::Random& random, int count = 8);
 /// One with a core and a radius.
 Shape inflated_shape(properties::Random& random);
+
+/// One of any kind but ellipses, of few digits, so that two often touch or share a stretch.
+Shape lattice_shape(properties::Random& random);
+
+bool is_inflated(const Shape& s);
+std::string described(const Shape& s);
+/// Moved along x.
+Shape moved(Shape s, double dx);
+/// Lengths times k.
+Shape times(Shape s, double k);
+/// The greatest coordinate and size of two shapes.
+double scale(const Shape& a, const Shape& b);
 
 /// The core, and its radius: 0 for shapes without one.
 Shape core(const Shape& s);

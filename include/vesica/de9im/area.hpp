@@ -54,7 +54,7 @@ VESICA_COLD inline bool outlines_share_stretch(const exact::Box& box_a, const ex
 }
 
 /// True if two axes are certainly neither parallel nor at right angles. With u = 2^-53, a sum of two rounded products
-/// errs by 2u of their magnitudes and by what underflows.
+/// errs by 2u of their magnitudes and by what underflows; components that are rounded differences add 2u.
 inline bool certainly_oblique(double ux, double uy, double wx, double wy) noexcept {
   const double bound = 0x1p-50 * (std::fabs(ux * wx) + std::fabs(uy * wy) + std::fabs(ux * wy) + std::fabs(uy * wx));
   const double dot = std::fabs(ux * wx + uy * wy), cross = std::fabs(ux * wy - uy * wx);
@@ -69,6 +69,37 @@ bool outlines_share_stretch(const A& a, const B& b) noexcept {
   const auto g = form::of(b);
   if (certainly_oblique(number(f.ux), number(f.uy), number(g.ux), number(g.uy))) return false;
   return outlines_share_stretch(exact::form(a), exact::form(b));
+}
+
+/// With a core and a radius. Arcs share a stretch only if their radii are equal.
+template <class A, class B>
+requires(form::Inflated<A> || form::Inflated<B>) bool outlines_share_stretch(const A& a, const B& b) noexcept {
+  constexpr form::AsStored<double> number;
+  const auto p = form::inflated(a);
+  const auto q = form::inflated(b);
+  const auto f = form::of(p.core);
+  const auto g = form::of(q.core);
+  const bool has_arcs = p.radius == q.radius;
+  if (!has_arcs && certainly_oblique(number(f.ux), number(f.uy), number(g.ux), number(g.uy))) return false;
+  return crossings::share_stretch(crossings::round_outline(a), crossings::round_outline(b));
+}
+
+/// An ellipse may be a circle, which holds an arc.
+template <form::Inflated Shape>
+VESICA_COLD bool outlines_share_stretch(const Shape& s, const Ellipse<double>& ellipse) noexcept {
+  if (ellipse.a != ellipse.b) return false;
+  const exact::Ellipse e = exact::form(ellipse);
+  const crossings::RoundOutline o = crossings::round_outline(s);
+  if (exact::compare(exact::square(e.a) * exact::dot(e.ux, e.uy, e.ux, e.uy), exact::square(o.radius)) != 0)
+    return false;
+  for (int i = 0; i < o.corners.count; ++i) {
+    if (crossings::is_corner(o.corners, i, e.cx, e.cy)) return true;
+  }
+  return false;
+}
+template <form::Inflated Shape>
+bool outlines_share_stretch(const Ellipse<double>& ellipse, const Shape& s) noexcept {
+  return outlines_share_stretch(s, ellipse);
 }
 
 }  // namespace vesica::detail::de9im

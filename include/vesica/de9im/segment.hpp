@@ -3,6 +3,7 @@
 #pragma once
 
 #include <vesica/crossings/box_box.hpp>
+#include <vesica/crossings/inflated.hpp>
 #include <vesica/de9im/matrix.hpp>
 #include <vesica/relation_code.hpp>
 
@@ -101,6 +102,29 @@ VESICA_COLD inline NineIntersections of_segment_and_ellipse(const exact::Box& bo
   Ends ends;
   for (int i = 0; i < 2; ++i) ends.add(place_in(b, a.x[i], a.y[i]));
   return of_segment_and_area(ends, r != Relation::touch, false);
+}
+
+/// The place of a point in a shape with a radius above 0. Degree 6.
+inline int place_in(const crossings::RoundOutline& o, const crossings::Position& x,
+                    const crossings::Position& y) noexcept {
+  const exact::Box& core = o.corners.box;
+  const auto dx = x - core.cx, dy = y - core.cy;
+  const auto& unit = o.unit.square;
+  auto along = exact::abs(exact::dot(core.ux, core.uy, dx, dy)) - core.hx * unit;
+  auto across = exact::abs(exact::cross(core.ux, core.uy, dx, dy)) - core.hy * unit;
+  if (along.sign < 0) along = {};
+  if (across.sign < 0) across = {};
+  return exact::compare(exact::square(o.radius) * unit, exact::square(along) + exact::square(across));
+}
+
+/// A segment in such a shape meets its inside unless it lies along an edge.
+VESICA_COLD inline NineIntersections of_segment_and_outline(const exact::Box& box_a, const crossings::RoundOutline& b,
+                                                            Relation r) noexcept {
+  const crossings::RoundOutline a(box_a, {});
+  Ends ends;
+  for (int i = 0; i < 2; ++i) ends.add(place_in(b, a.corners.x[i], a.corners.y[i]));
+  const bool stretch = r != Relation::cross && crossings::share_stretch(a, b);
+  return of_segment_and_area(ends, r != Relation::touch && !stretch, stretch);
 }
 
 }  // namespace vesica::detail::de9im
