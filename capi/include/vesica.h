@@ -78,11 +78,9 @@ extern "C" {
 #define VESICA_VERSION 100 /**< of this header: major * 10000 + minor * 100 + patch */
 
 /*
- * Kinds of shapes, and the order of their numbers. Capsules and rounded rectangles are taken by: check, bounds,
- * shape_area, overlap, interiors_overlap, relation, contains and boundary_distance (these three not with an ellipse),
- * nearest, depth, signed_distance, within, area, iou, ratio, cast, impact_time, sweep_bounds, their arrays,
- * suppression, indexes, casts through an index, joins, and index_nearest. Other functions return VESICA_E_KIND for
- * them.
+ * Kinds of shapes, and the order of their numbers. Capsules and rounded rectangles are taken as the kinds before them,
+ * but with an ellipse relation, contains, joins by containment, boundary_distance, de9im and crossings return
+ * VESICA_E_KIND.
  * Polygons and polylines are taken by:
  *   check, bounds
  *   overlap
@@ -350,16 +348,19 @@ VESICA_API const char *vesica_strerror(int32_t code);
  * Where do the outlines of two shapes meet? Touching counts.
  *
  * The outline of a shape with area is the curve around it. A segment, a point and a shape without area are their own
- * outlines. A contact is one place, however closely the curves touch there. If straight outlines share a stretch, its
- * two end points are places, and *shared is 1; so equal boxes meet at their four corners. Two equal curves meet
- * everywhere: then the count is 0 and *shared is 1.
+ * outlines. A contact is one place, however closely the curves touch there. If straight parts of outlines share a
+ * stretch, or arcs about one corner do, its two end points are places, and *shared is 1. So equal boxes meet at their
+ * four corners, and equal capsules where their sides begin and end. Equal circles and ellipses meet everywhere: then
+ * the count is 0 and *shared is 1.
  * Places come in order along a's outline, counter-clockwise in the frame of its axis. The start is a box's corner
  * C - hx u - hy perp(u), an ellipse's point C + a u (one without area begins as a box), a circle's point C + (r, 0),
- * or a segment's first end.
+ * or a segment's first end. With a radius the start is where the side from that corner or end begins: for a capsule,
+ * its right side, seen from the first end.
  * Requires: capacity, how many places out has room for. It may be 0, and out then NULL. shared may be NULL.
  * Returns: how many places there are, even if that exceeds the capacity: at most 8 for these kinds. The first
  * `capacity` are written, and *shared is set to 1 or 0.
- * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a negative capacity), VESICA_E_SHAPE, VESICA_E_RANGE.
+ * Errors: VESICA_E_NULL, VESICA_E_KIND (also for an ellipse with a capsule or a rounded rectangle), VESICA_E_ARGUMENT
+ * (a negative capacity), VESICA_E_SHAPE, VESICA_E_RANGE.
  * Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape, even
  * where the outlines nearly coincide. Places closer to one another than that may come in either order or be equal.
  * Cost: several times vesica_nearest_f64.

@@ -30,12 +30,13 @@ extern "C" {
  * inside, outline and outside; the next three say it of a's outline, the last three of a's outside. F means nothing, 0
  * single points, 1 lines, 2 an area. The outline of a shape with area is the curve around it, a segment's its two
  * end points; a point has none. A segment without length is a point; a shape with one size 0 is a segment, with both 0
- * a point. Two boxes side by side that share a side give "FF2F11212". Exchanging the shapes exchanges rows and columns.
+ * a point; a capsule or rounded rectangle without a radius is its core. Two boxes side by side that share a side give "FF2F11212". Exchanging the shapes exchanges rows and columns.
  * Requires: matrix with room for VESICA_DE9IM_SIZE characters.
  * Returns: 0, and nine characters and a final NUL in matrix.
- * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
+ * Errors: VESICA_E_NULL, VESICA_E_KIND (also for kinds that vesica_relation_f64 does not take together),
+ * VESICA_E_SHAPE.
  * Accuracy: exact.
- * Cost: as vesica_relation_f64; more for a segment, and for rectangles whose sides are parallel.
+ * Cost: as vesica_relation_f64; more for a segment, for shapes whose sides are parallel, and for equal radii.
  */
 VESICA_API int32_t vesica_de9im_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b, char *matrix);
 
@@ -53,7 +54,8 @@ VESICA_API int32_t vesica_de9im_match(const char *matrix, const char *pattern);
 /**
  * The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
  *
- * The kinds are points, segments, boxes and rectangles; a point or a segment may also meet a circle or an ellipse.
+ * The kinds are points, segments, boxes and rectangles. A point or a segment may also meet a circle, an ellipse, a
+ * capsule or a rounded rectangle.
  * The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise if y points up. The first is the one with
  * the least y, of equal ones that with the least x, by the numbers written. One vertex is a point, two are the ends of
  * a segment. Exchanging the shapes changes no bit; a zero is +0.

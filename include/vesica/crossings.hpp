@@ -4,15 +4,16 @@
 /// The outline of a shape with area is the curve around it; a segment, a point, and a shape without area are their own
 /// outlines. How many places there are is decided by exact signs: a place where outlines touch counts once, whatever
 /// the order of contact. A stretch that edges share, or arcs about one corner, counts as its two end points, and sets
-/// `shared`; so equal boxes meet at their corners, and equal capsules where their edges begin and end. Equal circles and
-/// ellipses meet everywhere: no places, and `shared` is set.
+/// `shared`; so equal boxes meet at their corners, and equal capsules where their edges begin and end. Equal circles
+/// and ellipses meet everywhere: no places, and `shared` is set.
 ///
 /// Places come in order along a's outline: counter-clockwise (in the frame of the stored axis) from the corner -hx u -
 /// hy perp u of a box, from the end of the axis +u of an ellipse (+x of a circle); from a segment's first end. With a
 /// radius the outline begins with the edge from that corner or end, moved out: of a capsule, the edge to the right of
-/// its segment. A place exactly there is the first. Places closer than the accuracy may be in either order, or be equal. The same holds for
-/// places of two ellipses within 2^-95 of a turn of each other on the smaller one, as can happen with needles of
-/// aspects beyond 2^90.
+/// its segment. A capsule or rounded rectangle that is a circle begins as that, one without a radius as its core. A
+/// place exactly there is the first. Places closer than the accuracy may be in either order, or be equal. The same
+/// holds for places of two ellipses within 2^-95 of a turn of each other on the smaller one, as can happen with needles
+/// of aspects beyond 2^90.
 ///
 /// Accuracy: within 4u of the greatest coordinate and size of either shape, u = 2^-53, of a true place, and so of both
 /// outlines, however closely these touch, osculate or coincide; each true place is found once. Exchanging the shapes
@@ -88,7 +89,7 @@ CrossingPoints<double> between(const A& a, const B& b) noexcept {
   }
 }
 
-/// With a core and a radius. Kinds that need no radius are asked instead. Either order of the shapes takes the same one.
+/// With a core and a radius. Kinds that need no radius are asked instead. Both orders of the shapes search in the same.
 template <class A, class B>
 requires(form::Inflated<A> || form::Inflated<B>) CrossingPoints<double> between(const A& a, const B& b)
 noexcept {

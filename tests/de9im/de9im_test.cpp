@@ -233,8 +233,8 @@ TEST(De9imKnown, Errors) {
   char out[10] = "untouched";
   EXPECT_EQ(vesica_de9im_f64(VESICA_CIRCLE, a, VESICA_CIRCLE, bad, out), VESICA_E_SHAPE);
   EXPECT_EQ(vesica_de9im_f64(VESICA_CIRCLE, bad, VESICA_POINT, a, out), VESICA_E_SHAPE);
-  EXPECT_EQ(vesica_de9im_f64(VESICA_CIRCLE, a, 6, a, out), VESICA_E_KIND);
-  EXPECT_EQ(vesica_de9im_f64(VESICA_CIRCLE, a, 6, nullptr, out), VESICA_E_NULL);
+  EXPECT_EQ(vesica_de9im_f64(VESICA_CIRCLE, a, -1, a, out), VESICA_E_KIND);
+  EXPECT_EQ(vesica_de9im_f64(VESICA_CIRCLE, a, -1, nullptr, out), VESICA_E_NULL);
   EXPECT_EQ(vesica_de9im_f64(VESICA_CIRCLE, a, VESICA_CIRCLE, a, nullptr), VESICA_E_NULL);
   EXPECT_STREQ(out, "untouched");
 }

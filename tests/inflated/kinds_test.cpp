@@ -18,8 +18,12 @@ TEST(InflatedKinds, AreRefusedByOtherQuestions) {
   EXPECT_EQ(vesica_boundary_distance_f64(VESICA_CAPSULE, &a, VESICA_ELLIPSE, &b, &points), VESICA_E_KIND);
   EXPECT_EQ(points.distance, 7);
   char matrix[10] = "untouched";
-  EXPECT_EQ(vesica_de9im_f64(VESICA_CAPSULE, &a, VESICA_CAPSULE, &a, matrix), VESICA_E_KIND);
+  EXPECT_EQ(vesica_de9im_f64(VESICA_CAPSULE, &a, VESICA_ELLIPSE, &b, matrix), VESICA_E_KIND);
   EXPECT_STREQ(matrix, "untouched");
+  std::int32_t shared = 7;
+  EXPECT_EQ(vesica_crossings_f64(VESICA_CAPSULE, &a, VESICA_ELLIPSE, &b, nullptr, 0, &shared), VESICA_E_KIND);
+  EXPECT_EQ(shared, 7);
+  EXPECT_EQ(vesica_intersection_f64(VESICA_CAPSULE, &a, VESICA_CAPSULE, &a, nullptr, 0), VESICA_E_KIND);
   EXPECT_EQ(vesica_relation_f64(VESICA_CAPSULE, &a, VESICA_ELLIPSE, &b), VESICA_E_KIND);
   EXPECT_EQ(vesica_contains_f64(VESICA_ELLIPSE, &b, VESICA_CAPSULE, &a), VESICA_E_KIND);
 }

@@ -129,8 +129,8 @@ inline Real turn_of(const Estimate& x, const Estimate& y) noexcept {
   return turn(scaled(x), scaled(y));
 }
 
-/// The position of a point of arc i's circle along the outline; negative if it is not on the arc. component(side): the vector
-/// from the corner to the point times a side, over anything positive.
+/// The position of a point of arc i's circle along the outline; negative if it is not on the arc. component(side): the
+/// vector from the corner to the point times a side, over anything positive.
 template <class Component>
 Real along_arc(const RoundOutline& o, int i, const Component& component) noexcept {
   if (o.is_circle()) {

@@ -559,18 +559,21 @@ extern "C" {
     /// Where do the outlines of two shapes meet? Touching counts.
     ///
     /// The outline of a shape with area is the curve around it. A segment, a point and a shape without area are their
-    /// own outlines. A contact is one place, however closely the curves touch there. If straight outlines share a
-    /// stretch, its two end points are places, and \*shared is 1; so equal boxes meet at their four corners. Two equal
-    /// curves meet everywhere: then the count is 0 and \*shared is 1. Places come in order along a's outline,
-    /// counter-clockwise in the frame of its axis. The start is a box's corner C - hx u - hy perp(u), an ellipse's
-    /// point C + a u (one without area begins as a box), a circle's point C + (r, 0), or a segment's first end.
+    /// own outlines. A contact is one place, however closely the curves touch there. If straight parts of outlines
+    /// share a stretch, or arcs about one corner do, its two end points are places, and \*shared is 1. So equal boxes
+    /// meet at their four corners, and equal capsules where their sides begin and end. Equal circles and ellipses meet
+    /// everywhere: then the count is 0 and \*shared is 1. Places come in order along a's outline, counter-clockwise in
+    /// the frame of its axis. The start is a box's corner C - hx u - hy perp(u), an ellipse's point C + a u (one
+    /// without area begins as a box), a circle's point C + (r, 0), or a segment's first end. With a radius the start is
+    /// where the side from that corner or end begins: for a capsule, its right side, seen from the first end.
     ///
     /// Requires: capacity, how many places out has room for. It may be 0, and out then NULL. shared may be NULL.
     ///
     /// Returns: how many places there are, even if that exceeds the capacity: at most 8 for these kinds. The first
     /// `capacity` are written, and \*shared is set to 1 or 0.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a negative capacity), VESICA_E_SHAPE, VESICA_E_RANGE.
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND (also for an ellipse with a capsule or a rounded rectangle),
+    /// VESICA_E_ARGUMENT (a negative capacity), VESICA_E_SHAPE, VESICA_E_RANGE.
     ///
     /// Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape,
     /// even where the outlines nearly coincide. Places closer to one another than that may come in either order or be
@@ -1571,18 +1574,21 @@ extern "C" {
     /// Where do the outlines of two shapes meet? Touching counts.
     ///
     /// The outline of a shape with area is the curve around it. A segment, a point and a shape without area are their
-    /// own outlines. A contact is one place, however closely the curves touch there. If straight outlines share a
-    /// stretch, its two end points are places, and \*shared is 1; so equal boxes meet at their four corners. Two equal
-    /// curves meet everywhere: then the count is 0 and \*shared is 1. Places come in order along a's outline,
-    /// counter-clockwise in the frame of its axis. The start is a box's corner C - hx u - hy perp(u), an ellipse's
-    /// point C + a u (one without area begins as a box), a circle's point C + (r, 0), or a segment's first end.
+    /// own outlines. A contact is one place, however closely the curves touch there. If straight parts of outlines
+    /// share a stretch, or arcs about one corner do, its two end points are places, and \*shared is 1. So equal boxes
+    /// meet at their four corners, and equal capsules where their sides begin and end. Equal circles and ellipses meet
+    /// everywhere: then the count is 0 and \*shared is 1. Places come in order along a's outline, counter-clockwise in
+    /// the frame of its axis. The start is a box's corner C - hx u - hy perp(u), an ellipse's point C + a u (one
+    /// without area begins as a box), a circle's point C + (r, 0), or a segment's first end. With a radius the start is
+    /// where the side from that corner or end begins: for a capsule, its right side, seen from the first end.
     ///
     /// Requires: capacity, how many places out has room for. It may be 0, and out then NULL. shared may be NULL.
     ///
     /// Returns: how many places there are, even if that exceeds the capacity: at most 8 for these kinds. The first
     /// `capacity` are written, and \*shared is set to 1 or 0.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a negative capacity), VESICA_E_SHAPE, VESICA_E_RANGE.
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND (also for an ellipse with a capsule or a rounded rectangle),
+    /// VESICA_E_ARGUMENT (a negative capacity), VESICA_E_SHAPE, VESICA_E_RANGE.
     ///
     /// Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape,
     /// even where the outlines nearly coincide. Places closer to one another than that may come in either order or be
@@ -4177,18 +4183,19 @@ extern "C" {
     /// b's inside, outline and outside; the next three say it of a's outline, the last three of a's outside. F means
     /// nothing, 0 single points, 1 lines, 2 an area. The outline of a shape with area is the curve around it, a
     /// segment's its two end points; a point has none. A segment without length is a point; a shape with one size 0 is
-    /// a segment, with both 0 a point. Two boxes side by side that share a side give "FF2F11212". Exchanging the shapes
-    /// exchanges rows and columns.
+    /// a segment, with both 0 a point; a capsule or rounded rectangle without a radius is its core. Two boxes side by
+    /// side that share a side give "FF2F11212". Exchanging the shapes exchanges rows and columns.
     ///
     /// Requires: matrix with room for VESICA_DE9IM_SIZE characters.
     ///
     /// Returns: 0, and nine characters and a final NUL in matrix.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND (also for kinds that vesica_relation_f64 does not take together),
+    /// VESICA_E_SHAPE.
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: as vesica_relation_f64; more for a segment, and for rectangles whose sides are parallel.
+    /// Cost: as vesica_relation_f64; more for a segment, for shapes whose sides are parallel, and for equal radii.
     ///
     /// Since: 0.1.
     pub fn vesica_de9im_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, matrix: *mut u8) -> i32;
@@ -4208,10 +4215,10 @@ extern "C" {
     pub fn vesica_de9im_match(matrix: *const u8, pattern: *const u8) -> i32;
     /// The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
     ///
-    /// The kinds are points, segments, boxes and rectangles; a point or a segment may also meet a circle or an ellipse.
-    /// The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise if y points up. The first is the one
-    /// with the least y, of equal ones that with the least x, by the numbers written. One vertex is a point, two are
-    /// the ends of a segment. Exchanging the shapes changes no bit; a zero is +0.
+    /// The kinds are points, segments, boxes and rectangles. A point or a segment may also meet a circle, an ellipse, a
+    /// capsule or a rounded rectangle. The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise if y
+    /// points up. The first is the one with the least y, of equal ones that with the least x, by the numbers written.
+    /// One vertex is a point, two are the ends of a segment. Exchanging the shapes changes no bit; a zero is +0.
     ///
     /// Requires: capacity, how many vertices out has room for. It may be 0, and out then NULL.
     ///
@@ -4239,27 +4246,28 @@ extern "C" {
     /// b's inside, outline and outside; the next three say it of a's outline, the last three of a's outside. F means
     /// nothing, 0 single points, 1 lines, 2 an area. The outline of a shape with area is the curve around it, a
     /// segment's its two end points; a point has none. A segment without length is a point; a shape with one size 0 is
-    /// a segment, with both 0 a point. Two boxes side by side that share a side give "FF2F11212". Exchanging the shapes
-    /// exchanges rows and columns.
+    /// a segment, with both 0 a point; a capsule or rounded rectangle without a radius is its core. Two boxes side by
+    /// side that share a side give "FF2F11212". Exchanging the shapes exchanges rows and columns.
     ///
     /// Requires: matrix with room for VESICA_DE9IM_SIZE characters.
     ///
     /// Returns: 0, and nine characters and a final NUL in matrix.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND (also for kinds that vesica_relation_f32 does not take together),
+    /// VESICA_E_SHAPE.
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: as vesica_relation_f32; more for a segment, and for rectangles whose sides are parallel.
+    /// Cost: as vesica_relation_f32; more for a segment, for shapes whose sides are parallel, and for equal radii.
     ///
     /// Since: 0.1.
     pub fn vesica_de9im_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, matrix: *mut u8) -> i32;
     /// The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
     ///
-    /// The kinds are points, segments, boxes and rectangles; a point or a segment may also meet a circle or an ellipse.
-    /// The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise if y points up. The first is the one
-    /// with the least y, of equal ones that with the least x, by the numbers written. One vertex is a point, two are
-    /// the ends of a segment. Exchanging the shapes changes no bit; a zero is +0.
+    /// The kinds are points, segments, boxes and rectangles. A point or a segment may also meet a circle, an ellipse, a
+    /// capsule or a rounded rectangle. The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise if y
+    /// points up. The first is the one with the least y, of equal ones that with the least x, by the numbers written.
+    /// One vertex is a point, two are the ends of a segment. Exchanging the shapes changes no bit; a zero is +0.
     ///
     /// Requires: capacity, how many vertices out has room for. It may be 0, and out then NULL.
     ///
