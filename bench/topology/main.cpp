@@ -128,6 +128,13 @@ Ask intersection(std::int32_t a, std::int32_t b) {
   };
 }
 
+Ask crossings(std::int32_t a, std::int32_t b) {
+  return [=](const Pair& p) {
+    vesica_point_f64 v[8];
+    return vesica_crossings_f64(a, p.a.data(), b, p.b.data(), v, 8, nullptr);
+  };
+}
+
 #if defined(VESICA_HAS_GEOS)
 GEOSContextHandle_t geos() {
   static const GEOSContextHandle_t context = GEOS_init_r();
@@ -305,10 +312,27 @@ void all() {
       topology(a, b, data);
     }
   }
-  row("segment ellipse", VESICA_SEGMENT, VESICA_ELLIPSE, Data::random,
-      {{"relation", relation(VESICA_SEGMENT, VESICA_ELLIPSE)},
-       {"de9im", de9im(VESICA_SEGMENT, VESICA_ELLIPSE)},
-       {"intersection", intersection(VESICA_SEGMENT, VESICA_ELLIPSE)}});
+  std::puts("Round shapes, beside rectangles.");
+  for (const Data data : {Data::random, Data::grid}) {
+    for (const std::int32_t kind : {VESICA_RECT, VESICA_CIRCLE, VESICA_ELLIPSE, VESICA_CAPSULE, VESICA_ROUND_RECT}) {
+      row(named(VESICA_SEGMENT, kind, data), VESICA_SEGMENT, kind, data,
+          {{"relation", relation(VESICA_SEGMENT, kind)},
+           {"de9im", de9im(VESICA_SEGMENT, kind)},
+           {"crossings", crossings(VESICA_SEGMENT, kind)},
+           {"intersection", intersection(VESICA_SEGMENT, kind)}});
+    }
+    for (const auto& [a, b] : {std::pair{VESICA_RECT, VESICA_RECT},
+                               {VESICA_CIRCLE, VESICA_RECT},
+                               {VESICA_ELLIPSE, VESICA_ELLIPSE},
+                               {VESICA_CIRCLE, VESICA_CAPSULE},
+                               {VESICA_RECT, VESICA_CAPSULE},
+                               {VESICA_CAPSULE, VESICA_CAPSULE},
+                               {VESICA_RECT, VESICA_ROUND_RECT},
+                               {VESICA_ROUND_RECT, VESICA_ROUND_RECT}}) {
+      row(named(a, b, data), a, b, data,
+          {{"relation", relation(a, b)}, {"de9im", de9im(a, b)}, {"crossings", crossings(a, b)}});
+    }
+  }
 #if defined(VESICA_HAS_GEOS)
   for (const Data data : {Data::random, Data::grid}) {
     agreement(VESICA_SEGMENT, VESICA_SEGMENT, data);

@@ -84,7 +84,7 @@ TEST(InflatedCrossings, TouchesAreOnePlace) {
   expect_places(capsule, {VESICA_CAPSULE, {2, 3, 4, 3, 2}}, {{4, 1}, {2, 1}}, 1);
 }
 
-/// Of shapes that need no radius, or no core, the answer is that of the simpler kind.
+/// A shape without a radius, or without a size of its core, has the places of the simpler kind.
 TEST(InflatedCrossings, OfSimplerKinds) {
   Random random(properties::seed());
   for (int i = 0; i < 4000 * properties::repeat(); ++i) {

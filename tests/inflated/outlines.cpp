@@ -204,9 +204,28 @@ OutlinePlaces outline_places(const Outline& a, const Outline& b) {
   return out;
 }
 
-int side_of_outline(const Outline& o, double x, double y) {
-  const Real off = o.radius - from_core(o, {real(x), real(y)});
+int side_of_outline(const Outline& o, const Real& x, const Real& y) {
+  const Real off = o.radius - from_core(o, {x, y});
   return abs(off) < on_outline ? 0 : off > 0 ? 1 : -1;
+}
+
+PartOfSegment part_of_segment(const Shape& segment, const Outline& o) {
+  const Outline line(segment);
+  const OutlinePlaces met = outline_places(line, o);
+  PartOfSegment part{met.places, false, met.shared};
+  std::vector<Point> known;
+  for (const auto& p : met.places) known.push_back({p.x, p.y});
+  for (const std::size_t k : {0U, 2U}) {
+    const Point end{real(segment.number[k]), real(segment.number[k + 1])};
+    if (side_of_outline(o, end.x, end.y) >= 0 && !is_one_of(known, end))
+      part.places.push_back({end.x, end.y, position(line, end)});
+  }
+  std::sort(part.places.begin(), part.places.end(), [](const auto& p, const auto& q) { return p.along < q.along; });
+  for (std::size_t i = 0; i + 1 < part.places.size(); ++i) {
+    const auto &p = part.places[i], &q = part.places[i + 1];
+    part.meets_inside = part.meets_inside || side_of_outline(o, Real((p.x + q.x) / 2), Real((p.y + q.y) / 2)) > 0;
+  }
+  return part;
 }
 
 }  // namespace inflated

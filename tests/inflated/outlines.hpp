@@ -30,6 +30,13 @@ struct OutlinePlaces {
 OutlinePlaces outline_places(const Outline& a, const Outline& b);
 
 /// 1 inside, 0 on the outline, -1 outside, of a shape with area.
-int side_of_outline(const Outline& o, double x, double y);
+int side_of_outline(const Outline& o, const mpf_class& x, const mpf_class& y);
+
+/// A segment and a shape with area: the places, and the ends that are not outside, from the first end on.
+struct PartOfSegment {
+  std::vector<PlaceOfOutlines> places;
+  bool meets_inside, shared;
+};
+PartOfSegment part_of_segment(const Shape& segment, const Outline& o);
 
 }  // namespace inflated

@@ -68,13 +68,65 @@ struct Offset {
 inline exact::Number<3> dot(const Side& a, const Offset& b) noexcept { return exact::dot(a.x, a.y, b.x, b.y); }
 inline exact::Number<3> cross(const Side& a, const Offset& b) noexcept { return exact::cross(a.x, a.y, b.x, b.y); }
 
-/// A piece's bounds in double, rounded outwards.
-struct PieceBounds {
-  double min_x, min_y, max_x, max_y;
+/// A vector in double.
+struct Plain {
+  double x, y;
+};
+inline double dot(const Plain& a, const Plain& b) noexcept { return a.x * b.x + a.y * b.y; }
+inline Plain sum(const Plain& a, double k, const Plain& b) noexcept { return {a.x + k * b.x, a.y + k * b.y}; }
 
-  bool misses(const PieceBounds& other) const noexcept {
-    return max_x < other.min_x || other.max_x < min_x || max_y < other.min_y || other.max_y < min_y;
+/// An edge or an arc in double, which decides that most pairs of pieces do not meet. Coordinates and sizes are at most
+/// 2^44 `error`. With u = 2^-53 each number below is right to 32u of that, so sums that differ by `error` differ.
+struct PlainPiece {
+  Plain begin, end, centre, out;  ///< out: a unit vector, an edge's normal or to the middle of an arc
+  Plain arriving, leaving;        ///< unit vectors along the edges before and after an arc
+  double radius, error;
+  bool is_arc, is_circle;
+
+  /// The piece along a unit vector is between these.
+  struct Shadow {
+    double low, high;
+    bool misses(const Shadow& other, double room) const noexcept {
+      return high + room < other.low || other.high + room < low;
+    }
+  };
+  Shadow along(const Plain& d) const noexcept {
+    const double p = dot(begin, d), q = dot(end, d);
+    Shadow s{std::fmin(p, q), std::fmax(p, q)};
+    if (!is_arc) return s;
+    const double middle = dot(centre, d), into = dot(arriving, d), from = dot(leaving, d);
+    if (is_circle || (into > -0x1p-30 && from < 0x1p-30)) s.high = std::fmax(s.high, middle + radius);
+    if (is_circle || (into < 0x1p-30 && from > -0x1p-30)) s.low = std::fmin(s.low, middle - radius);
+    return s;
   }
+  /// True if an arc's circle certainly holds another piece inside, or is inside the circle of that.
+  bool surrounds(const PlainPiece& other, double room) const noexcept {
+    const auto square = [this](const Plain& p) {
+      const Plain d = sum(p, -1, centre);
+      return dot(d, d);
+    };
+    const double reach = radius - room;
+    if (!is_arc || !(reach > 0)) return false;
+    if (!other.is_circle)
+      return square(other.begin) < reach * reach && square(other.end) < reach * reach &&
+             (!other.is_arc || is_within(square(other.centre), reach - other.radius));
+    return is_within(square(other.centre), reach - other.radius);
+  }
+  /// True if the pieces certainly share no point.
+  bool misses(const PlainPiece& other) const noexcept {
+    const double room = error + other.error;
+    if (!(room > 0x1p-400 && room < 0x1p400)) return false;
+    if (along(out).misses(other.along(out), room) || along(other.out).misses(other.along(other.out), room)) return true;
+    if (is_arc && other.is_arc) {
+      const Plain d = sum(other.centre, -1, centre);
+      const double reach = radius + other.radius + room;
+      if (dot(d, d) > reach * reach) return true;
+    }
+    return surrounds(other, room) || other.surrounds(*this, room);
+  }
+
+ private:
+  static bool is_within(double square, double reach) noexcept { return reach > 0 && square < reach * reach; }
 };
 
 /// The outline of a core with a radius. Edge i runs from corner i, moved out, to the next; with a radius a segment has
@@ -85,7 +137,7 @@ struct RoundOutline {
   Root unit;  ///< the length of all sides below
   Side side[4];
   int edges;
-  PieceBounds edge_bounds[4], arc_bounds[4];
+  PlainPiece edge[4], arc[4];
 
   RoundOutline(const exact::Box& core, const exact::Length& r) noexcept
       : corners(core), radius(r), unit(exact::dot(core.ux, core.uy, core.ux, core.uy)) {
@@ -95,8 +147,7 @@ struct RoundOutline {
     side[1] = corners.count == 2 ? side[0].back() : across;
     side[2] = along.back();
     side[3] = across.back();
-    for (int i = 0; i < corners.count; ++i) arc_bounds[i] = bounds(i, i);
-    for (int i = 0; i < edges; ++i) edge_bounds[i] = bounds(i, next(i));
+    set_pieces();
   }
   int next(int i) const noexcept { return corners.next(i); }
   int before(int i) const noexcept { return i > 0 ? i - 1 : corners.count - 1; }
@@ -108,12 +159,37 @@ struct RoundOutline {
   static Real on_edge(int i, double part) noexcept { return Real(2 * i) + Real(crossings::on_edge(0, part)); }
 
  private:
-  PieceBounds bounds(int i, int k) const noexcept {
-    const double x0 = nearest(corners.x[i]), x1 = nearest(corners.x[k]), r = nearest(radius);
-    const double y0 = nearest(corners.y[i]), y1 = nearest(corners.y[k]);
-    const double size = std::fmax(std::fmax(std::fabs(x0), std::fabs(x1)), std::fmax(std::fabs(y0), std::fabs(y1))) + r;
-    const double reach = r + size * 0x1p-50 + 0x1p-1070;
-    return {std::fmin(x0, x1) - reach, std::fmin(y0, y1) - reach, std::fmax(x0, x1) + reach, std::fmax(y0, y1) + reach};
+  void set_pieces() noexcept {
+    Plain corner[4], along[4];
+    const double r = nearest(radius);
+    double size = r;
+    for (int i = 0; i < 4; ++i) {
+      const Scaled x = exact::rounded(side[i].x), y = exact::rounded(side[i].y), length = unit.estimate.scaled();
+      along[i] = {quotient(x, length), quotient(y, length)};
+      if (i >= corners.count) continue;
+      corner[i] = {nearest(corners.x[i]), nearest(corners.y[i])};
+      size = std::fmax(size, std::fmax(std::fabs(corner[i].x), std::fabs(corner[i].y)));
+    }
+    const double error = 0x1p-44 * size;
+    const auto normal = [&along](int i) { return Plain{along[i].y, -along[i].x}; };
+    for (int i = 0; i < corners.count; ++i) {
+      const int last = before(i);
+      const Plain middle = sum(normal(last), 1, normal(i));
+      const double shorter = std::sqrt(0.5);
+      arc[i] = {sum(corner[i], r, normal(last)),
+                sum(corner[i], r, normal(i)),
+                corner[i],
+                corners.count == 4 ? Plain{shorter * middle.x, shorter * middle.y} : along[last],
+                along[last],
+                along[i],
+                r,
+                error,
+                true,
+                is_circle()};
+    }
+    for (int i = 0; i < edges; ++i) {
+      edge[i] = {arc[i].end, arc[next(i)].begin, {}, normal(i), {}, {}, 0, error, false, false};
+    }
   }
 };
 
@@ -403,9 +479,9 @@ inline void cross_arcs(const RoundOutline& a, int i, const RoundOutline& b, int 
   }
 }
 
-/// Calls f(i, k) for pieces whose bounds meet.
+/// Calls f(i, k) for pieces that may meet.
 template <class Function>
-void each_pair(const PieceBounds* a, int count_a, const PieceBounds* b, int count_b, const Function& f) noexcept {
+void each_pair(const PlainPiece* a, int count_a, const PlainPiece* b, int count_b, const Function& f) noexcept {
   for (int i = 0; i < count_a; ++i) {
     for (int k = 0; k < count_b; ++k) {
       if (!a[i].misses(b[k])) f(i, k);
@@ -416,22 +492,20 @@ void each_pair(const PieceBounds* a, int count_a, const PieceBounds* b, int coun
 inline Found crossings(const RoundOutline& a, const RoundOutline& b) noexcept {
   Found found;
   const Places in_order{found, false}, exchanged{found, true};
-  each_pair(a.arc_bounds, a.corners.count, b.arc_bounds, b.corners.count,
-            [&](int i, int k) { cross_arcs(a, i, b, k, in_order); });
-  each_pair(a.edge_bounds, a.edges, b.arc_bounds, b.corners.count,
-            [&](int i, int k) { cross_edge_and_arc(a, i, b, k, in_order); });
-  each_pair(b.edge_bounds, b.edges, a.arc_bounds, a.corners.count,
-            [&](int k, int i) { cross_edge_and_arc(b, k, a, i, exchanged); });
-  each_pair(a.edge_bounds, a.edges, b.edge_bounds, b.edges, [&](int i, int k) { cross_edges(a, i, b, k, in_order); });
+  const int arcs_a = a.corners.count, arcs_b = b.corners.count;
+  each_pair(a.arc, arcs_a, b.arc, arcs_b, [&](int i, int k) { cross_arcs(a, i, b, k, in_order); });
+  each_pair(a.edge, a.edges, b.arc, arcs_b, [&](int i, int k) { cross_edge_and_arc(a, i, b, k, in_order); });
+  each_pair(b.edge, b.edges, a.arc, arcs_a, [&](int i, int k) { cross_edge_and_arc(b, i, a, k, exchanged); });
+  each_pair(a.edge, a.edges, b.edge, b.edges, [&](int i, int k) { cross_edges(a, i, b, k, in_order); });
   return found;
 }
 
 /// True if the outlines share a stretch.
 VESICA_COLD inline bool share_stretch(const RoundOutline& a, const RoundOutline& b) noexcept {
   bool any = false;
-  each_pair(a.edge_bounds, a.edges, b.edge_bounds, b.edges,
+  each_pair(a.edge, a.edges, b.edge, b.edges,
             [&](int i, int k) { any = any || (cross(a.side[i], b.side[k]).sign == 0 && share_stretch(a, i, b, k)); });
-  each_pair(a.arc_bounds, a.corners.count, b.arc_bounds, b.corners.count,
+  each_pair(a.arc, a.corners.count, b.arc, b.corners.count,
             [&](int i, int k) { any = any || (is_same_circle(a, i, b, k) && share_stretch_of_circle(a, i, b, k)); });
   return any;
 }
