@@ -13,7 +13,7 @@
 
 namespace vesica {
 
-/// Shapes without a radius around a core (form/form.hpp). A few queries answer these alone.
+/// Shapes without a radius around a core (form/form.hpp).
 using detail::form::HasForm;
 
 /// These and cores with a radius (form/inflated.hpp). Most queries answer all of them; any other shape is an unknown

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <string>
+#include <vesica/de9im.hpp>
 
 #include "inflated/outlines.hpp"
 #include "inflated/shapes.hpp"
@@ -44,6 +45,15 @@ TEST(InflatedDe9im, Known) {
   EXPECT_EQ(de9im({VESICA_POINT, {-1, 0}}, capsule), "F0FFFF212");
   EXPECT_EQ(de9im({VESICA_POINT, {0, 0}}, capsule), "0FFFFF212");
   EXPECT_EQ(de9im({VESICA_CAPSULE, {0, 0, 1, 0, 0}}, {VESICA_SEGMENT, {0, 0, 1, 0}}), "1FFF0FFF2");
+}
+
+/// An ellipse that is a circle holds the arc of a shape about its centre with its radius.
+TEST(InflatedDe9im, SharesOfEllipses) {
+  const auto shares = [](const vesica::Ellipse<double>& e) {
+    return vesica::detail::de9im::outlines_share_stretch(e, vesica::Capsule<double>{0, 0, 10, 0, 5});
+  };
+  EXPECT_TRUE(shares({0, 0, 1, 0, 5, 5}) && shares({10, 0, 3, 4, 1, 1}));
+  EXPECT_FALSE(shares({5, 0, 1, 0, 5, 5}) || shares({0, 0, 3, 4, 5, 5}) || shares({0, 0, 1, 0, 5, 4}));
 }
 
 /// The relation by its definition, from the matrix.

@@ -8,6 +8,16 @@
 /// Proved: the number of places is exact. Where pieces meet, coordinates along an edge or from a corner are sums of
 /// rational numbers and of roots. The sign of a + b is that of a^2 - b^2 if they have opposite signs, which takes one
 /// root away. So every sign below is a rational number's in the end, of degree 20 at most.
+///
+/// Proved: outlines that share no stretch meet in at most 8 places.
+///
+///   - They cross as often as h_a - h_b changes its sign, h being support functions. Between two crossings the farthest
+///     point of one outline from the other has a normal along which its h is greater; these normals are in order.
+///   - A touch is a common point with a common normal.
+///   - So neither changes in number if the lesser radius is taken from both. A rectangle is left, each of whose sides
+///     meets a convex outline twice at most.
+///
+/// With shared stretches no more were found in 100,000 pairs of few digits.
 #pragma once
 
 #include <limits>
