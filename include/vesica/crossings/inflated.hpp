@@ -209,7 +209,7 @@ inline double to_double(const Estimate& e) noexcept { return to_double(e.scaled(
 inline Real turn_of(const Estimate& x, const Estimate& y) noexcept {
   const int unit = x.sign() == 0 || (y.sign() != 0 && y.exponent > x.exponent) ? y.exponent : x.exponent;
   const auto scaled = [unit](const Estimate& e) {
-    const double factor = arithmetic::scale(1, e.exponent - unit);
+    const double factor = e.sign() == 0 ? 0 : arithmetic::scale(1, e.exponent - unit);
     return Real{e.value.high * factor, e.value.low * factor};
   };
   return turn(scaled(x), scaled(y));
