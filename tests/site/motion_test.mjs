@@ -12,7 +12,9 @@ const hex = (page, id) => text(page, `#motion-${id} .exact`);
 const link = (shape, angle = '0x0p+0') =>
   `#tab=motion&a=circle,0x0p+0,0x0p+0,0x1p+0&b=${shape}&motion=0x1p+3,0x0p+0,${angle}`;
 const ray = link('point,-0x1.4p+2,0x0p+0'),
-  bar = link('rect,-0x1.4p+2,0x0p+0,0x1p+0,0x0p+0,0x1p+0,0x1p-4', '0x1.9p+3');
+  bar = link('rect,-0x1.4p+2,0x0p+0,0x1p+0,0x0p+0,0x1p+0,0x1p-4', '0x1.9p+3'),
+  capsule = 'capsule,-0x1.4p+2,-0x1p+0,-0x1.4p+2,0x1p+0,0x1p-1',
+  card = 'round_rect,-0x1.4p+2,0x0p+0,0x1p+0,0x0p+0,0x1p-1,0x1p+0,0x1p-2';
 
 test('a point at a disc: time, place and normal', async () => {
   const page = await openPlayground(ray);
@@ -22,6 +24,17 @@ test('a point at a disc: time, place and normal', async () => {
   assert.equal(await hex(page, 'normal'), '-0x1p+0 0x0p+0');
   assert.equal(await text(page, '#panel-motion .verdict'), 'B touches A on its way.');
   await closeQuietly(page);
+});
+
+test('a capsule comes with its side, and turning with its end', async () => {
+  const still = await openPlayground(link(capsule));
+  assert.equal(await answer(still), 'hit');
+  assert.equal(await hex(still, 't'), '0x1.cp-2');
+  const turning = await openPlayground(link(capsule, '0x1.9p+3'));
+  assert.equal(await answer(turning), 'hit');
+  assert.ok(Number(await text(turning, '#motion-t strong').then((t) => t.replace('≈ ', ''))) < 0.4375);
+  await closeQuietly(still);
+  await closeQuietly(turning);
 });
 
 test('the goal is dragged, and the answer follows', async () => {
@@ -83,7 +96,8 @@ test('the example hits, turning or not', async () => {
 test('the calls to copy compile, and answer what the page says', async () => {
   const told = [],
     functions = [];
-  for (const scene of [ray, bar, '#tab=motion']) {
+  const rounded = [link(capsule), link(capsule, '0x1.9p+3'), link(card), link(card, '0x1.9p+3')];
+  for (const scene of [ray, bar, '#tab=motion', ...rounded]) {
     const page = await openPlayground(scene);
     told.push(await hex(page, 't'));
     const call = await page.$eval('#motion-call .copy', ({ dataset }) => dataset.call);

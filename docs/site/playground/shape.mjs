@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shapes as outlines to draw, and as the two forms that formulas use: boxes and ellipses.
+// Shapes as outlines to draw, and as the forms that formulas use: boxes, ellipses, and boxes with a radius.
 import { fields } from '../vesica/vesica.mjs';
 
 export const nameOf = {
@@ -9,6 +9,8 @@ export const nameOf = {
   aabb: 'box',
   rect: 'rectangle',
   ellipse: 'ellipse',
+  capsule: 'capsule',
+  round_rect: 'rounded rectangle',
 };
 
 /** The kinds that the playground draws. */
@@ -20,13 +22,16 @@ export const withNumbers = (kind, values) => ({
   ...Object.fromEntries(fields[kind].map((name, i) => [name, values[i]])),
 });
 export const isRound = (shape) => shape.kind === 'circle' || shape.kind === 'ellipse';
+/** The radius about a core: of a capsule or a rounded rectangle; 0 of others. */
+export const radius = (shape) => (shape.kind === 'capsule' || shape.kind === 'round_rect' ? shape.r : 0);
 
-/** The centre, and two half axes as vectors: a box is all C + s P + t Q with |s|, |t| <= 1. */
+/** The centre, and two half axes as vectors: a box is all C + s P + t Q with |s|, |t| <= 1. Of the core, without its radius. */
 export function form(shape) {
   switch (shape.kind) {
     case 'point':
       return { x: shape.x, y: shape.y, p: [0, 0], q: [0, 0] };
-    case 'segment': {
+    case 'segment':
+    case 'capsule': {
       const { x0, y0, x1, y1 } = shape;
       return { x: (x0 + x1) / 2, y: (y0 + y1) / 2, p: [(x1 - x0) / 2, (y1 - y0) / 2], q: [0, 0] };
     }
@@ -43,7 +48,7 @@ export function form(shape) {
     }
     default: {
       const { cx, cy, ux, uy } = shape,
-        [a, b] = shape.kind === 'rect' ? [shape.hx, shape.hy] : [shape.a, shape.b];
+        [a, b] = shape.kind === 'ellipse' ? [shape.a, shape.b] : [shape.hx, shape.hy];
       return { x: cx, y: cy, p: [a * ux, a * uy], q: [-b * uy, b * ux] };
     }
   }
@@ -51,7 +56,7 @@ export function form(shape) {
 
 const corner = ({ x, y, p, q }, s, t) => [x + s * p[0] + t * q[0], y + s * p[1] + t * q[1]];
 
-/** Corners in the order of C - P - Q, C + P - Q, C + P + Q, C - P + Q. */
+/** Corners, of the core, in the order of C - P - Q, C + P - Q, C + P + Q, C - P + Q. */
 export function corners(shape) {
   const f = form(shape);
   return [corner(f, -1, -1), corner(f, 1, -1), corner(f, 1, 1), corner(f, -1, 1)];
@@ -60,8 +65,20 @@ export function corners(shape) {
 /** The point of a round shape's outline at an angle. */
 export const atAngle = (shape, t) => corner(form(shape), Math.cos(t), Math.sin(t));
 
+/** The point of a shape with a radius that is farthest along an angle. */
+function farthest(shape, t) {
+  const f = form(shape),
+    r = radius(shape),
+    n = [Math.cos(t), Math.sin(t)],
+    side = (v) => (v[0] * n[0] + v[1] * n[1] < 0 ? -1 : 1);
+  const [x, y] = corner(f, side(f.p), side(f.q));
+  return [x + r * n[0], y + r * n[1]];
+}
+
 /** The outline as points in order. */
 export function outline(shape, count = 96) {
+  if (radius(shape) > 0)
+    return Array.from({ length: 2 * count }, (_, i) => farthest(shape, (Math.PI * (i + 0.5)) / count));
   if (!isRound(shape)) return corners(shape);
   return Array.from({ length: count }, (_, i) => atAngle(shape, (2 * Math.PI * i) / count));
 }
@@ -70,15 +87,18 @@ export function outline(shape, count = 96) {
 export function reach(shape) {
   const { p, q } = form(shape),
     join = isRound(shape) ? Math.hypot : (a, b) => Math.abs(a) + Math.abs(b);
-  return [join(p[0], q[0]), join(p[1], q[1])];
+  return [join(p[0], q[0]) + radius(shape), join(p[1], q[1]) + radius(shape)];
 }
 
 /** Shapes that mean about the same in another kind: centre, size and turn stay where the kind has them. */
 export function asKind(shape, kind) {
   const { x, y, p, q } = form(shape);
-  const a = Math.hypot(...p) || 1,
-    b = Math.hypot(...q) || a / 2,
-    u = Math.hypot(...p) > 0 ? [p[0] / a, p[1] / a] : [1, 0];
+  const a = Math.hypot(...p) + radius(shape) || 1,
+    b = Math.hypot(...q) + radius(shape) || a / 2,
+    length = Math.hypot(...p),
+    end = a - Math.min(b, a / 2),
+    r = Math.min(a, b) / 3,
+    u = length > 0 ? [p[0] / length, p[1] / length] : [1, 0];
   return {
     point: () => withNumbers('point', [x, y]),
     segment: () => withNumbers('segment', [x - a * u[0], y - a * u[1], x + a * u[0], y + a * u[1]]),
@@ -86,6 +106,8 @@ export function asKind(shape, kind) {
     aabb: () => withNumbers('aabb', [x - a, y - b, x + a, y + b]),
     rect: () => withNumbers('rect', [x, y, ...u, a, b]),
     ellipse: () => withNumbers('ellipse', [x, y, ...u, a, b]),
+    capsule: () => withNumbers('capsule', [x - end * u[0], y - end * u[1], x + end * u[0], y + end * u[1], a - end]),
+    round_rect: () => withNumbers('round_rect', [x, y, ...u, a - r, b - r, r]),
   }[kind]();
 }
 

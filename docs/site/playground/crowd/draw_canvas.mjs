@@ -2,7 +2,7 @@
 // Where there is no WebGL: one path for the shapes of each colour.
 import { box, perInstance } from './motion.mjs';
 
-function add(path, [x, y, px, py, b, round], scale, to) {
+function add(path, [x, y, px, py, b, round, , r], scale, to) {
   const a = Math.hypot(px, py),
     [ux, uy] = a > 0 ? [px / a, py / a] : [1, 0],
     least = 0.75 / scale;
@@ -15,6 +15,24 @@ function add(path, [x, y, px, py, b, round], scale, to) {
     return;
   }
   const corner = (s, t) => to(x + s * along * ux - t * across * uy, y + s * along * uy + t * across * ux);
+  if (r > 0) {
+    const turn = -Math.atan2(uy, ux);
+    [
+      [1, 1],
+      [-1, 1],
+      [-1, -1],
+      [1, -1],
+    ].forEach(([s, t], i) => {
+      const [ex, ey] = corner(s * (1 - r / along), t * (1 - r / across));
+      path[i === 0 ? 'moveTo' : 'lineTo'](
+        ex + r * scale * Math.cos(turn - (i * Math.PI) / 2),
+        ey + r * scale * Math.sin(turn - (i * Math.PI) / 2),
+      );
+      path.arc(ex, ey, r * scale, turn - (i * Math.PI) / 2, turn - ((i + 1) * Math.PI) / 2, true);
+    });
+    path.closePath();
+    return;
+  }
   path.moveTo(...corner(-1, -1));
   path.lineTo(...corner(1, -1));
   path.lineTo(...corner(1, 1));
@@ -31,7 +49,7 @@ export function flatCanvas(canvas) {
       to = (x, y) => [canvas.width / 2 + x * scale, canvas.height / 2 - y * scale];
     const paths = [new Path2D(), new Path2D()];
     for (let i = 0; i < count; ++i) {
-      const instance = data.subarray(perInstance * i, perInstance * i + 7);
+      const instance = data.subarray(perInstance * i, perInstance * i + 8);
       add(paths[instance[6] > 0 ? 1 : 0], instance, scale, to);
     }
     context.fillStyle = css(paper, 1);

@@ -7,12 +7,12 @@ layout(location = 0) in vec2 corner;
 layout(location = 1) in vec2 centre;
 layout(location = 2) in vec2 axis;
 layout(location = 3) in float across;
-layout(location = 4) in vec2 kind; // round, touched
+layout(location = 4) in vec3 kind; // round, touched, radius of corners
 uniform vec2 world;
 uniform float least; // half a line's width
 out vec2 at;
 flat out vec2 half_size;
-flat out vec2 sort;
+flat out vec3 sort;
 void main() {
   float length_along = length(axis);
   vec2 u = length_along > 0.0 ? axis / length_along : vec2(1.0, 0.0);
@@ -26,13 +26,15 @@ const fragmentShader = `#version 300 es
 precision highp float;
 in vec2 at;
 flat in vec2 half_size;
-flat in vec2 sort;
+flat in vec3 sort;
 uniform vec3 calm;
 uniform vec3 hit;
 out vec4 colour;
 void main() {
   vec2 q = at / half_size;
   if (sort.x > 0.5 && dot(q, q) > 1.0) discard;
+  vec2 beyond = max(abs(at) - half_size + sort.z, 0.0);
+  if (sort.z > 0.0 && dot(beyond, beyond) > sort.z * sort.z) discard;
   colour = vec4(sort.y > 0.5 ? hit : calm, sort.y > 0.5 ? 0.85 : 0.5);
 }`;
 
@@ -69,7 +71,7 @@ export function webgl(canvas) {
     [1, 2, 0],
     [2, 2, 2],
     [3, 1, 4],
-    [4, 2, 5],
+    [4, 3, 5],
   ].forEach(([location, size, offset]) => {
     gl.enableVertexAttribArray(location);
     gl.vertexAttribPointer(location, size, gl.FLOAT, false, 4 * perInstance, 4 * offset);

@@ -3,7 +3,7 @@
 import { kinds } from '../shape.mjs';
 
 export const box = { width: 1.6, height: 1 }; // of the world, about the origin
-export const perInstance = 8; // floats to draw a shape: centre, half axis, other half size, round, touched, spare
+export const perInstance = 8; // floats to draw a shape: centre, half axis, other half size, round, touched, radius of corners
 
 /** The same numbers from the same seed. */
 export function random(seed) {
@@ -31,6 +31,8 @@ const writers = {
   ),
 };
 writers.ellipse = writers.rect;
+writers.capsule = (n, i, x, y, c, s, a, b, r) => (writers.segment(n, i, x, y, c, s, a - r), (n[i + 4] = r));
+writers.round_rect = (n, i, x, y, c, s, a, b, r) => (writers.rect(n, i, x, y, c, s, a - r, b - r), (n[i + 6] = r));
 
 export class Crowd {
   #vesica;
@@ -92,8 +94,9 @@ export class Crowd {
           c = Math.cos(angle),
           sine = Math.sin(angle);
         const a = kind === 'point' ? 0 : state[s + 6],
-          b = flat ? 0 : kind === 'circle' ? a : state[s + 7];
-        write(numbers, at, state[s], state[s + 1], c, sine, a, b);
+          b = flat ? 0 : kind === 'circle' ? a : kind === 'capsule' ? Math.min(a, state[s + 7]) / 2 : state[s + 7];
+        const r = kind === 'capsule' ? b : kind === 'round_rect' ? b / 2 : 0;
+        write(numbers, at, state[s], state[s + 1], c, sine, a, b, r);
         const o = perInstance * i;
         out[o] = state[s];
         out[o + 1] = state[s + 1];
@@ -101,6 +104,7 @@ export class Crowd {
         out[o + 3] = a * sine;
         out[o + 4] = b;
         out[o + 5] = round;
+        out[o + 7] = r;
       }
     });
   }

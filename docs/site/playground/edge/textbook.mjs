@@ -40,8 +40,16 @@ function form(m, shape) {
         p: [half(n.min_x, n.max_x), 0],
         q: [0, half(n.min_y, n.max_y)],
       };
+    case 'capsule':
+      return {
+        c: [middle(n.x0, n.x1), middle(n.y0, n.y1)],
+        p: [half(n.x0, n.x1), half(n.y0, n.y1)],
+        q: [0, 0],
+        r: n.r,
+      };
     case 'rect':
-      return { c: [n.cx, n.cy], p: times(m, n.hx, [n.ux, n.uy]), q: times(m, n.hy, [-n.uy, n.ux]) };
+    case 'round_rect':
+      return { c: [n.cx, n.cy], p: times(m, n.hx, [n.ux, n.uy]), q: times(m, n.hy, [-n.uy, n.ux]), r: n.r ?? 0 };
     default:
       return { c: [n.cx, n.cy], p: times(m, n.a, [n.ux, n.uy]), q: times(m, n.b, [-n.uy, n.ux]) };
   }
@@ -127,11 +135,71 @@ function ellipses(m, a, b) {
   return squaredDistance(m, { c: seen(d), p: seen(b.p), q: seen(b.q) }) <= 1;
 }
 
+const corners = (m, { c, p, q }) => {
+  const plus = ([ax, ay], [bx, by]) => [m.add(ax, bx), m.add(ay, by)];
+  return [
+    minus(m, minus(m, c, p), q),
+    minus(m, plus(c, p), q),
+    plus(plus(c, p), q),
+    plus(minus(m, c, p), q),
+  ];
+};
+const edges = (m, box) => corners(m, box).map((from, i, all) => [from, all[(i + 1) % 4]]);
+
+/** The squared distance of a point from the segment between two others. */
+function fromEdge(m, x, [from, to]) {
+  const edge = minus(m, to, from),
+    square = dot(m, edge, edge),
+    share = square > 0 ? Math.max(0, Math.min(1, m.div(dot(m, minus(m, x, from), edge), square))) : 0;
+  const d = minus(m, minus(m, x, from), times(m, share, edge));
+  return dot(m, d, d);
+}
+
+/** Two boxes with radii: by the distance of the boxes. */
+function boxesWithRadii(m, a, b) {
+  if (boxes(m, a, b)) return true;
+  const toward = (x, y) => corners(m, x).flatMap((at) => edges(m, y).map((edge) => fromEdge(m, at, edge)));
+  const sum = m.add(a.r ?? 0, b.r ?? 0);
+  return Math.min(...toward(a, b), ...toward(b, a)) <= m.mul(sum, sum);
+}
+
+/** A box with a radius and an ellipse: the least distance of the ellipse from a point that moves along an edge. */
+function boxWithRadiusAndEllipse(m, box, ellipse) {
+  if (boxAndEllipse(m, box, ellipse)) return true;
+  const square = m.mul(box.r, box.r);
+  return edges(m, box).some(([from, to]) => {
+    const edge = minus(m, to, from);
+    const at = (share) => {
+      const c = minus(m, minus(m, ellipse.c, from), times(m, share, edge));
+      return squaredDistance(m, { ...ellipse, c });
+    };
+    let low = 0,
+      high = 1;
+    for (let i = 0; i < 40; ++i) {
+      const third = m.div(m.sub(high, low), 3),
+        x = m.add(low, third),
+        y = m.sub(high, third);
+      if (at(x) < at(y)) high = y;
+      else low = x;
+    }
+    return Math.min(at(0), at(low), at(1)) <= square;
+  });
+}
+
+const isInflated = (kind) => kind === 'capsule' || kind === 'round_rect';
+/** A circle is a point with a radius. */
+const core = (kind, f) => (kind === 'circle' ? { ...f, p: [0, 0], q: [0, 0] } : f);
+
 /** Do two shapes overlap, as far as arithmetic m can tell? */
 export function overlap(m, a, b) {
   const isRound = ({ kind }) => kind === 'circle' || kind === 'ellipse',
     fa = form(m, a),
     fb = form(m, b);
+  if (isInflated(a.kind) || isInflated(b.kind)) {
+    if (a.kind === 'ellipse') return boxWithRadiusAndEllipse(m, fb, fa);
+    if (b.kind === 'ellipse') return boxWithRadiusAndEllipse(m, fa, fb);
+    return boxesWithRadii(m, core(a.kind, fa), core(b.kind, fb));
+  }
   if (isRound(a) && isRound(b)) return ellipses(m, fa, fb);
   if (isRound(b)) return boxAndEllipse(m, fa, fb);
   if (isRound(a)) return boxAndEllipse(m, fb, fa);
@@ -141,6 +209,11 @@ export function overlap(m, a, b) {
 /** In words, what overlap() does with two kinds. */
 export function recipe(a, b) {
   const isRound = (kind) => kind === 'circle' || kind === 'ellipse';
+  if (isInflated(a) || isInflated(b)) {
+    return a === 'ellipse' || b === 'ellipse'
+      ? 'the ellipse’s least distance along each edge, found by thirds'
+      : 'the squared distance of corners and edges against the squared sum of radii';
+  }
   if (!isRound(a) && !isRound(b)) return 'separating axes';
   if (!isRound(a) || !isRound(b)) return 'the box’s nearest side in the ellipse’s measure';
   if (a === 'circle' && b === 'circle') return 'squared distance against the squared sum of radii';

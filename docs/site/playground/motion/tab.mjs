@@ -26,9 +26,9 @@ function at(b, { vx, vy, angle }, t) {
     c = Math.cos(t * angle),
     s = Math.sin(t * angle);
   const turn = ([dx, dy]) => [c * dx - s * dy, s * dx + c * dy];
-  if (b.kind === 'segment') {
+  if (b.kind === 'segment' || b.kind === 'capsule') {
     const [dx, dy] = turn([(b.x1 - b.x0) / 2, (b.y1 - b.y0) / 2]);
-    return { kind: 'segment', x0: x - dx, y0: y - dy, x1: x + dx, y1: y + dy };
+    return { ...b, x0: x - dx, y0: y - dy, x1: x + dx, y1: y + dy };
   }
   const turned = there.kind === 'aabb' ? asKind(there, 'rect') : there,
     [ux, uy] = turn([turned.ux, turned.uy]);

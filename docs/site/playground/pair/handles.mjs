@@ -6,7 +6,7 @@ import { form, moved } from '../shape.mjs';
 const step = 0.05; // of what is seen of the plane, for an arrow key
 const turnStep = Math.PI / 180;
 
-/** Of a rectangle or an ellipse: the first axis ends at a point. The axis becomes a unit vector. */
+/** Of a shape with an axis: the first axis ends at a point. The axis becomes a unit vector. */
 function axisTo(shape, [x, y], along, across) {
   const dx = x - shape.cx,
     dy = y - shape.cy,
@@ -71,6 +71,45 @@ const corner = (id, label, x, y, bound) => ({
   }),
 });
 
+/** How far a point is from a shape's core. */
+function fromCore(shape, [x, y]) {
+  const { x: cx, y: cy, p, q } = form(shape);
+  const beyond = ([px, py]) => {
+    const half = Math.hypot(px, py);
+    return half > 0 ? Math.max(Math.abs(((x - cx) * px + (y - cy) * py) / half) - half, 0) : null;
+  };
+  const along = beyond(p) ?? beyond([-q[1], q[0]]),
+    across = beyond(q) ?? Math.abs((y - cy) * p[0] - (x - cx) * p[1]) / Math.hypot(...p);
+  return along === null ? Math.hypot(x - cx, y - cy) : Math.hypot(along, across);
+}
+
+const rounding = (label, at) => ({
+  id: 'radius',
+  label,
+  horizontal: ['r'],
+  vertical: ['r'],
+  at,
+  drag: (s, to) => ({ ...s, r: fromCore(s, to) }),
+});
+
+/** Beside the middle of a capsule's core. */
+function besideCore(s) {
+  const { x, y, p } = form(s),
+    half = Math.hypot(...p),
+    n = half > 0 ? [-p[1] / half, p[0] / half] : [0, 1];
+  return [x + s.r * n[0], y + s.r * n[1]];
+}
+
+/** The middle of a rounded corner. */
+function atCorner(s) {
+  const { x, y, p, q } = form(s),
+    unit = Math.SQRT1_2 / Math.hypot(s.ux, s.uy);
+  return [
+    x + p[0] + q[0] + s.r * unit * (s.ux - s.uy),
+    y + p[1] + q[1] + s.r * unit * (s.uy + s.ux),
+  ];
+}
+
 const handles = {
   point: [move(['x'], ['y'])],
   segment: [
@@ -96,6 +135,13 @@ const handles = {
   ],
   rect: turning('hx', 'hy'),
   ellipse: turning('a', 'b'),
+  capsule: [
+    move(['x0', 'x1'], ['y0', 'y1']),
+    place('start', 'first end', 'x0', 'y0'),
+    place('end', 'second end', 'x1', 'y1'),
+    rounding('radius', besideCore),
+  ],
+  round_rect: [...turning('hx', 'hy'), rounding('corner radius', atCorner)],
 };
 
 /** { id, label, at(shape), drag(shape, to, from) } each; `from` is where the pointer was before. */

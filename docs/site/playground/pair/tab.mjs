@@ -69,7 +69,8 @@ export class PairTab {
     const { a, b } = this.#scene,
       answers = answersTo(this.#vesica, a, b);
     this.#stage.show(picture(this.#stage.view, a, b, answers));
-    this.#verdict.textContent = `${found(answers, 'overlap') ? 'They overlap' : 'They do not overlap'}: ${answers[1].value}.`;
+    const relation = found(answers, 'relation') === null ? '' : `: ${answers[1].value}`;
+    this.#verdict.textContent = `${found(answers, 'overlap') ? 'They overlap' : 'They do not overlap'}${relation}.`;
     this.#verdict.classList.toggle('hit', found(answers, 'overlap'));
     this.#showAnswers(answers);
     this.#showNumbers('a');
