@@ -28,7 +28,7 @@ struct ColumnDifference {
 struct SideColumns {
   Column x0, y0, x1, y1;
   ColumnDifference ux, uy, hx, hy;
-  bool round, disc, may_vanish, is_point;
+  bool round, disc, may_vanish, is_point, is_flat;  // flat: hy is 0
   bool has_radius = false;
   Column radius{};
 };
@@ -82,7 +82,8 @@ SideColumns side_columns(const Shape<Column>& shape) noexcept {
           f.outline != Outline::straight,
           f.outline == Outline::disc,
           f.axis_may_vanish,
-          kind_of<Shape> == Kind::point};
+          kind_of<Shape> == Kind::point,
+          kind_of<Shape> == Kind::segment};
 }
 
 template <template <class> class Shape, std::size_t... Field>

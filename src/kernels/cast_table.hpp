@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which pairs of kinds have kernels of first contacts: all but two points.
+// Which pairs of kinds have kernels of first contacts: all but two points, and an
+// ellipse with a capsule or a rounded rectangle.
 #pragma once
 
-#include "kernels/cast_boxes_rounds.hpp"
+#include "kernels/cast_boxes_disc.hpp"
 
 namespace vesica {
 namespace {
@@ -26,6 +27,12 @@ consteval CastTable make_cast_table() noexcept {
     enter(a, Kind::point, cast_rounds);
     enter(Kind::point, a, cast_rounds);
     for (const Kind b : rounds) enter(a, b, cast_rounds);
+  }
+  for (const Kind a : {Kind::capsule, Kind::round_rect}) {
+    for (const Kind b : {Kind::point, Kind::circle, Kind::segment, Kind::aabb, Kind::rect, Kind::capsule, Kind::round_rect}) {
+      enter(a, b, cast_boxes_disc);
+      enter(b, a, cast_boxes_disc);
+    }
   }
   return table;
 }
