@@ -48,8 +48,8 @@ struct KinksLanes {
     const Doubles zero(0.0);
     const CastMask none = either(detail::cast::is_zero(slope), across == zero);
     const TwofoldLanes nothing{zero, zero};
-    kink[count] = {select(none, Doubles(0x1p600), along / across), choose(none, nothing, detail::cast::magnitude(slope)),
-                   Doubles(side)};
+    kink[count] = {select(none, Doubles(0x1p600), along / across),
+                   choose(none, nothing, detail::cast::magnitude(slope)), Doubles(side)};
     for (int at = count++; at > 0; --at) {
       KinkLanes &first = kink[at - 1], &second = kink[at];
       const CastMask swap = first.s > second.s;
@@ -183,7 +183,8 @@ VESICA_INLINE CoresMeeting cores_meeting(const CoreLanes& a, const CoreLanes& b,
   }
   out.time = {start, step};
   out.error = lost + select(face, zero, gain);
-  out.certain = both(either(both(face, at_face), and_not(at_vertex, face)), sizes * (Doubles(0x1p-40) * n_size) < of_disc.h.high);
+  out.certain =
+      both(either(both(face, at_face), and_not(at_vertex, face)), sizes * (Doubles(0x1p-40) * n_size) < of_disc.h.high);
   out.normal = n;
   return out;
 }
@@ -200,8 +201,8 @@ VESICA_KERNEL void cast_boxes_disc(const CastColumns& columns, std::int32_t n, d
     const ForemostLanes of_a = a.sized ? foremost_lanes(a.box, nx, ny, met.of_a, met.across) : point;
     const ForemostLanes of_b = b.sized ? foremost_lanes(b.box, -nx, -ny, met.of_b, met.across) : point;
     const CastMask is_edge = either(abs(of_a.half.x) > zero, abs(of_a.half.y) > zero);
-    const OffsetLanes on_edge = point_on_edge(of_a, of_b, way.d.x.high + floor.t * way.v.x,
-                                              way.d.y.high + floor.t * way.v.y);
+    const OffsetLanes on_edge =
+        point_on_edge(of_a, of_b, way.d.x.high + floor.t * way.v.x, way.d.y.high + floor.t * way.v.y);
     const OffsetLanes at{select(is_edge, on_edge.x, of_a.middle.x) + a.radius * (nx / length),
                          select(is_edge, on_edge.y, of_a.middle.y) + a.radius * (ny / length)};
     const CastMask known = both(of_a.known, either(of_b.known, negated<Doubles>(is_edge)));

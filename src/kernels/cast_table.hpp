@@ -29,7 +29,8 @@ consteval CastTable make_cast_table() noexcept {
     for (const Kind b : rounds) enter(a, b, cast_rounds);
   }
   for (const Kind a : {Kind::capsule, Kind::round_rect}) {
-    for (const Kind b : {Kind::point, Kind::circle, Kind::segment, Kind::aabb, Kind::rect, Kind::capsule, Kind::round_rect}) {
+    for (const Kind b :
+         {Kind::point, Kind::circle, Kind::segment, Kind::aabb, Kind::rect, Kind::capsule, Kind::round_rect}) {
       enter(a, b, cast_boxes_disc);
       enter(b, a, cast_boxes_disc);
     }
