@@ -176,7 +176,7 @@ TEST(CudaKernels, EveryWorkloadAndInvalidShapes) {
 
 TEST(CudaKernels, NearTies) {
   const int count = 2000 * properties::repeat();
-  EXPECT_EQ(cases::ask_near_ties(count, ask), 42 * std::int64_t{count});
+  EXPECT_EQ(cases::ask_near_ties(count, ask), 72 * std::int64_t{count});
 }
 
 TEST(CudaKernels, Corpus) { EXPECT_GE(cases::ask_corpus(ask), 119U); }
