@@ -2,6 +2,7 @@
 // Invalid capsules and rounded rectangles beside, across and inside every other kind: each question refuses them.
 #include <gtest/gtest.h>
 #include <vesica.h>
+#include <vesica_topology.h>
 
 #include <array>
 #include <limits>
@@ -73,6 +74,12 @@ void expect_refused(const Shape& a, const Shape& b) {
   refused("iou", vesica_iou_f64(kind_a, p, kind_b, q, out));
   for (const std::int32_t ratio : {VESICA_RATIO_OVER_UNION, VESICA_RATIO_GENERALIZED})
     refused("ratio", vesica_ratio_f64(ratio, kind_a, p, kind_b, q, out));
+  std::int32_t shared = 0;
+  vesica_point_f64 places[8];
+  char matrix[VESICA_DE9IM_SIZE];
+  refused("crossings", vesica_crossings_f64(kind_a, p, kind_b, q, places, 8, &shared));
+  refused("de9im", vesica_de9im_f64(kind_a, p, kind_b, q, matrix));
+  refused("intersection", vesica_intersection_f64(kind_a, p, kind_b, q, places, 8));
   refused("cast", vesica_cast_f64(kind_a, p, kind_b, q, 1, 0.25, 1e3, &impact));
   refused("impact_time", vesica_impact_time_f64(kind_a, p, &still, kind_b, q, &moved, 1e-3, &impact, out));
 }
