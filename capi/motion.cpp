@@ -90,6 +90,8 @@ consteval RestOfCasts<T> rest_of_casts() noexcept {
   rest.of[VESICA_AABB][VESICA_POINT] = rest_of_cast<vesica::Aabb<T>, vesica::Point<T>, T>;
   rest.of[VESICA_RECT][VESICA_POINT] = rest_of_cast<vesica::Rect<T>, vesica::Point<T>, T>;
   rest.of[VESICA_ELLIPSE][VESICA_POINT] = rest_of_cast<vesica::Ellipse<T>, vesica::Point<T>, T>;
+  rest.of[VESICA_CAPSULE][VESICA_POINT] = rest_of_cast<vesica::Capsule<T>, vesica::Point<T>, T>;
+  rest.of[VESICA_ROUND_RECT][VESICA_POINT] = rest_of_cast<vesica::RoundRect<T>, vesica::Point<T>, T>;
   rest.of[VESICA_CIRCLE][VESICA_CIRCLE] = rest_of_cast<vesica::Circle<T>, vesica::Circle<T>, T>;
   return rest;
 }
@@ -102,8 +104,8 @@ int32_t cast_any(int32_t kind_a, const void* a, int32_t kind_b, const void* b, T
   if (a == nullptr || b == nullptr || out == nullptr) return VESICA_E_NULL;
   if (!vesica::has_core(kind_a) || !vesica::has_core(kind_b)) return VESICA_E_KIND;
   const Motion motion = motion_of(vx, vy, end);
-  if (kind_b == VESICA_POINT && vesica::has_form(kind_a)) {
-    return vesica::with_form(kind_a, [&]<template <class> class Shape>(vesica::Named<Shape>) {
+  if (kind_b == VESICA_POINT) {
+    return vesica::with_core(kind_a, [&]<template <class> class Shape>(vesica::Named<Shape>) {
       return cast_shapes<Shape<T>, vesica::Point<T>, T>(a, b, motion, out);
     });
   }

@@ -12,7 +12,7 @@
 
 namespace vesica::bench {
 
-/// How velocities are drawn: of any direction (few hits), towards the other shape (aimed), at a relative
+/// How velocities are drawn: of any direction (few hits), towards the other shape (aimed) or away, at a relative
 /// distance inside or outside of a line that only grazes.
 struct Aim {
   const char* name;
@@ -22,6 +22,9 @@ inline constexpr Aim any{"few hits", 0, 0}, towards{"aimed", 2.2, 0}, sure{"hits
 /// So that about that share of rays hits, and of two discs, which are a larger target.
 inline constexpr Aim tenth{"about 10% hit", 10, 0}, half{"about 50% hit", 2.1, 0};
 inline constexpr Aim tenth_of_discs{"about 10% hit", 23, 0}, half_of_discs{"about 50% hit", 4.5, 0};
+
+/// Away from the other shape: none hits.
+inline constexpr Aim never{"no hits", -0.3, 0};
 
 inline Numbers draw_shape(std::int32_t kind, Random& random) {
   const double x = random.between(-4, 4), y = random.between(-4, 4), angle = random.between(0, 6.283185307179586);
@@ -47,10 +50,11 @@ inline double reach_across(const Numbers& n, double vx, double vy) {
 inline Pair draw_pair(std::int32_t kind_a, std::int32_t kind_b, const Aim& aim, Random& random) {
   for (;;) {
     Pair p{draw_shape(kind_a, random), draw_shape(kind_b, random), random.between(-8, 8), random.between(-8, 8)};
-    if (aim.spread > 0) {
+    if (aim.spread != 0) {
       const Numbers from = centre_of(kind_b, p.b), to = centre_of(kind_a, p.a);
-      p.vx = 1.5 * (to[0] - from[0]) + aim.spread * random.between(-1, 1);
-      p.vy = 1.5 * (to[1] - from[1]) + aim.spread * random.between(-1, 1);
+      const double towards = aim.spread > 0 ? 1.5 : -1.5;
+      p.vx = towards * (to[0] - from[0]) + aim.spread * random.between(-1, 1);
+      p.vy = towards * (to[1] - from[1]) + aim.spread * random.between(-1, 1);
     }
     p.angle = aim.spin * random.between(-1, 1);
     if (aim.graze != 0) {

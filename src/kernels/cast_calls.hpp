@@ -48,6 +48,8 @@ consteval CallTable make_calls() noexcept {
   enter_cast<Aabb, Point>(calls);
   enter_cast<Rect, Point>(calls);
   enter_cast<Ellipse, Point>(calls);
+  enter_cast<Capsule, Point>(calls);
+  enter_cast<RoundRect, Point>(calls);
   enter_cast<Circle, Circle>(calls);
   return calls;
 }

@@ -3,7 +3,7 @@
 // ellipse with a capsule or a rounded rectangle.
 #pragma once
 
-#include "kernels/cast_boxes_disc.hpp"
+#include "kernels/cast_cores.hpp"
 
 namespace vesica {
 namespace {
@@ -31,8 +31,8 @@ consteval CastTable make_cast_table() noexcept {
   for (const Kind a : {Kind::capsule, Kind::round_rect}) {
     for (const Kind b :
          {Kind::point, Kind::circle, Kind::segment, Kind::aabb, Kind::rect, Kind::capsule, Kind::round_rect}) {
-      enter(a, b, cast_boxes_disc);
-      enter(b, a, cast_boxes_disc);
+      enter(a, b, cast_cores);
+      enter(b, a, cast_cores);
     }
   }
   return table;

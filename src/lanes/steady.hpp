@@ -59,7 +59,8 @@ inline Steady abs(Steady a) { return _mm_andnot_pd(_mm_set1_pd(-0.0), a.v); }
 inline Steady max(Steady a, Steady b) { return _mm_max_round_sd(a.v, b.v, _MM_FROUND_NO_EXC); }
 inline Steady min(Steady a, Steady b) { return _mm_min_round_sd(a.v, b.v, _MM_FROUND_NO_EXC); }
 inline Steady positive_part(Steady a) { return max(a, Steady(0.0)); }
-inline Steady rough_sqrt(Steady a) { return _mm_sqrt_round_sd(a.v, a.v, to_nearest); }
+inline Steady sqrt(Steady a) { return _mm_sqrt_round_sd(a.v, a.v, to_nearest); }
+inline Steady rough_sqrt(Steady a) { return sqrt(a); }
 inline Steady rough_quotient(Steady a, Steady b) { return a / b; }
 template <int predicate>
 inline Bit compare(Steady a, Steady b) {

@@ -61,9 +61,26 @@ namespace queries {
   return code == cast_start ? start(a, b, penetration, out) : code;
 }
 
+namespace {
+
+/// A pair in which one shape has a core and a radius.
+[[gnu::noinline]] std::int32_t cast_cores(const Body& a, const Body& b, const Motion& motion,
+                                          Impact<double>& out) noexcept {
+  using detail::cast::sketch;
+  const detail::cast::Cores cores(a, b);
+  const detail::cast::Filtered known = detail::cast::filter(sketch(cores.a), sketch(cores.b), motion);
+  Penetration<double> penetration;
+  const std::int32_t code = cast_bodies(
+      cores.a, cores.b, motion, known, [&] { return overlap_and_depth(a, b, penetration); }, fused_meeting(), out);
+  return code == cast_start ? start(a, b, penetration, out) : code;
+}
+
+}  // namespace
+
 [[gnu::noinline]] std::int32_t cast_open(const Body& a, const Body& b, const Motion& motion,
                                          Impact<double>& out) noexcept {
   using namespace detail::cast;
+  if (is_inflated(a.kind) || is_inflated(b.kind)) return cast_cores(a, b, motion, out);
   return cast_rest(a, b, motion, detail::cast::filter(sketch(a), sketch(b), motion), out);
 }
 
@@ -98,32 +115,18 @@ VESICA_FAST_HIT(Circle, Point)
 VESICA_FAST_HIT(Aabb, Point)
 VESICA_FAST_HIT(Rect, Point)
 VESICA_FAST_HIT(Ellipse, Point)
+VESICA_FAST_HIT(Capsule, Point)
+VESICA_FAST_HIT(RoundRect, Point)
 VESICA_FAST_HIT(Circle, Circle)
 VESICA_FAST_HIT(Ellipse, Ellipse)
 #undef VESICA_FAST_HIT
 
-namespace {
-
-/// A pair in which one shape has a core and a radius.
-[[gnu::noinline]] std::int32_t cast_cores(const Body& a, const Body& b, const Motion& motion,
-                                          Impact<double>& out) noexcept {
-  using detail::cast::sketch;
-  const detail::cast::Cores cores(a, b);
-  const detail::cast::Filtered known = detail::cast::filter(sketch(cores.a), sketch(cores.b), motion);
-  Penetration<double> penetration;
-  const std::int32_t code = cast_bodies(
-      cores.a, cores.b, motion, known, [&] { return overlap_and_depth(a, b, penetration); }, fused_meeting(), out);
-  return code == cast_start ? start(a, b, penetration, out) : code;
-}
-
-}  // namespace
-
 [[gnu::noinline]] std::int32_t cast(const Body& a, const Body& b, const Motion& motion, Impact<double>& out) noexcept {
-  if (detail::cast::is_inflated(a.kind) || detail::cast::is_inflated(b.kind)) return cast_cores(a, b, motion, out);
-  const auto at_point = [&](const auto& shape) {
-    return cast_shapes(shape, detail::cast::shape<Point>(b), motion, out);
-  };
-  if (b.kind == Kind::point) return detail::cast::with_shape(a, at_point);
+  if (b.kind == Kind::point) {
+    return with_core(static_cast<std::int32_t>(a.kind), [&]<template <class> class Shape>(Named<Shape>) {
+      return cast_shapes(detail::cast::shape<Shape>(a), detail::cast::shape<Point>(b), motion, out);
+    });
+  }
   if (a.kind == Kind::circle && b.kind == Kind::circle) {
     return cast_shapes(detail::cast::shape<Circle>(a), detail::cast::shape<Circle>(b), motion, out);
   }

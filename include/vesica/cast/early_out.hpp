@@ -132,37 +132,48 @@ VESICA_INLINE EarlyOut early_out(const Ellipse<V>& e, const Point<V>& p, const M
                  [&] { return ends_outside<V>(f, q, al, away + area, across, v.end); });
 }
 
-/// Filter for a box, whose sizes may be 0, and a point, in the box's frame, times |u|. The box is |X| <= hx u.u,
-/// |Y| <= hy u.u, and its reach across v is hx |k| + hy |c|.
+/// Filter for a box, whose sizes may be 0, with or without a radius, and a point, in the box's frame, times |u|. A box
+/// is |X| <= hx u.u, |Y| <= hy u.u, and its reach across v is hx |k| + hy |c|. A radius r adds r |u| to each side and
+/// r |v| to that reach.
 ///
 /// Proved: every verdict is true of the exact numbers.
 ///
 ///   - The way of the ray, a segment, misses the box iff one of three lines divides them: the ray's own, or one along a
-///     side. The ray starts beyond that side, and moves away from it or ends before it.
-///   - A ray that starts before a side, and whose line passes through the inside, meets the box some time later.
+///     side. The ray starts beyond that side, and moves away from it or ends before it. If there is a radius, such a
+///     line proves a miss, too; a miss beside a rounded corner may have none, and stays open.
+///   - A ray that starts before a side, and whose line passes through the inside, meets the shape some time later.
 ///   - With A, D, V as above and H = hx + hy, offsets of the centre are off by 2u D + u H A, X and Y by 5u A (D + H A),
-///     c and k by 5u A V where they are of differences, and the reach by twice that times H. The code takes 16u.
+///     c and k by 5u A V where they are of differences, and the reach by twice that times H. Terms of a radius are off
+///     by 5u of themselves. The code takes 16u.
 ///   - So the signs of c and k are not always known. The verdict that a ray moves away needs them, and fast_hit()
 ///     leaves open the hits where c or k is that small.
 template <class V>
 struct BoxFrame {
   V c, k, x, y;  // v and D
-  V hx, hy, uu, axis;
+  V wide, high, reach;
+  V sum, size, axis;  // H and the radius; H A and the radius; A
 };
+template <class V>
+VESICA_INLINE BoxFrame<V> box_frame(V ux, V uy, V hx, V hy, V dx, V dy, const MotionOf<V>& v) noexcept {
+  const V c = ux * v.vx + uy * v.vy, k = ux * v.vy - uy * v.vx, uu = ux * ux + uy * uy, axis = abs(ux) + abs(uy),
+          sum = hx + hy;
+  return {c,          k,   ux * dx + uy * dy, ux * dy - uy * dx, hx * uu, hy * uu, hx * abs(k) + hy * abs(c), sum,
+          sum * axis, axis};
+}
 template <class V>
 VESICA_INLINE EarlyOut filter_box(const BoxFrame<V>& f, V dx, V dy, const MotionOf<V>& v, MaskOf<V> sized) noexcept {
   constexpr double u = 0x1p-53;
   const V tiny(tiny_error), bound(16 * u);
   const V vv = v.vx * v.vx + v.vy * v.vy, speed = abs(v.vx) + abs(v.vy), distance = abs(dx) + abs(dy);
-  const V sum = f.hx + f.hy, whole = sum * f.axis + distance;
-  const auto usable = all_hold(in_early_range(v, vv), sized, sum + distance <= V(most_usable));
+  const V whole = f.size + distance;
+  const auto usable = all_hold(in_early_range(v, vv), sized, f.sum + distance <= V(most_usable));
   const V along_x = abs(f.c), along_y = abs(f.k), turning = bound * (f.axis * speed);
-  const V w = v.vx * dy - v.vy * dx, inside = (f.hx * along_y + f.hy * along_x) - abs(w);
+  const V w = v.vx * dy - v.vy * dx, inside = f.reach - abs(w);
   const V line_error = bound * (speed * whole) + tiny, error = bound * (f.axis * whole) + tiny;
   // As the ray comes: turned so that it moves forward.
-  const V x = flip_sign(f.x, f.c), y = flip_sign(f.y, f.k), wide = f.hx * f.uu, high = f.hy * f.uu;
-  const V away = max(min((x - wide) - error, along_x - turning), min((y - high) - error, along_y - turning));
-  const V before_x = (-x - wide) - error, before_y = (-y - high) - error;
+  const V x = flip_sign(f.x, f.c), y = flip_sign(f.y, f.k);
+  const V away = max(min((x - f.wide) - error, along_x - turning), min((y - f.high) - error, along_y - turning));
+  const V before_x = (-x - f.wide) - error, before_y = (-y - f.high) - error;
   const auto early = [&]() -> V {
     // The factor is positive, so infinity times it is not NaN.
     return max(before_x - v.end * (along_x + turning), before_y - v.end * (along_y + turning));
@@ -170,39 +181,46 @@ VESICA_INLINE EarlyOut filter_box(const BoxFrame<V>& f, V dx, V dy, const Motion
   return decided(usable, V(max(away, -inside - line_error)), V(min(max(before_x, before_y), inside - line_error)),
                  early);
 }
-template <template <class> class Box, class V>
-VESICA_INLINE EarlyOut early_out_of_box(const Box<V>& box, const Point<V>& p, const MotionOf<V>& v) noexcept {
+/// The box of a shape, or its core, and the radius.
+template <template <class> class Shape, class V>
+VESICA_INLINE EarlyOut early_out_of_box(const Shape<V>& shape, const Point<V>& p, const MotionOf<V>& v) noexcept {
   constexpr form::AsStored<V> number;
+  const auto [box, radius] = form::inflated(shape);
   const auto f = form::of(box);
   const form::Corners<V> from = form::corners(f.place);
-  const V ux = number(f.ux), uy = number(f.uy), hx = number(f.hx), hy = number(f.hy), axis = abs(ux) + abs(uy);
+  const V ux = number(f.ux), uy = number(f.uy), hx = number(f.hx), hy = number(f.hy), zero(0.0);
   const V dx = offset<V>(p.x, p.x, from.x0, from.x1), dy = offset<V>(p.y, p.y, from.y0, from.y1);
-  const BoxFrame<V> frame{ux * v.vx + uy * v.vy,
-                          ux * v.vy - uy * v.vx,
-                          ux * dx + uy * dy,
-                          ux * dy - uy * dx,
-                          hx,
-                          hy,
-                          ux * ux + uy * uy,
-                          axis};
-  return filter_box(frame, dx, dy, v, all_hold(hx >= V(0.0), hy >= V(0.0), in_usable_range(axis)));
+  BoxFrame<V> frame = box_frame(ux, uy, hx, hy, dx, dy, v);
+  auto sized = all_hold(hx >= zero, hy >= zero, in_usable_range(frame.axis));
+  if constexpr (form::Inflated<Shape<V>>) {
+    const V beyond = radius * sqrt(V(ux * ux + uy * uy));
+    frame.wide = frame.wide + beyond;
+    frame.high = frame.high + beyond;
+    frame.reach = frame.reach + radius * sqrt(V(v.vx * v.vx + v.vy * v.vy));
+    frame.sum = frame.sum + radius;
+    frame.size = frame.size + radius;
+    sized = both(sized, radius >= zero);
+  }
+  return filter_box(frame, dx, dy, v, sized);
 }
 template <class V>
 VESICA_INLINE EarlyOut early_out(const Aabb<V>& a, const Point<V>& p, const MotionOf<V>& v) noexcept {
-  const V half(0.5), one(1.0), hx = half * (a.max_x - a.min_x), hy = half * (a.max_y - a.min_y);
+  const V half(0.5), one(1.0), hx = half * (a.max_x - a.min_x), hy = half * (a.max_y - a.min_y), sum = hx + hy;
   const V dx = offset<V>(p.x, p.x, a.min_x, a.max_x), dy = offset<V>(p.y, p.y, a.min_y, a.max_y);
   // A half width may be 0 by underflow, even where min exceeds max.
   const MaskOf<V> sized = both(a.min_x <= a.max_x, a.min_y <= a.max_y);
-  return filter_box<V>({v.vx, v.vy, dx, dy, hx, hy, one, one}, dx, dy, v, sized);
+  return filter_box<V>({v.vx, v.vy, dx, dy, hx, hy, hx * abs(v.vy) + hy * abs(v.vx), sum, sum, one}, dx, dy, v, sized);
 }
-template <class V>
-VESICA_INLINE EarlyOut early_out(const Rect<V>& a, const Point<V>& b, const MotionOf<V>& v) noexcept {
-  return early_out_of_box(a, b, v);
-}
-template <class V>
-VESICA_INLINE EarlyOut early_out(const Segment<V>& a, const Point<V>& b, const MotionOf<V>& v) noexcept {
-  return early_out_of_box(a, b, v);
-}
+#define VESICA_EARLY_OUT(Name)                                                                           \
+  template <class V>                                                                                     \
+  VESICA_INLINE EarlyOut early_out(const Name<V>& a, const Point<V>& b, const MotionOf<V>& v) noexcept { \
+    return early_out_of_box(a, b, v);                                                                    \
+  }
+VESICA_EARLY_OUT(Rect)
+VESICA_EARLY_OUT(Segment)
+VESICA_EARLY_OUT(Capsule)
+VESICA_EARLY_OUT(RoundRect)
+#undef VESICA_EARLY_OUT
 
 /// Two ellipses, by the filter for all kinds. It misses shapes that are beside each other at any end, even at none
 /// that is valid.

@@ -259,38 +259,46 @@ VESICA_INLINE RoundPoint round_point(double a, double b, const Offset& in_frame,
 
 /// True if the contact is certain.
 VESICA_INLINE bool is_certain(const RoundSearch& found, const Vector& n, const Offset& in_frame, const FastTime& time,
-                              const Vector& d, const Motion& v, double radius, double shortest, double t) noexcept {
-  const double vv = v.vx * v.vx + v.vy * v.vy, speed = abs(v.vx) + abs(v.vy);
-  const double lengths = abs(d.x.high) + abs(d.y.high) + speed * t;
+                              double distance, const Motion& v, double radius, double shortest, double t) noexcept {
+  const double vv = v.vx * v.vx + v.vy * v.vy, speed = abs(v.vx) + abs(v.vy), lengths = distance + speed * t;
   return found.gap >= 0x1p-8 * found.reach && lengths <= 0x1p16 * shortest && ends_at(n, in_frame, time, radius, vv, t);
+}
+
+/// A disc of radius r and a point at d, which moves by `fv`: the time t, and the normal n of the general path. `w` is
+/// v x d as that has it, and `others` are lengths whose rounding counts in d and w.
+template <class Products, class Velocity>
+VESICA_INLINE EarlyOut disc_hit(const Vector& d, const Twofold<double>& w, double r, const Motion& v,
+                                const Velocity& fv, double others, double& t, Vector& n) noexcept {
+  const double dx = d.x.high, dy = d.y.high, vv = v.vx * v.vx + v.vy * v.vy, dd = dx * dx + dy * dy;
+  const double cross_of_highs = v.vx * dy - v.vy * dx;
+  const auto fr = Products::factor(r);
+  const OneRound asked{square(Products::factor(fr * fv.y)) + square(Products::factor(fr * fv.x)),
+                       w,
+                       (r * r) * vv - cross_of_highs * cross_of_highs,
+                       0x1p-49 * (vv * (dd + r * r)),
+                       0,
+                       r * r * vv};
+  const RoundSearch found = search_of<Products>(asked, v.vx * dx + v.vy * dy, vv, 1);
+  const double sizes = r + others + (abs(dx) + abs(dy)) + (abs(v.vx) + abs(v.vy)) * found.first;
+  const FastTime time = stepped_once<Products>(d, fv.x, fv.y, fr, velocity(v), found, vv, 0x1p-98 * r * sizes);
+  const EarlyOut early = floor_of(time.value, time.error, v.end, t);
+  if (early != EarlyOut::hit) return early;
+  n = normal_of<Products>(found.s, velocity(v));
+  const bool certain = is_certain(found, n, {n.x.high, n.y.high}, time, abs(dx) + abs(dy) + others, v, r, r, t);
+  return certain ? EarlyOut::hit : EarlyOut::open;
 }
 
 template <class Products>
 VESICA_INLINE EarlyOut fast_hit(const Circle<double>& a, const Point<double>& b, const Motion& v,
                                 Impact<double>& out) noexcept {
   const Vector d = exact_offset(b.x, b.y, a.cx, a.cy);
-  const double r = a.r;
-  if (!(is_plain(d, v) && is_plain_size(r))) return EarlyOut::open;
-  const double dx = d.x.high, dy = d.y.high, vv = v.vx * v.vx + v.vy * v.vy, dd = dx * dx + dy * dy;
-  const double cross_of_highs = v.vx * dy - v.vy * dx;
-  const auto fr = Products::factor(r);
+  if (!(is_plain(d, v) && is_plain_size(a.r))) return EarlyOut::open;
   const auto fv = plain_factor<Products>(v.vx, v.vy);
-  const OneRound asked{square(Products::factor(fr * fv.y)) + square(Products::factor(fr * fv.x)),
-                       arithmetic::renormalised(cross(fv, Products::factor(d))),
-                       (r * r) * vv - cross_of_highs * cross_of_highs,
-                       0x1p-49 * (vv * (dd + r * r)),
-                       0,
-                       r * r * vv};
-  const RoundSearch found = search_of<Products>(asked, v.vx * dx + v.vy * dy, vv, 1);
-  const double sizes = r + (abs(dx) + abs(dy)) + (abs(v.vx) + abs(v.vy)) * found.first;
-  const FastTime time = stepped_once<Products>(d, fv.x, fv.y, fr, velocity(v), found, vv, 0x1p-98 * r * sizes);
   double t;
-  const EarlyOut early = floor_of(time.value, time.error, v.end, t);
+  Vector n;
+  const EarlyOut early = disc_hit<Products>(d, arithmetic::renormalised(cross(fv, Products::factor(d))), a.r, v, fv, 0, t, n);
   if (early != EarlyOut::hit) return early;
-  const Vector n = normal_of<Products>(found.s, velocity(v));
-  const Offset in_frame{n.x.high, n.y.high};
-  if (!is_certain(found, n, in_frame, time, d, v, r, r, t)) return EarlyOut::open;
-  const RoundPoint point = round_point(r, r, in_frame, n);
+  const RoundPoint point = round_point(a.r, a.r, {n.x.high, n.y.high}, n);
   out = {t, (a.cx + point.at.x) + 0.0, (a.cy + point.at.y) + 0.0, point.nx + 0.0, point.ny + 0.0};
   return EarlyOut::hit;
 }
@@ -336,7 +344,7 @@ VESICA_INLINE EarlyOut fast_hit(const Ellipse<double>& ellipse, const Point<doub
   const Vector n = normal_of<Products>(found.s, velocity(v));
   const auto along = Products::factor(n);
   const Offset in_frame{arithmetic::rounded(dot(u, along)), arithmetic::rounded(cross(u, along))};
-  if (!is_certain(found, n, in_frame, time, d, v, e.radius(), e.shortest(), t)) return EarlyOut::open;
+  if (!is_certain(found, n, in_frame, time, distance, v, e.radius(), e.shortest(), t)) return EarlyOut::open;
   const RoundPoint at = round_point(a, b, in_frame, n);
   const Offset from_centre = e.out_of_frame(at.at);
   out = {t, (ellipse.cx + from_centre.x) + 0.0, (ellipse.cy + from_centre.y) + 0.0, at.nx + 0.0, at.ny + 0.0};

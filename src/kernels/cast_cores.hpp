@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// First contacts of pairs with a radius: boxes, discs, capsules and rounded rectangles. Their sum M is that of two
-// boxes and the disc of both radii; a point, or the core of a circle, is a box of no size. The face or vertex and the
-// normal are found by the operations of detail::cast::latest_with_radius(): so their bits are those of single casts.
+// First contacts of capsules and rounded rectangles with each other, boxes, circles and points; either may move. Each
+// shape is a core, which is a box or a point, with a radius. The sum M is that of both cores and the disc of both radii.
+// The face or vertex and the normal are found by the operations of detail::cast::latest_with_radius(): so their bits
+// are those of single casts. The time is T(n) of bound.hpp, whose bounds are computed in double.
 #pragma once
 
 #include "kernels/cast_boxes_rounds.hpp"
@@ -9,7 +10,7 @@
 namespace vesica {
 namespace {
 
-/// A shape as a core and a radius. `sized`: its kind has a core that is no point.
+/// A shape as a core and a radius. `sized`: its kind's core is no point; `flat`: it is a segment, whose hy is 0.
 struct CoreLanes {
   BoxLanes box;
   Doubles radius;
@@ -24,7 +25,7 @@ VESICA_INLINE CoreLanes core_lanes(const SideColumns& side, std::int32_t i) noex
   return out;
 }
 
-/// True where the single cast has these cores too: a shape with no radius or no size is another kind to it.
+/// True where the single cast has the same core: a shape without a radius or a size is of another kind there.
 VESICA_INLINE CastMask is_plain_core(const CoreLanes& core, const SideColumns& side) noexcept {
   const Doubles zero(0.0);
   CastMask out = zero <= zero;
@@ -33,23 +34,23 @@ VESICA_INLINE CastMask is_plain_core(const CoreLanes& core, const SideColumns& s
   return out;
 }
 
-/// detail::cast::Kink. `side`: which box and axis it is of, 0 to 3; a kink without a slope is behind all others.
+/// detail::cast::Kink. `face`: the number of the face, two for each box. A face without a length comes last.
 struct KinkLanes {
   Doubles s;
   TwofoldLanes slope;
-  Doubles side;
+  Doubles face;
 };
-/// The kinks of two boxes by s; those of equal s stay in their order.
+/// The kinks of two boxes by s; those of equal s keep their order.
 struct KinksLanes {
   KinkLanes kink[4];
   int count = 0;
 
-  VESICA_INLINE void add(const TwofoldLanes& slope, Doubles along, Doubles across, int side) noexcept {
+  VESICA_INLINE void add(const TwofoldLanes& slope, Doubles along, Doubles across, int face) noexcept {
     const Doubles zero(0.0);
     const CastMask none = either(detail::cast::is_zero(slope), across == zero);
     const TwofoldLanes nothing{zero, zero};
     kink[count] = {select(none, Doubles(0x1p600), along / across),
-                   choose(none, nothing, detail::cast::magnitude(slope)), Doubles(side)};
+                   choose(none, nothing, detail::cast::magnitude(slope)), Doubles(1.0 * face)};
     for (int at = count++; at > 0; --at) {
       KinkLanes &first = kink[at - 1], &second = kink[at];
       const CastMask swap = first.s > second.s;
@@ -58,7 +59,7 @@ struct KinksLanes {
       second = chosen(swap, former, second);
     }
   }
-  /// w without the terms of the kinks, `passed` of them taken away and the others added.
+  /// w without the slopes, so many of them taken away and the others added.
   VESICA_INLINE TwofoldLanes left_over(const TwofoldLanes& w, int passed) const noexcept {
     TwofoldLanes sum = w;
     for (int i = 0; i < count; ++i) sum = i < passed ? sum - kink[i].slope : sum + kink[i].slope;
@@ -67,7 +68,7 @@ struct KinksLanes {
 
  private:
   VESICA_INLINE static KinkLanes chosen(CastMask mask, const KinkLanes& yes, const KinkLanes& no) noexcept {
-    return {select(mask, yes.s, no.s), choose(mask, yes.slope, no.slope), select(mask, yes.side, no.side)};
+    return {select(mask, yes.s, no.s), choose(mask, yes.slope, no.slope), select(mask, yes.face, no.face)};
   }
 };
 
@@ -91,7 +92,7 @@ VESICA_INLINE DiscSupportLanes support_lanes(const TwofoldLanes& radius, const V
 }
 
 /// The time and the normal, as in BoxRoundMeeting. If a face is met, it is one of a, of b, or of both where they are
-/// parallel; its normal is the axis u or perp(u), `across`.
+/// parallel; its normal is the axis u, or perp(u) if `across`.
 struct CoresMeeting {
   TwofoldLanes time;
   Doubles error;
@@ -100,8 +101,9 @@ struct CoresMeeting {
   CastMask of_a, of_b, across;
 };
 
-/// Certain under the conditions that box_round_meeting() proves: the kinks of two boxes have its place for those of
-/// one, and the disc that of the round shape.
+/// d: from the first's centre to the second's; v: the second's velocity. All numbers that are multiplied are 0 or
+/// moderate (is_plain()). Certain for the reasons that box_round_meeting() proves. There are two boxes and fewer than 32
+/// roundings; they leave the slope off by less than 2^-48 of the reaches across v, too.
 VESICA_INLINE CoresMeeting cores_meeting(const CoreLanes& a, const CoreLanes& b, const VectorLanes& d,
                                          const OffsetLanes& v) noexcept {
   using namespace detail::cast;
@@ -126,33 +128,33 @@ VESICA_INLINE CoresMeeting cores_meeting(const CoreLanes& a, const CoreLanes& b,
   const Doubles r = radius.high, al = (r * v.y) * (r * v.y) + (r * v.x) * (r * v.x), area = r * r * vv;
   const CurveOf<Doubles> disc{zero, al, area * area / al, sqrt(al)};
   TwofoldLanes rest = kinks.left_over(w, 0);
-  CastMask face = none, done = none;
-  Doubles side = zero;
+  CastMask on_face = none, done = none;
+  Doubles face = zero;
   for (int i = 0; i < kinks.count; ++i) {
     const KinkLanes& kink = kinks.kink[i];
     const Doubles slope = disc.slope(kink.s);
     const TwofoldLanes next = kinks.left_over(w, i + 1);
     done = either(done, rest.high < slope);
     const CastMask here = and_not(and_not(next.high <= slope, detail::cast::is_zero(kink.slope)), done);
-    face = either(face, here);
+    on_face = either(on_face, here);
     done = either(done, here);
-    side = select(here, kink.side, side);
+    face = select(here, kink.face, face);
     rest = choose(done, rest, next);
   }
   const TwofoldLanes reach =
       detail::cast::reach_of<P>(P::factor(radius) * P::factor(v.y), P::factor(radius) * P::factor(v.x));
   VectorLanes n = normal_of<P>(maximum_of_one(disc, rest.high, gap_of(reach, rest)), v);
   CoresMeeting out;
-  const CastMask second = side >= Doubles(2.0);
-  out.across = both(face, either(side == zero, side == Doubles(2.0)));
+  const CastMask second = face >= Doubles(2.0);
+  out.across = both(on_face, either(face == zero, face == Doubles(2.0)));
   const VectorLanes &ua = a.sized ? a.box.u : b.box.u, &ub = b.sized ? b.box.u : a.box.u;
   const VectorLanes axis{choose(second, ub.x, ua.x), choose(second, ub.y, ua.y)};
   const VectorLanes of_face{choose(out.across, -axis.y, axis.x), choose(out.across, axis.x, axis.y)};
   const Doubles forward = of_face.x.high * v.x + of_face.y.high * v.y;
-  n = {choose(face, flipped(of_face.x, -forward), n.x), choose(face, flipped(of_face.y, -forward), n.y)};
+  n = {choose(on_face, flipped(of_face.x, -forward), n.x), choose(on_face, flipped(of_face.y, -forward), n.y)};
   const CastMask parallel = same_vector(ua, ub);
-  out.of_a = both(face, either(parallel, negated<Doubles>(second)));
-  out.of_b = both(face, either(parallel, second));
+  out.of_a = both(on_face, either(parallel, negated<Doubles>(second)));
+  out.of_b = both(on_face, either(parallel, second));
 
   const auto nf = P::factor(n);
   const DiscSupportLanes of_disc = support_lanes(radius, n, v);
@@ -182,14 +184,14 @@ VESICA_INLINE CoresMeeting cores_meeting(const CoreLanes& a, const CoreLanes& b,
     at_vertex = both(at_vertex, either(core.box.hy.high == zero, far_off * abs(of_v[i].c.high) < abs(s.q)));
   }
   out.time = {start, step};
-  out.error = lost + select(face, zero, gain);
+  out.error = lost + select(on_face, zero, gain);
   out.certain =
-      both(either(both(face, at_face), and_not(at_vertex, face)), sizes * (Doubles(0x1p-40) * n_size) < of_disc.h.high);
+      both(either(both(on_face, at_face), and_not(at_vertex, on_face)), sizes * (Doubles(0x1p-40) * n_size) < of_disc.h.high);
   out.normal = n;
   return out;
 }
 
-VESICA_KERNEL void cast_boxes_disc(const CastColumns& columns, std::int32_t n, double* const* results) noexcept {
+VESICA_KERNEL void cast_cores(const CastColumns& columns, std::int32_t n, double* const* results) noexcept {
   const Doubles zero(0.0);
   const ForemostLanes point{{zero, zero}, {zero, zero}, zero <= zero};
   for (std::int32_t i = 0; i < n; i += Doubles::width) {
