@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // First contacts of capsules and rounded rectangles with each other, boxes, circles and points; either may move. Each
-// shape is a core, which is a box or a point, with a radius. The sum M is that of both cores and the disc of both radii.
-// The face or vertex and the normal are found by the operations of detail::cast::latest_with_radius(): so their bits
-// are those of single casts. The time is T(n) of bound.hpp, whose bounds are computed in double.
+// shape is a core, which is a box or a point, with a radius. The sum M is that of both cores and the disc of both
+// radii. The face or vertex and the normal are found by the operations of detail::cast::latest_with_radius(): so their
+// bits are those of single casts. The time is T(n) of bound.hpp, whose bounds are computed in double.
 #pragma once
 
 #include "kernels/cast_boxes_rounds.hpp"
@@ -102,8 +102,8 @@ struct CoresMeeting {
 };
 
 /// d: from the first's centre to the second's; v: the second's velocity. All numbers that are multiplied are 0 or
-/// moderate (is_plain()). Certain for the reasons that box_round_meeting() proves. There are two boxes and fewer than 32
-/// roundings; they leave the slope off by less than 2^-48 of the reaches across v, too.
+/// moderate (is_plain()). Certain for the reasons that box_round_meeting() proves: two boxes take fewer than 32
+/// roundings, which leave the slope off by less than 2^-48 of the reaches across v, too.
 VESICA_INLINE CoresMeeting cores_meeting(const CoreLanes& a, const CoreLanes& b, const VectorLanes& d,
                                          const OffsetLanes& v) noexcept {
   using namespace detail::cast;
@@ -185,8 +185,8 @@ VESICA_INLINE CoresMeeting cores_meeting(const CoreLanes& a, const CoreLanes& b,
   }
   out.time = {start, step};
   out.error = lost + select(on_face, zero, gain);
-  out.certain =
-      both(either(both(on_face, at_face), and_not(at_vertex, on_face)), sizes * (Doubles(0x1p-40) * n_size) < of_disc.h.high);
+  out.certain = both(either(both(on_face, at_face), and_not(at_vertex, on_face)),
+                     sizes * (Doubles(0x1p-40) * n_size) < of_disc.h.high);
   out.normal = n;
   return out;
 }

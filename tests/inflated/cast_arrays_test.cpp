@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Casts of arrays of shapes with a radius have the bits of single casts where kernels are most likely to differ: on
-// lattices, beside the ends of faces, at unlike sizes, about the end of the time, among odd numbers.
+// Casts of arrays of shapes with a radius have the bits of single casts, and rays those of the general path. They are
+// most likely to differ on lattices, beside the ends of faces, at unlike sizes, about the end of the time, and among
+// odd numbers.
 #include <gtest/gtest.h>
 #include <vesica_motion.h>
 
@@ -9,8 +10,8 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <type_traits>
 #include <vector>
+#include <vesica/cast.hpp>
 
 #include "inflated/shapes.hpp"
 
@@ -186,42 +187,58 @@ TYPED_TEST(InflatedCastArrays, Lattices) {
 }
 
 /// Sizes and radii of other magnitudes than the rest, and axes that are no unit vectors.
+Shape shrunk(Shape s, Random& random) {
+  const auto power = [&] { return std::ldexp(1.0, -random.integer(0, 2) * random.integer(0, 30)); };
+  Numbers& n = s.number;
+  const double k = power();
+  if (s.kind == VESICA_SEGMENT || s.kind == VESICA_CAPSULE) {
+    n[2] = n[0] + k * (n[2] - n[0]);
+    n[3] = n[1] + k * (n[3] - n[1]);
+    n[4] *= power();
+  } else if (s.kind >= VESICA_RECT) {
+    n[2] *= k, n[3] *= k;
+    n[4] *= power() / k, n[5] *= power() / k;
+    n[6] *= power();
+  }
+  return s;
+}
+Moving unlike_sizes(std::int32_t kind_a, std::int32_t kind_b, Random& random) {
+  Moving m = aimed(shrunk(shape(kind_a, random), random), shrunk(shape(kind_b, random), random), 0.5, random);
+  move(m.b, random.between(-1, 1), random.between(-1, 1));
+  return m;
+}
+
 TYPED_TEST(InflatedCastArrays, UnlikeSizes) {
   using T = TypeParam;
   Random random(properties::seed() + 3);
   int hits = 0;
-  const auto shrink = [&](Shape& s) {
-    const auto power = [&] { return std::ldexp(1.0, -random.integer(0, 2) * random.integer(0, 30)); };
-    Numbers& n = s.number;
-    if (s.kind == VESICA_SEGMENT || s.kind == VESICA_CAPSULE) {
-      const double k = power();
-      n[2] = n[0] + k * (n[2] - n[0]);
-      n[3] = n[1] + k * (n[3] - n[1]);
-      n[4] *= power();
-    } else if (s.kind >= VESICA_RECT) {
-      const double k = power();
-      n[2] *= k, n[3] *= k;
-      n[4] *= power() / k, n[5] *= power() / k;
-      n[6] *= power();
-    }
-  };
   each_pair_of_kinds([&](std::int32_t kind_a, std::int32_t kind_b) {
     for (int k = 0; k < arrays(8); ++k) {
       std::vector<Moving> pairs;
-      for (int i = 0; i < 200; ++i) {
-        Shape a = shape(kind_a, random), b = shape(kind_b, random);
-        shrink(a);
-        shrink(b);
-        pairs.push_back(aimed(a, b, 0.5, random));
-        move(pairs.back().b, random.between(-1, 1), random.between(-1, 1));
-      }
+      for (int i = 0; i < 200; ++i) pairs.push_back(unlike_sizes(kind_a, kind_b, random));
       expect_as_single<T>(pairs, std::numeric_limits<T>::infinity(), hits);
     }
   });
   EXPECT_GT(hits, 1000 * properties::repeat());
 }
 
-/// Points that reach the rim where a face ends and an arc begins, 2^-4 to 2^-56 to either side.
+/// A point or a circle that reaches the rim where a face ends and an arc begins, 2^-4 to 2^-56 to either side.
+Moving at_end_of_face(std::int32_t kind, std::int32_t other, Random& random) {
+  Shape a = shape(kind, random), b{other, {0, 0, other == VESICA_CIRCLE ? random.unit() : 0}};
+  Numbers& n = a.number;
+  const bool capsule = kind == VESICA_CAPSULE;
+  if (random.chance(0.3)) n[capsule ? 3 : 2] = capsule ? n[1] : 1, n[3] = capsule ? n[3] : 0;
+  double ux = capsule ? n[2] - n[0] : n[2], uy = capsule ? n[3] - n[1] : n[3];
+  const double length = std::hypot(ux, uy), hx = capsule ? 0.5 : n[4], hy = capsule ? 0 : n[5];
+  const double x = centre(a)[0] + hx * ux - hy * uy, y = centre(a)[1] + hx * uy + hy * ux;
+  ux /= length, uy /= length;
+  const double r = radius(a) + radius(b), turn = random.sign() * std::ldexp(1.0, -random.integer(4, 56));
+  const double beside = random.between(-2, 2), vx = uy + beside * ux, vy = -ux + beside * uy;
+  b.number[0] = x + r * (-uy + turn * ux) - vx;
+  b.number[1] = y + r * (ux + turn * uy) - vy;
+  return {a, b, vx, vy};
+}
+
 TYPED_TEST(InflatedCastArrays, EndsOfFaces) {
   using T = TypeParam;
   Random random(properties::seed() + 4);
@@ -230,30 +247,72 @@ TYPED_TEST(InflatedCastArrays, EndsOfFaces) {
     for (const std::int32_t other : {VESICA_POINT, VESICA_CIRCLE}) {
       for (int k = 0; k < arrays(20); ++k) {
         std::vector<Moving> pairs;
-        for (int i = 0; i < 200; ++i) {
-          Shape a = shape(kind, random);
-          Numbers& n = a.number;
-          const bool along = random.chance(0.3);
-          if (along && kind == VESICA_CAPSULE) n[3] = n[1];
-          if (along && kind == VESICA_ROUND_RECT) n[2] = 1, n[3] = 0;
-          const bool capsule = kind == VESICA_CAPSULE;
-          double ux = capsule ? n[2] - n[0] : n[2], uy = capsule ? n[3] - n[1] : n[3];
-          const double length = std::hypot(ux, uy), hx = capsule ? 0.5 : n[4], hy = capsule ? 0 : n[5];
-          const double x = centre(a)[0] + hx * ux - hy * uy, y = centre(a)[1] + hx * uy + hy * ux;
-          ux /= length, uy /= length;
-          Shape b{other, {0, 0, other == VESICA_CIRCLE ? random.unit() : 0}};
-          const double r = radius(a) + radius(b), turn = random.sign() * std::ldexp(1.0, -random.integer(4, 56));
-          const double to_x = x + r * (-uy + turn * ux), to_y = y + r * (ux + turn * uy);
-          const double beside = random.between(-2, 2), vx = uy + beside * ux, vy = -ux + beside * uy;
-          b.number[0] = to_x - vx;
-          b.number[1] = to_y - vy;
-          pairs.push_back({a, b, vx, vy});
-        }
+        for (int i = 0; i < 200; ++i) pairs.push_back(at_end_of_face(kind, other, random));
         expect_as_single<T>(pairs, T(2), hits);
       }
     }
   }
   EXPECT_GT(hits, 1000 * properties::repeat());
+}
+
+/// Rays: what the early out and the fast hit decide, with either kind of product.
+struct Quick {
+  int asked = 0, missed = 0, hit = 0;
+};
+template <class Products, template <class> class A>
+void expect_as_general_path(const Moving& m, double end, Quick& quick) {
+  namespace cast = vesica::detail::cast;
+  const auto a = cast::shape<A>(cast::Body{
+      vesica::ShapeTraits<A<double>>::kind,
+      {m.a.number[0], m.a.number[1], m.a.number[2], m.a.number[3], m.a.number[4], m.a.number[5], m.a.number[6]}});
+  const vesica::Point<double> b{m.b.number[0], m.b.number[1]};
+  const cast::Motion motion{m.vx, m.vy, end};
+  vesica::Impact<double> found{}, wanted{};
+  const cast::EarlyOut early = cast::fast_cast<Products>(a, b, motion, found);
+  ++quick.asked;
+  if (early == cast::EarlyOut::open) return;
+  const std::int32_t code = cast::cast_any(a, b, motion, wanted);
+  ASSERT_EQ(code, early == cast::EarlyOut::hit ? vesica::cast_hit : vesica::cast_miss);
+  (code == vesica::cast_hit ? quick.hit : quick.missed)++;
+  if (code != vesica::cast_hit) return;
+  ASSERT_EQ(std::memcmp(&found, &wanted, sizeof found), 0)
+      << found.t << ' ' << found.x << ' ' << found.y << ' ' << found.nx << ' ' << found.ny << " / " << wanted.t << ' '
+      << wanted.x << ' ' << wanted.y << ' ' << wanted.nx << ' ' << wanted.ny;
+}
+
+TEST(InflatedRays, EarlyOutsHaveTheBitsOfTheGeneralPath) {
+  using namespace vesica;
+  Random random(properties::seed() + 7);
+  const double infinity = std::numeric_limits<double>::infinity();
+  Quick split[3];
+  for (int i = 0; i < 20000 * properties::repeat(); ++i) {
+    const std::int32_t kind = kinds[static_cast<std::size_t>(i % 2)];
+    Moving ordinary = aimed(shape(kind, random), shape(VESICA_POINT, random), 4, random);
+    const double place = random.between(-3, 3);
+    move(ordinary.b, place, place);
+    const Moving drawn[] = {ordinary,
+                            unlike_sizes(kind, VESICA_POINT, random),
+                            at_end_of_face(kind, VESICA_POINT, random),
+                            {lattice_shape(kind, random), lattice_shape(VESICA_POINT, random),
+                             static_cast<double>(random.integer(-4, 4)), static_cast<double>(random.integer(-4, 4))}};
+    const double end = random.chance(0.5) ? 1 : infinity;
+    for (std::size_t k = 0; k < 4; ++k) {
+      SCOPED_TRACE(i);
+      Quick& quick = split[k == 3 ? 2 : k];
+      if (kind == VESICA_CAPSULE) {
+        expect_as_general_path<detail::cast::SplitProducts, Capsule>(drawn[k], end, quick);
+      } else {
+        expect_as_general_path<detail::cast::SplitProducts, RoundRect>(drawn[k], end, quick);
+      }
+      ASSERT_FALSE(HasFailure()) << k;
+    }
+  }
+  // A path that is never taken tests nothing.
+  EXPECT_GT(split[0].hit + split[0].missed, 0.9 * split[0].asked);
+  for (const Quick& quick : split) {
+    EXPECT_GT(quick.hit, 0.05 * quick.asked);
+    EXPECT_GT(quick.missed, 0.05 * quick.asked);
+  }
 }
 
 /// The end at the very time of a contact, and beside it.

@@ -120,10 +120,12 @@ VESICA_INLINE EarlyOut arc_hit(const Shape& box, double x, double y, const Vecto
   double t;
   Vector n;
   const EarlyOut early = disc_hit<Products>(from, w, r, v, fv, others, t, n);
-  if (early != EarlyOut::hit) return early;
+  // A miss of this arc alone is none of the shape.
+  if (early != EarlyOut::hit) return EarlyOut::open;
   const double nx = n.x.high, ny = n.y.high, length = sqrt(nx * nx + ny * ny);
   const double doubt = 0x1p-24 * (axis * (abs(nx) + abs(ny))), p = ux * nx + uy * ny, q = ux * ny - uy * nx;
-  const bool in_x = abs(p) > doubt && (x == 0 || (p > 0) == (x > 0)), in_y = abs(q) > doubt && (y == 0 || (q > 0) == (y > 0));
+  const bool in_x = abs(p) > doubt && (x == 0 || (p > 0) == (x > 0)),
+             in_y = abs(q) > doubt && (y == 0 || (q > 0) == (y > 0));
   if (!(in_x && in_y)) return EarlyOut::open;
   const arithmetic::Two unit = arithmetic::Two{nx, ny} / arithmetic::Two{length, length};
   const Offset at = x * Offset{ux, uy} + y * Offset{-uy, ux};
@@ -179,7 +181,8 @@ VESICA_INLINE EarlyOut box_hit(const Shape& box, const Vector& d, const Motion& 
   const double turn = lane::flip_sign(-1.0, lane::select(on_x, c, k));
   const auto across = [&](double along, double beside) { return turn * lane::select(on_x, along, beside); };
   const double nx = across(ux, -uy), ny = across(uy, ux);
-  const auto nf = box.template factor<Products>(Vector{{nx, across(u.x.low, -u.y.low)}, {ny, across(u.y.low, u.x.low)}});
+  const auto nf =
+      box.template factor<Products>(Vector{{nx, across(u.x.low, -u.y.low)}, {ny, across(u.y.low, u.x.low)}});
   const Twofold<double> nn = arithmetic::renormalised(dot(nf, nf));
   Twofold<double> reach = Products::factor(h) * Products::factor(nn);
   if constexpr (Shape::inflated) {

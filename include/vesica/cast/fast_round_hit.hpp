@@ -296,7 +296,8 @@ VESICA_INLINE EarlyOut fast_hit(const Circle<double>& a, const Point<double>& b,
   const auto fv = plain_factor<Products>(v.vx, v.vy);
   double t;
   Vector n;
-  const EarlyOut early = disc_hit<Products>(d, arithmetic::renormalised(cross(fv, Products::factor(d))), a.r, v, fv, 0, t, n);
+  const EarlyOut early =
+      disc_hit<Products>(d, arithmetic::renormalised(cross(fv, Products::factor(d))), a.r, v, fv, 0, t, n);
   if (early != EarlyOut::hit) return early;
   const RoundPoint point = round_point(a.r, a.r, {n.x.high, n.y.high}, n);
   out = {t, (a.cx + point.at.x) + 0.0, (a.cy + point.at.y) + 0.0, point.nx + 0.0, point.ny + 0.0};
