@@ -47,21 +47,32 @@ crossings::RoundOutline outline(const Shape& s) noexcept {
   return crossings::round_outline(s);
 }
 
+/// The places of the ends in a round shape, as Ends::add() takes them. Not inlined: the exact outline takes stack here
+/// alone.
+struct PlacesOfEnds {
+  int count, start, end;
+};
+template <class A, class B>
+VESICA_CALLED PlacesOfEnds places_of_ends(const A& a, const B& b) noexcept {
+  const crossings::Corners ends(exact::form(a));
+  const auto round = outline(b);
+  const auto place = [&](int i) { return de9im::place_in(round, ends.x[i], ends.y[i]); };
+  return {ends.count, place(0), ends.count == 1 ? 0 : place(1)};
+}
+
 /// A point or a segment that meets a round shape with area. Ends that are inside are vertices; an end outside is
 /// replaced by the first or last place where the segment meets the outline.
 template <class A, class B>
 Vertices in_round(const A& a, const B& b) noexcept {
-  const crossings::Corners ends(exact::form(a));
-  const auto round = outline(b);
+  const PlacesOfEnds ends = places_of_ends(a, b);
+  const int start = ends.start, end = ends.end;
   Rounded corner{};
   corners(a, corner);
   Vertices v;
-  const int start = de9im::place_in(round, ends.x[0], ends.y[0]);
   if (ends.count == 1) {
     v.add(corner[0]);
     return v;
   }
-  const int end = de9im::place_in(round, ends.x[1], ends.y[1]);
   if (start >= 0 && end >= 0) {
     v.add(corner[0]);
     v.add(corner[1]);

@@ -34,11 +34,12 @@ struct Root {
   explicit Root(const exact::Number<2>& x) noexcept : square(x), estimate(root(Estimate(x))) {}
 };
 
-/// a + b sqrt(s), precise, or exactly 0. A sum that cancels is (a^2 - b^2 s) / (a - b sqrt(s)).
+/// a + b sqrt(s), precise, or exactly 0. A sum that cancels is (a^2 - b^2 s) / (a - b sqrt(s)). Long numbers are made
+/// in functions of their own, since a call has little stack.
 template <int A, int B>
 VESICA_COLD Estimate cancelling_sum(const exact::Number<A>& a, const exact::Number<B>& b, const Root& s,
                                     const Estimate& difference) noexcept {
-  return Estimate(exact::square(a) - exact::square(b) * s.square) / difference;
+  return Estimate(exact::detail::sum_of_products(a, a, -1, b, b * s.square)) / difference;
 }
 template <int A, int B>
 Estimate root_sum(const exact::Number<A>& a, const exact::Number<B>& b, const Root& s) noexcept {
@@ -46,12 +47,21 @@ Estimate root_sum(const exact::Number<A>& a, const exact::Number<B>& b, const Ro
   return sum.is_precise() ? sum : cancelling_sum(a, b, s, first - second);
 }
 
+/// a^2 + b^2 s - c^2 t.
+template <int A, int B, int C>
+VESICA_COLD auto sum_of_squares(const exact::Number<A>& a, const exact::Number<B>& b, const Root& s,
+                                const exact::Number<C>& c, const Root& t) noexcept {
+  return exact::detail::sum_of_products(a, a, 1, b, b * s.square) - c * (c * t.square);
+}
+template <int A, int B>
+VESICA_COLD exact::Number<A + B> twice_product(const exact::Number<A>& a, const exact::Number<B>& b) noexcept {
+  return exact::integer(2) * (a * b);
+}
 /// a + b sqrt(s) + c sqrt(t), likewise.
 template <int A, int B, int C>
 VESICA_COLD Estimate cancelling_sum(const exact::Number<A>& a, const exact::Number<B>& b, const Root& s,
                                     const exact::Number<C>& c, const Root& t, const Estimate& difference) noexcept {
-  const auto squares = exact::square(a) + exact::square(b) * s.square - exact::square(c) * t.square;
-  return root_sum(squares, exact::integer(2) * (a * b), s) / difference;
+  return root_sum(sum_of_squares(a, b, s, c, t), twice_product(a, b), s) / difference;
 }
 template <int A, int B, int C>
 Estimate root_sum(const exact::Number<A>& a, const exact::Number<B>& b, const Root& s, const exact::Number<C>& c,
@@ -144,20 +154,21 @@ struct PlainPiece {
 struct RoundOutline {
   Corners corners;
   exact::Length radius;
-  Root unit;  ///< the length of all sides below
-  Side side[4];
+  Root unit;  ///< the length of all sides
   int edges;
   PlainPiece edge[4], arc[4];
 
   RoundOutline(const exact::Box& core, const exact::Length& r) noexcept
       : corners(core), radius(r), unit(exact::dot(core.ux, core.uy, core.ux, core.uy)) {
     edges = corners.count == 2 && radius.sign > 0 ? 2 : corners.edges;
-    const Side along{core.ux, core.uy}, across{-core.uy, core.ux};
-    side[0] = corners.count == 2 && !corners.wide ? across : along;
-    side[1] = corners.count == 2 ? side[0].back() : across;
-    side[2] = along.back();
-    side[3] = across.back();
     set_pieces();
+  }
+  /// Along edge i; of a circle along the axes.
+  Side side(int i) const noexcept {
+    const exact::Length &x = corners.box.ux, &y = corners.box.uy;
+    const bool is_segment = corners.count == 2, is_across = is_segment ? !corners.wide : i % 2 != 0;
+    const Side forward = is_across ? Side{-y, x} : Side{x, y};
+    return (is_segment ? i == 1 : i >= 2) ? forward.back() : forward;
   }
   int next(int i) const noexcept { return corners.next(i); }
   int before(int i) const noexcept { return i > 0 ? i - 1 : corners.count - 1; }
@@ -174,7 +185,7 @@ struct RoundOutline {
     const double r = nearest(radius);
     double size = r;
     for (int i = 0; i < 4; ++i) {
-      const Scaled x = exact::rounded(side[i].x), y = exact::rounded(side[i].y), length = unit.estimate.scaled();
+      const Scaled x = exact::rounded(side(i).x), y = exact::rounded(side(i).y), length = unit.estimate.scaled();
       along[i] = {quotient(x, length), quotient(y, length)};
       if (i >= corners.count) continue;
       corner[i] = {nearest(corners.x[i]), nearest(corners.y[i])};
@@ -220,11 +231,11 @@ inline Real turn_of(const Estimate& x, const Estimate& y) noexcept {
 template <class Component>
 Real along_arc(const RoundOutline& o, int i, const Component& component) noexcept {
   if (o.is_circle()) {
-    const Estimate y = component(o.side[1]), x = component(o.side[0]);
+    const Estimate y = component(o.side(1)), x = component(o.side(0));
     return y.sign() == 0 && x.sign() >= 0 ? Real() : turn_of(x, y) + Real(std::numeric_limits<double>::min());
   }
-  const Side& arriving = o.side[o.before(i)];
-  const Estimate forward = component(arriving), onward = component(o.side[i]);
+  const Side& arriving = o.side(o.before(i));
+  const Estimate forward = component(arriving), onward = component(o.side(i));
   if (forward.sign() < 0 || onward.sign() > 0) return Real(-1.0);
   const Estimate out = component(arriving.normal());
   if (onward.sign() == 0 && out.sign() <= 0) return Real(RoundOutline::arc_ends(i));
@@ -249,9 +260,9 @@ inline Offset offset(const RoundOutline& a, int i, const RoundOutline& b, int k)
 
 /// True if parallel edges share a stretch: they are on one line, and their ends are in the order of such.
 VESICA_COLD inline bool share_stretch(const RoundOutline& a, int i, const RoundOutline& b, int k) noexcept {
-  const Side &d = a.side[i], n = d.normal();
+  const Side &d = a.side(i), n = d.normal();
   const Offset from_a = offset(b, k, a, i);
-  const bool alike = dot(d, b.side[k]).sign > 0;
+  const bool alike = dot(d, b.side(k)).sign > 0;
   // n.(Q - P) + (+-s - r) |n| is how far b's line is beyond a's.
   const exact::Length apart = alike ? b.radius - a.radius : -(b.radius + a.radius);
   if (root_sum(dot(n, from_a), apart, a.unit).sign() != 0) return false;
@@ -265,13 +276,13 @@ VESICA_COLD inline bool share_stretch(const RoundOutline& a, int i, const RoundO
 ///   x k = |d|^2 (s |f| - (P - Q).o) - r |d| (d.f),
 /// o being the normal of b's edge. From the end of a's edge on, x is less by its length: P is the end then.
 inline Estimate along_edge(const RoundOutline& a, int i, int corner, const RoundOutline& b, int k) noexcept {
-  const Side &d = a.side[i], &f = b.side[k];
+  const Side &d = a.side(i), &f = b.side(k);
   const auto off = dot(f.normal(), offset(a, corner, b, k));
   return root_sum(-(a.unit.square * off), -(a.radius * dot(d, f)), a.unit, a.unit.square * b.radius, b.unit);
 }
 inline void cross_edges(const RoundOutline& a, int i, const RoundOutline& b, int k, const Places& places) noexcept {
-  const Side &d = a.side[i], n = d.normal();
-  const auto turned = cross(d, b.side[k]);
+  const Side &d = a.side(i), n = d.normal();
+  const auto turned = cross(d, b.side(k));
   if (turned.sign == 0) {
     if (!places.found.shared) places.found.shared = share_stretch(a, i, b, k);
     return;
@@ -294,7 +305,7 @@ inline void cross_edges(const RoundOutline& a, int i, const RoundOutline& b, int
 class LineAndCircle {
  public:
   LineAndCircle(const RoundOutline& a, int i, const RoundOutline& b, int k) noexcept
-      : a_(a), b_(b), d_(a.side[i]), n_(d_.normal()) {
+      : a_(a), b_(b), d_(a.side(i)), n_(d_.normal()) {
     const Offset w = offset(a, i, b, k);
     off_ = dot(n_, w);
     start_ = dot(d_, w);
@@ -342,11 +353,15 @@ class LineAndCircle {
     return root_sum(squares, exact::integer(-2) * (a_.radius * off_), a_.unit).sign();
   }
   VESICA_COLD Estimate cancelling_component(const exact::Number<2>& along, const Estimate& difference) const noexcept {
-    const auto& unit = b_.unit.square;
-    const auto squares = exact::square(b_.radius * along) - unit * exact::square(off_) -
-                         unit * (exact::square(a_.radius) * a_.unit.square);
-    const auto mixed = exact::integer(-2) * (unit * (a_.radius * off_));
-    return Estimate(a_.unit.square) * root_sum(squares, mixed, a_.unit) / difference;
+    return Estimate(a_.unit.square) * root_sum(squares(b_.radius * along), mixed(), a_.unit) / difference;
+  }
+  /// x^2 - |g|^2 y^2 for an x, without the root's part of y^2; and that.
+  VESICA_COLD exact::Number<8> squares(const exact::Number<3>& x) const noexcept {
+    const auto square = exact::detail::sum_of_products(off_, off_, 1, a_.radius, a_.radius * a_.unit.square);
+    return exact::detail::sum_of_products(x, x, -1, b_.unit.square, square);
+  }
+  VESICA_COLD exact::Number<6> mixed() const noexcept {
+    return exact::integer(-2) * (b_.unit.square * (a_.radius * off_));
   }
 
   const RoundOutline &a_, &b_;
@@ -402,8 +417,9 @@ class TwoCircles {
   }
   VESICA_COLD Estimate cancelling_component(const exact::Number<4>& y, const exact::Length& radius, const Side& g,
                                             const exact::Number<3>& across, const Estimate& difference) const noexcept {
-    const auto squares = exact::square(y) * dot(g, g) - exact::integer(4) * exact::square(radius * across);
-    return Estimate(square_) * Estimate(squares) / difference;
+    const auto reach = exact::integer(2) * (radius * across);
+    return Estimate(square_) * Estimate(exact::detail::sum_of_products(y, y * dot(g, g), -1, reach, reach)) /
+           difference;
   }
   Estimate from_corner(const Position& along, const Position& across) const noexcept {
     return (Estimate(from_a_) * Estimate(along) + x_ * Estimate(across)) / (times(2, Estimate(square_)));
@@ -422,14 +438,14 @@ struct ArcDirections {
   Side begin, end, middle;
 
   ArcDirections(const RoundOutline& o, int i) noexcept
-      : begin(o.side[o.before(i)].normal()), end(o.side[i].normal()), middle(o.side[o.before(i)]) {
+      : begin(o.side(o.before(i)).normal()), end(o.side(i).normal()), middle(o.side(o.before(i))) {
     if (o.corners.count == 4) middle = {begin.x + end.x, begin.y + end.y};
   }
 };
 
 /// True if a direction leads from corner i between the ends of its arc.
 inline bool is_between_ends(const RoundOutline& o, int i, const Side& direction) noexcept {
-  return o.is_circle() || (dot(o.side[o.before(i)], direction).sign > 0 && dot(o.side[i], direction).sign < 0);
+  return o.is_circle() || (dot(o.side(o.before(i)), direction).sign > 0 && dot(o.side(i), direction).sign < 0);
 }
 
 /// True if arcs of one circle share a stretch: an end or the middle of one is between the ends of the other.
@@ -514,7 +530,7 @@ inline Found crossings(const RoundOutline& a, const RoundOutline& b) noexcept {
 VESICA_COLD inline bool share_stretch(const RoundOutline& a, const RoundOutline& b) noexcept {
   bool any = false;
   each_pair(a.edge, a.edges, b.edge, b.edges,
-            [&](int i, int k) { any = any || (cross(a.side[i], b.side[k]).sign == 0 && share_stretch(a, i, b, k)); });
+            [&](int i, int k) { any = any || (cross(a.side(i), b.side(k)).sign == 0 && share_stretch(a, i, b, k)); });
   each_pair(a.arc, a.corners.count, b.arc, b.corners.count,
             [&](int i, int k) { any = any || (is_same_circle(a, i, b, k) && share_stretch_of_circle(a, i, b, k)); });
   return any;
