@@ -7,6 +7,7 @@
 
 #include "arrays.hpp"
 #include "environment.hpp"
+#include "polygon/answers.hpp"
 #include "vesica_measures.h"
 
 namespace {
@@ -24,8 +25,12 @@ template <class T>
 int32_t within(int32_t kind_a, const void* a, int32_t kind_b, const void* b, T distance) noexcept {
   VESICA_DEFAULT_ENVIRONMENT(within<T>, kind_a, a, kind_b, b, distance);
   if (a == nullptr || b == nullptr) return VESICA_E_NULL;
-  if (!(vesica::has_core(kind_a) && vesica::has_core(kind_b))) return VESICA_E_KIND;
+  if (!(vesica::has_core_or_path(kind_a) && vesica::has_core_or_path(kind_b))) return VESICA_E_KIND;
   if (std::isnan(distance)) return VESICA_E_ARGUMENT;
+  if (!vesica::is_row(kind_a) || !vesica::is_row(kind_b)) {
+    constexpr bool is_float = std::is_same_v<T, float>;
+    return vesica::polygon::within({kind_a, is_float, a}, {kind_b, is_float, b}, static_cast<double>(distance));
+  }
   const queries::WithinOfPair pair = queries::within(kind_a, kind_b);
   if constexpr (std::is_same_v<T, double>) {
     return pair(static_cast<const double*>(a), static_cast<const double*>(b), distance);
@@ -38,13 +43,13 @@ int32_t within(int32_t kind_a, const void* a, int32_t kind_b, const void* b, T d
 }
 
 int64_t result(const vesica::batch::WithinTally& tally) noexcept {
-  return tally.invalid ? int64_t{VESICA_E_SHAPE} : tally.count;
+  return tally.error != 0 ? tally.error : tally.count;
 }
 
 template <class T>
 int64_t within_many(const CShapesOf<T>* a, const CShapesOf<T>* b, T distance, uint8_t* out) noexcept {
   VESICA_DEFAULT_ENVIRONMENT(within_many<T>, a, b, distance, out);
-  const int32_t error = check_call(a, b, out, anything(a, b), vesica::has_core);
+  const int32_t error = check_call(a, b, out, anything(a, b), vesica::has_core_or_path);
   if (error != 0) return error;
   const int64_t n = pairs_in_step(*a, *b);
   if (n < 0 || std::isnan(distance)) return VESICA_E_ARGUMENT;
@@ -55,7 +60,7 @@ template <class T>
 int64_t within_matrix(const CShapesOf<T>* a, const CShapesOf<T>* b, T distance, uint8_t* out,
                       ptrdiff_t row_stride) noexcept {
   VESICA_DEFAULT_ENVIRONMENT(within_matrix<T>, a, b, distance, out, row_stride);
-  const int32_t error = check_call(a, b, out, anything(a, b), vesica::has_core);
+  const int32_t error = check_call(a, b, out, anything(a, b), vesica::has_core_or_path);
   if (error != 0) return error;
   if (!rows_apart(a->count, b->count, row_stride, 1) || std::isnan(distance)) return VESICA_E_ARGUMENT;
   if (!anything(a, b)) return 0;

@@ -84,7 +84,9 @@ extern "C" {
  * Polygons and polylines are taken by:
  *   check, bounds
  *   overlap
- * the arrays of these, indexes, index_select, and joins by overlap or bounds.
+ *   nearest, boundary_distance
+ *   signed_distance, within (VESICA_E_KIND for a depth of overlapping shapes)
+ * the arrays of these, indexes, index_select, index_nearest, and joins by overlap or bounds.
  */
 #define VESICA_POINT 0   /**< x y */
 #define VESICA_SEGMENT 1 /**< x0 y0 x1 y1 */
@@ -254,12 +256,14 @@ VESICA_API int32_t vesica_relation_f64(int32_t kind_a, const void *a, int32_t ki
  * If the shapes overlap (as vesica_overlap_f64 says), the distance is 0 and both points are one common point. If not,
  * the distance is > 0. Exchanging the shapes exchanges the points and changes no bit. Moving both shapes alike changes
  * no bit of the distance if no coordinate is rounded.
+ * The distance of a polygon or a polyline is the least over its edges, each asked as a segment.
  * Returns: 0.
  * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
  * Accuracy: the distance is right to 4 u scale at any aspect ratio; the largest error seen was 1 u scale, and 3.3 u
  * beside the ends of the thinnest ellipses. Its relative error is at most 2 u above 1e-10 scale (aspect ratios up to
  * 1e6) or 1e-14 scale (up to 1000). Closest points are right to 4 u scale, and a common point to 8 u scale, before they
- * are rounded. Points of capsules and rounded rectangles are rounded twice.
+ * are rounded. Points of capsules and rounded rectangles are rounded twice. For polygons and polylines the scale is the
+ * largest over pairs of an edge and the other shape or its edge.
  * Cost: ten to thirty times vesica_overlap_f64; more for shapes that cross and near-ties.
  */
 VESICA_API int32_t vesica_nearest_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b,
@@ -372,10 +376,11 @@ VESICA_API int64_t vesica_crossings_f64(int32_t kind_a, const void *a, int32_t k
  * How far apart are the outlines of two shapes, and where do they come closest?
  *
  * The outline of a shape with area is the curve around it. A point, a segment and a shape with a zero size are their
- * own outlines. If outlines meet, the distance is 0 and (ax, ay) = (bx, by) is a point of both. If shapes are disjoint,
- * the result is as of vesica_nearest_f64. If one is strictly inside the other, the distance is the least over the
- * whole outline, never a local minimum. Which case holds is decided exactly. Exchanging the shapes exchanges the points
- * and changes no bit. Moving both shapes alike changes no bit of the distance if no coordinate is rounded.
+ * own outlines. The outline of a polygon or a polyline is its edges. If outlines meet, the distance is 0 and
+ * (ax, ay) = (bx, by) is a point of both. If shapes are disjoint, the result is as of vesica_nearest_f64. If one is
+ * strictly inside the other, the distance is the least over the whole outline, never a local minimum. Which case holds
+ * is decided exactly. Exchanging the shapes exchanges the points and changes no bit. Moving both shapes alike changes
+ * no bit of the distance if no coordinate is rounded.
  * Returns: 0.
  * Accuracy: at aspect ratios up to 1e6 the distance is right to 4 u scale, and the points are that far apart to 16 u
  * scale. At any ratio it is above 0 unless outlines meet, and points are on them to 12 u scale before they are rounded.

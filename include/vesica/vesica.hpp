@@ -25,7 +25,9 @@
 #include <vesica/nearest.hpp>
 #include <vesica/overlap.hpp>
 #include <vesica/polygon/bounds.hpp>
+#include <vesica/polygon/distances.hpp>
 #include <vesica/polygon/overlap.hpp>
+#include <vesica/polygon/within.hpp>
 #include <vesica/ratio.hpp>
 #include <vesica/relation.hpp>
 #include <vesica/shape_area.hpp>

@@ -19,6 +19,11 @@ using PathFunction = std::int32_t (*)(const Operand& a, const Operand& b, void* 
 namespace polygon {
 
 std::int32_t overlap(const Operand& a, const Operand& b, void* out) noexcept;
+std::int32_t nearest(const Operand& a, const Operand& b, void* out) noexcept;
+std::int32_t boundary_distance(const Operand& a, const Operand& b, void* out) noexcept;
+std::int32_t signed_distance(const Operand& a, const Operand& b, void* out) noexcept;
+/// A Within as a number, or an error. A row must have a core.
+std::int32_t within(const Operand& a, const Operand& b, double distance) noexcept;
 
 }  // namespace polygon
 }  // namespace vesica

@@ -26,6 +26,7 @@ constinit const Query boundary_distance{
     .doubles = pair_table<BoundaryDistanceOfPair, double>(),
     .floats = pair_table<BoundaryDistanceOfPair, float>(),
     .reversal = BoundaryDistanceOfPair::reversal,
+    .paths = polygon::boundary_distance,
     .numbers = 5,
     .is_length = true,
     .counts_zero = true,

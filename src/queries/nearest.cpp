@@ -33,6 +33,7 @@ constinit const Query nearest{
     .doubles = pair_table<NearestOfPair, double>(),
     .floats = pair_table<NearestOfPair, float>(),
     .reversal = NearestOfPair::reversal,
+    .paths = polygon::nearest,
     .numbers = 5,
     .is_length = true,
     .counts_zero = true,

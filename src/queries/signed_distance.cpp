@@ -34,6 +34,7 @@ constinit const Query signed_distance{
     .doubles = pair_table<SignedDistanceOfPair, double>(),
     .floats = pair_table<SignedDistanceOfPair, float>(),
     .reversal = SignedDistanceOfPair::reversal,
+    .paths = polygon::signed_distance,
     .numbers = 1,
     .is_length = true,
     .counts_zero = true,

@@ -5,6 +5,7 @@
 
 #include "columns.hpp"
 #include "compiled_once.hpp"
+#include "polygon/arrays.hpp"
 
 namespace vesica {
 
@@ -52,7 +53,7 @@ namespace {
 
 std::uint8_t noted(std::int32_t code, WithinTally& tally) noexcept {
   tally.count += code > 0;
-  tally.invalid |= code < 0;
+  if (code < 0 && tally.error != error_shape) tally.error = code;
   return code < 0 ? std::uint8_t{0} : static_cast<std::uint8_t>(code);
 }
 
@@ -61,8 +62,15 @@ std::uint8_t noted(std::int32_t code, WithinTally& tally) noexcept {
 template <class T>
 WithinTally within_many(const Shapes<T>& a, const Shapes<T>& b, std::int64_t n, double distance,
                         std::uint8_t* out) noexcept {
-  const queries::WithinOfPair pair = queries::within(a.kind, b.kind);
   WithinTally tally;
+  if (has_path(a, b)) {
+    for (std::int64_t i = 0; i < n; ++i) {
+      const Element<T> first(a, a.count == 1 ? 0 : i), second(b, b.count == 1 ? 0 : i);
+      out[i] = noted(polygon::within(first.operand(), second.operand(), distance), tally);
+    }
+    return tally;
+  }
+  const queries::WithinOfPair pair = queries::within(a.kind, b.kind);
   for (std::int64_t i = 0; i < n; ++i) {
     double first[max_fields], second[max_fields];
     read_element(a, i, first);
@@ -75,8 +83,18 @@ WithinTally within_many(const Shapes<T>& a, const Shapes<T>& b, std::int64_t n, 
 template <class T>
 WithinTally within_matrix(const Shapes<T>& a, const Shapes<T>& b, double distance, std::uint8_t* out,
                           std::ptrdiff_t row_stride) noexcept {
-  const queries::WithinOfPair pair = queries::within(a.kind, b.kind);
   WithinTally tally;
+  if (has_path(a, b)) {
+    for (std::int64_t i = 0; i < a.count; ++i) {
+      const Element<T> first(a, i);
+      for (std::int64_t j = 0; j < b.count; ++j) {
+        const std::int32_t code = polygon::within(first.operand(), Element<T>(b, j).operand(), distance);
+        out[i * row_stride + j] = noted(code, tally);
+      }
+    }
+    return tally;
+  }
+  const queries::WithinOfPair pair = queries::within(a.kind, b.kind);
   for (std::int64_t i = 0; i < a.count; ++i) {
     double first[max_fields], second[max_fields];
     read_element(a, i, first);

@@ -17,7 +17,7 @@ namespace vesica::batch {
 
 struct WithinTally {
   std::int64_t count = 0;  // of answers above 0
-  bool invalid = false;
+  std::int32_t error = 0;  // error_shape before any other
 };
 
 /// out[i] = the answer for a[i] and b[i], i < n; 0 where a shape is invalid.

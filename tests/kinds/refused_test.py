@@ -19,7 +19,8 @@ GOOD = 4  # VESICA_RECT
 BAD = [-1, 10, 127, -(2**31), 2**31 - 1]
 PATHS = [8, 9]  # polygons and polylines; the functions that take them:
 OF_PATHS = ("vesica_field_count", "vesica_kind_name", "vesica_check", "vesica_shapes_from_records", "vesica_bounds_",
-            "vesica_overlap_")
+            "vesica_overlap_", "vesica_nearest_", "vesica_boundary_distance_", "vesica_signed_distance_",
+            "vesica_within_")
 # These know a kind before any query does; overlap is the first query.
 OF_EVERY_KIND = ("vesica_field_count", "vesica_kind_name", "vesica_check", "vesica_shapes_from_records")
 OVERLAP = [f"vesica_{name}{form}_{scalar}" for name in ("overlap", "interiors_overlap")

@@ -72,20 +72,26 @@ class Insides {
   Blocks blocks_;
 };
 
-/// Is the first vertex of one of b's rings inside a? If no edges meet, a ring lies inside as its first vertex does.
+/// A vertex of b inside a, or -1: the first vertex of one of b's rings. If no edges meet, a ring lies inside as its first
+/// vertex does.
 template <class T>
-bool holds_ring(const Edges<T>& a, const Box& box_a, const Edges<T>& b) noexcept {
-  if (!a.closed()) return false;
+std::int64_t vertex_inside(const Edges<T>& a, const Box& box_a, const Edges<T>& b) noexcept {
+  if (!a.closed()) return -1;
   if (b.rings() == 1) {
-    const Point<double> p = b.vertex(b.ring(0).first);
-    return meet(box_a, {p.x, p.y, p.x, p.y}) && inside(a, p);
+    const std::int64_t first = b.ring(0).first;
+    const Point<double> p = b.vertex(first);
+    return meet(box_a, {p.x, p.y, p.x, p.y}) && inside(a, p) ? first : -1;
   }
   const Insides<T> insides(a, box_a);
   for (std::int64_t j = 0; j < b.rings(); ++j) {
     const Range ring = b.ring(j);
-    if (ring.length() > 0 && insides.hold(b.vertex(ring.first))) return true;
+    if (ring.length() > 0 && insides.hold(b.vertex(ring.first))) return ring.first;
   }
-  return false;
+  return -1;
+}
+template <class T>
+bool holds_ring(const Edges<T>& a, const Box& box_a, const Edges<T>& b) noexcept {
+  return vertex_inside(a, box_a, b) >= 0;
 }
 
 }  // namespace vesica::detail::polygon

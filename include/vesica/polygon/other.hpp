@@ -7,7 +7,13 @@
 #include <vesica/overlap.hpp>
 #include <vesica/polygon/edges.hpp>
 
-namespace vesica::detail::polygon {
+namespace vesica {
+
+/// Pairs with a polygon or a polyline.
+template <class A, class B>
+concept AnyPath = Path<A> || Path<B>;
+
+namespace detail::polygon {
 
 /// c - extent and c + extent, where the extent is right to four roundings, or less than 2^-1060 off.
 VESICA_INLINE Box around(double cx, double cy, double extent_x, double extent_y) noexcept {
@@ -49,10 +55,36 @@ VESICA_INLINE int check_other(const Shape<double>& s) noexcept {
   return vesica::check(s);
 }
 
+/// Is a shape valid? Then the box holds it.
+template <class T>
+bool is_valid(const Edges<T>& s, Box& box) noexcept {
+  return s.check(box) == 0;
+}
+template <class Other>
+bool is_valid(const Other& s, Box& box) noexcept {
+  if (check_other(s) != 0) return false;
+  box = box_about(s);
+  return true;
+}
+
+/// action(edges, other, reversed): the first path comes first, the other is edges or a shape of doubles.
+template <class A, class B, class Action>
+auto with_edges(const A& a, const B& b, Action action) noexcept {
+  if constexpr (!Path<A>) {
+    return action(Edges(b), widen(a), true);
+  } else if constexpr (Path<B>) {
+    return action(Edges(a), Edges(b), false);
+  } else {
+    return action(Edges(a), widen(b), false);
+  }
+}
+
 /// Does an edge meet a valid shape?
 template <template <class> class Shape>
 VESICA_INLINE bool edge_meets(const Edge& e, const Shape<double>& s) noexcept {
   return vesica::overlap(e, s);
 }
 
-}  // namespace vesica::detail::polygon
+}  // namespace detail::polygon
+
+}  // namespace vesica

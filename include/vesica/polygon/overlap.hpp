@@ -10,10 +10,27 @@ namespace vesica {
 
 namespace detail::polygon {
 
-/// A path and another shape, both valid; box holds the path.
+/// Is a stored point of one shape inside the other? If no edges meet, this decides whether the shapes overlap; if it
+/// is found, it is a point of both in any case. `about` holds b.
 template <class T, class Other>
-bool overlap_valid(const Edges<T>& a, const Box& box, const Other& b) noexcept {
-  const Box about = box_about(b);
+bool point_inside(const Edges<T>& a, const Box& box, const Other& b, const Box& about, Point<double>& common) noexcept {
+  if (!meet(box, about)) return false;
+  common = stored_point(b);
+  return inside(a, common);
+}
+template <class T>
+bool point_inside(const Edges<T>& a, const Box& box_a, const Edges<T>& b, const Box& box_b,
+                  Point<double>& common) noexcept {
+  if (!meet(box_a, box_b)) return false;
+  const std::int64_t of_b = vertex_inside(a, box_a, b), of_a = of_b < 0 ? vertex_inside(b, box_b, a) : -1;
+  if (of_b >= 0) common = b.vertex(of_b);
+  if (of_a >= 0) common = a.vertex(of_a);
+  return of_a >= 0 || of_b >= 0;
+}
+
+/// A path and another shape, both valid; `about` holds the other.
+template <class T, class Other>
+bool overlap_valid(const Edges<T>& a, const Box& box, const Other& b, const Box& about) noexcept {
   if (!meet(box, about)) return false;
   const bool met = a.for_edges([&](const Edge& e, std::int64_t) { return meet(box_of(e), about) && edge_meets(e, b); });
   return met || inside(a, stored_point(b));
@@ -33,14 +50,8 @@ bool overlap_valid(const Edges<T>& a, const Box& box_a, const Edges<T>& b, const
 
 template <class T, class Other>
 std::int32_t overlap_or_error(const Edges<T>& a, const Other& b) noexcept {
-  Box box;
-  if (a.check(box) != 0 || check_other(b) != 0) return error_shape;
-  return overlap_valid(a, box, b) ? 1 : 0;
-}
-template <class T>
-std::int32_t overlap_or_error(const Edges<T>& a, const Edges<T>& b) noexcept {
   Box box_a, box_b;
-  if (a.check(box_a) != 0 || b.check(box_b) != 0) return error_shape;
+  if (!is_valid(a, box_a) || !is_valid(b, box_b)) return error_shape;
   return overlap_valid(a, box_a, b, box_b) ? 1 : 0;
 }
 
@@ -48,21 +59,16 @@ std::int32_t overlap_or_error(const Edges<T>& a, const Edges<T>& b) noexcept {
 
 /// The checked form with a polygon or a polyline, in either order: 1, 0 or error_shape.
 template <template <class> class A, template <class> class B, class T>
-requires Path<A<T>> || Path<B<T>> std::int32_t overlap_or_error(const A<T>& a, const B<T>& b)
-noexcept {
-  using namespace detail::polygon;
-  if constexpr (!Path<A<T>>) {
-    return vesica::overlap_or_error(b, a);
-  } else if constexpr (Path<B<T>>) {
-    return detail::polygon::overlap_or_error(Edges(a), Edges(b));
-  } else {
-    return detail::polygon::overlap_or_error(Edges(a), widen(b));
-  }
+requires AnyPath<A<T>, B<T>>
+std::int32_t overlap_or_error(const A<T>& a, const B<T>& b) noexcept {
+  return detail::polygon::with_edges(a, b, [](const auto& edges, const auto& other, bool) {
+    return detail::polygon::overlap_or_error(edges, other);
+  });
 }
 
 /// True if they share a point; touching counts. For valid shapes.
 template <template <class> class A, template <class> class B, class T>
-requires Path<A<T>> || Path<B<T>>
+requires AnyPath<A<T>, B<T>>
 bool overlap(const A<T>& a, const B<T>& b) noexcept { return vesica::overlap_or_error(a, b) == 1; }
 
 }  // namespace vesica

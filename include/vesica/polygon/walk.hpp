@@ -7,6 +7,22 @@
 
 namespace vesica::detail::polygon {
 
+/// The box that holds two boxes.
+constexpr Box together(const Box& a, const Box& b) noexcept {
+  return {lesser(a.min_x, b.min_x), lesser(a.min_y, b.min_y), greater(a.max_x, b.max_x), greater(a.max_y, b.max_y)};
+}
+
+/// The square of the distance of two boxes, up to roundings.
+constexpr double squared_gap(const Box& a, const Box& b) noexcept {
+  const double x = lane::max(lane::max(a.min_x - b.max_x, b.min_x - a.max_x), 0.0);
+  const double y = lane::max(lane::max(a.min_y - b.max_y, b.min_y - a.max_y), 0.0);
+  return x * x + y * y;
+}
+/// No less than squared_gap() of boxes, or another square right to 8u, if they are at most that far apart.
+constexpr double squared_limit(double distance) noexcept {
+  return distance * distance * (1 + 0x1p-50) + 0x1p-1070;
+}
+
 /// Ranges of at most this many edges are compared edge by edge.
 inline constexpr std::int64_t few_edges = 32;
 
@@ -42,7 +58,7 @@ struct Blocks {
 
 /// Calls policy.visit(e, i, f, j) for pairs of edges in two ranges, except pairs whose boxes, or the boxes of whose
 /// blocks, policy.keeps(box, box) does not keep. Ends once visit returns true, and returns whether it did. box_b holds
-/// the second range.
+/// the second range. A policy may keep less and less; if it has closest_first, the closest blocks are walked first.
 template <class T, class Policy>
 bool walk_few(const Edges<T>& a, const Range& range_a, const Edges<T>& b, const Range& range_b, const Box& box_b,
               Policy& policy) noexcept {
@@ -55,6 +71,25 @@ bool walk_few(const Edges<T>& a, const Range& range_a, const Edges<T>& b, const 
   });
 }
 
+/// Two blocks, or -1 and -1.
+struct BlockPair {
+  int i = -1, j = -1;
+};
+/// The first of the closest blocks.
+inline BlockPair closest_pair(const Blocks& a, const Blocks& b) noexcept {
+  BlockPair closest;
+  double least = 0;
+  for (int i = 0; i < a.count; ++i) {
+    for (int j = 0; j < b.count; ++j) {
+      const double gap = squared_gap(a.box[i], b.box[j]);
+      if (closest.i >= 0 && !(gap < least)) continue;
+      least = gap;
+      closest = {i, j};
+    }
+  }
+  return closest;
+}
+
 /// box_a and box_b hold the ranges.
 template <class T, class Policy>
 bool walk(const Edges<T>& a, const Range& range_a, const Box& box_a, const Edges<T>& b, const Range& range_b,
@@ -64,10 +99,19 @@ bool walk(const Edges<T>& a, const Range& range_a, const Box& box_a, const Edges
   }
   const Blocks blocks_a(a, range_a, [&](const Box& box) { return policy.keeps(box, box_b); });
   const Blocks blocks_b(b, range_b, [&](const Box& box) { return policy.keeps(box_a, box); });
+  const auto walk_pair = [&](int i, int j) {
+    return policy.keeps(blocks_a.box[i], blocks_b.box[j]) &&
+           walk(a, blocks_a.range(i), blocks_a.box[i], b, blocks_b.range(j), blocks_b.box[j], policy);
+  };
+  BlockPair first;
+  if constexpr (requires { Policy::closest_first; }) {
+    first = closest_pair(blocks_a, blocks_b);
+    if (first.i >= 0 && walk_pair(first.i, first.j)) return true;
+  }
   for (int i = 0; i < blocks_a.count; ++i) {
+    if (!policy.keeps(blocks_a.box[i], box_b)) continue;
     for (int j = 0; j < blocks_b.count; ++j) {
-      if (!policy.keeps(blocks_a.box[i], blocks_b.box[j])) continue;
-      if (walk(a, blocks_a.range(i), blocks_a.box[i], b, blocks_b.range(j), blocks_b.box[j], policy)) return true;
+      if (!(i == first.i && j == first.j) && walk_pair(i, j)) return true;
     }
   }
   return false;
@@ -75,7 +119,7 @@ bool walk(const Edges<T>& a, const Range& range_a, const Box& box_a, const Edges
 
 /// All pairs of edges.
 template <class T, class Policy>
-bool walk(const Edges<T>& a, const Box& box_a, const Edges<T>& b, const Box& box_b, Policy policy) noexcept {
+bool walk(const Edges<T>& a, const Box& box_a, const Edges<T>& b, const Box& box_b, Policy&& policy) noexcept {
   return walk(a, a.all(), box_a, b, b.all(), box_b, policy);
 }
 

@@ -443,7 +443,8 @@ extern "C" {
     ///
     /// If the shapes overlap (as vesica_overlap_f64 says), the distance is 0 and both points are one common point. If
     /// not, the distance is \> 0. Exchanging the shapes exchanges the points and changes no bit. Moving both shapes
-    /// alike changes no bit of the distance if no coordinate is rounded.
+    /// alike changes no bit of the distance if no coordinate is rounded. The distance of a polygon or a polyline is the
+    /// least over its edges, each asked as a segment.
     ///
     /// Returns: 0.
     ///
@@ -452,8 +453,9 @@ extern "C" {
     /// Accuracy: the distance is right to 4 u scale at any aspect ratio; the largest error seen was 1 u scale, and 3.3
     /// u beside the ends of the thinnest ellipses. Its relative error is at most 2 u above 1e-10 scale (aspect ratios
     /// up to 1e6) or 1e-14 scale (up to 1000). Closest points are right to 4 u scale, and a common point to 8 u scale,
-    /// before they are rounded. Points of capsules and rounded rectangles are rounded twice. In bounds on errors u is
-    /// 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their
+    /// before they are rounded. Points of capsules and rounded rectangles are rounded twice. For polygons and polylines
+    /// the scale is the largest over pairs of an edge and the other shape or its edge. In bounds on errors u is 2^-53,
+    /// half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their
     /// centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect
     /// ratio is longer over shorter size.
     ///
@@ -589,11 +591,11 @@ extern "C" {
     /// How far apart are the outlines of two shapes, and where do they come closest?
     ///
     /// The outline of a shape with area is the curve around it. A point, a segment and a shape with a zero size are
-    /// their own outlines. If outlines meet, the distance is 0 and (ax, ay) = (bx, by) is a point of both. If shapes
-    /// are disjoint, the result is as of vesica_nearest_f64. If one is strictly inside the other, the distance is the
-    /// least over the whole outline, never a local minimum. Which case holds is decided exactly. Exchanging the shapes
-    /// exchanges the points and changes no bit. Moving both shapes alike changes no bit of the distance if no
-    /// coordinate is rounded.
+    /// their own outlines. A polygon's outline is its edges, and so is a polyline's. If outlines meet, the distance is
+    /// 0 and (ax, ay) = (bx, by) is a point of both. If shapes are disjoint, the result is as of vesica_nearest_f64. If
+    /// one is strictly inside the other, the distance is the least over the whole outline, never a local minimum. Which
+    /// case holds is decided exactly. Exchanging the shapes exchanges the points and changes no bit. Moving both shapes
+    /// alike changes no bit of the distance if no coordinate is rounded.
     ///
     /// Returns: 0.
     ///
@@ -1606,7 +1608,8 @@ extern "C" {
     ///
     /// If the shapes overlap (as vesica_overlap_f32 says), the distance is 0 and both points are one common point. If
     /// not, the distance is \> 0. Exchanging the shapes exchanges the points and changes no bit. Moving both shapes
-    /// alike changes no bit of the distance if no coordinate is rounded.
+    /// alike changes no bit of the distance if no coordinate is rounded. The distance of a polygon or a polyline is the
+    /// least over its edges, each asked as a segment.
     ///
     /// Returns: 0.
     ///
@@ -1615,7 +1618,8 @@ extern "C" {
     /// Accuracy: the distance is right to 4 u scale at any aspect ratio; the largest error seen was 1 u scale, and 3.3
     /// u beside the ends of the thinnest ellipses. Its relative error is at most 2 u above 1e-10 scale (aspect ratios
     /// up to 1e6) or 1e-14 scale (up to 1000). Closest points are right to 4 u scale, and a common point to 8 u scale,
-    /// before they are rounded. Points of capsules and rounded rectangles are rounded twice. Each number is computed in
+    /// before they are rounded. Points of capsules and rounded rectangles are rounded twice. For polygons and polylines
+    /// the scale is the largest over pairs of an edge and the other shape or its edge. Each number is computed in
     /// double, within these bounds, and then rounded to float once. In bounds on errors u is 2^-53, half a unit in the
     /// last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
     /// lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over
@@ -1629,11 +1633,11 @@ extern "C" {
     /// How far apart are the outlines of two shapes, and where do they come closest?
     ///
     /// The outline of a shape with area is the curve around it. A point, a segment and a shape with a zero size are
-    /// their own outlines. If outlines meet, the distance is 0 and (ax, ay) = (bx, by) is a point of both. If shapes
-    /// are disjoint, the result is as of vesica_nearest_f32. If one is strictly inside the other, the distance is the
-    /// least over the whole outline, never a local minimum. Which case holds is decided exactly. Exchanging the shapes
-    /// exchanges the points and changes no bit. Moving both shapes alike changes no bit of the distance if no
-    /// coordinate is rounded.
+    /// their own outlines. A polygon's outline is its edges, and so is a polyline's. If outlines meet, the distance is
+    /// 0 and (ax, ay) = (bx, by) is a point of both. If shapes are disjoint, the result is as of vesica_nearest_f32. If
+    /// one is strictly inside the other, the distance is the least over the whole outline, never a local minimum. Which
+    /// case holds is decided exactly. Exchanging the shapes exchanges the points and changes no bit. Moving both shapes
+    /// alike changes no bit of the distance if no coordinate is rounded.
     ///
     /// Returns: 0.
     ///
@@ -3248,7 +3252,7 @@ extern "C" {
     /// It is the distance of vesica_nearest_f64 if they are disjoint, else minus the depth of vesica_depth_f64: 0 if
     /// they only touch. Exchanging the shapes changes no bit.
     ///
-    /// Returns: 0.
+    /// Returns: 0, or VESICA_E_KIND if a polygon or a polyline overlaps the other shape.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
     ///
@@ -3285,7 +3289,9 @@ extern "C" {
     /// With distance 0 the answer is as of vesica_overlap_f64, exact for all kinds. With distance \< 0 the question is
     /// whether they overlap at least -distance deep, as defined for vesica_depth_f64. So a tolerance of either sign is
     /// one call. With ellipses, test for \> 0 to miss no pair, and for VESICA_WITHIN_YES to accept only what is
-    /// certain. Exchanging the shapes changes nothing.
+    /// certain. Exchanging the shapes changes nothing. A polygon or a polyline is within a distance \>= 0 if one of its
+    /// edges is, as a segment, or if the shapes overlap. It is nearly so if no edge is, but one is nearly. For a
+    /// distance \< 0 the result is VESICA_E_KIND if the shapes overlap.
     ///
     /// Requires: distance, any number. With infinity the answer is yes for any two valid shapes, with -infinity no.
     ///
@@ -3528,7 +3534,7 @@ extern "C" {
     /// It is the distance of vesica_nearest_f32 if they are disjoint, else minus the depth of vesica_depth_f32: 0 if
     /// they only touch. Exchanging the shapes changes no bit.
     ///
-    /// Returns: 0.
+    /// Returns: 0, or VESICA_E_KIND if a polygon or a polyline overlaps the other shape.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
     ///
@@ -3568,7 +3574,9 @@ extern "C" {
     /// With distance 0 the answer is as of vesica_overlap_f32, exact for all kinds. With distance \< 0 the question is
     /// whether they overlap at least -distance deep, as defined for vesica_depth_f32. So a tolerance of either sign is
     /// one call. With ellipses, test for \> 0 to miss no pair, and for VESICA_WITHIN_YES to accept only what is
-    /// certain. Exchanging the shapes changes nothing.
+    /// certain. Exchanging the shapes changes nothing. A polygon or a polyline is within a distance \>= 0 if one of its
+    /// edges is, as a segment, or if the shapes overlap. It is nearly so if no edge is, but one is nearly. For a
+    /// distance \< 0 the result is VESICA_E_KIND if the shapes overlap.
     ///
     /// Requires: distance, any number. With infinity the answer is yes for any two valid shapes, with -infinity no.
     ///
