@@ -591,9 +591,9 @@ extern "C" {
     /// How far apart are the outlines of two shapes, and where do they come closest?
     ///
     /// The outline of a shape with area is the curve around it. A point, a segment and a shape with a zero size are
-    /// their own outlines. A polygon's outline is its edges, and so is a polyline's. If outlines meet, the distance is
-    /// 0 and (ax, ay) = (bx, by) is a point of both. If shapes are disjoint, the result is as of vesica_nearest_f64. If
-    /// one is strictly inside the other, the distance is the least over the whole outline, never a local minimum. Which
+    /// their own outlines. The outline of a polygon or a polyline is its edges. If outlines meet, the distance is 0 and
+    /// (ax, ay) = (bx, by) is a point of both. If shapes are disjoint, the result is as of vesica_nearest_f64. If one
+    /// is strictly inside the other, the distance is the least over the whole outline, never a local minimum. Which
     /// case holds is decided exactly. Exchanging the shapes exchanges the points and changes no bit. Moving both shapes
     /// alike changes no bit of the distance if no coordinate is rounded.
     ///
@@ -1633,9 +1633,9 @@ extern "C" {
     /// How far apart are the outlines of two shapes, and where do they come closest?
     ///
     /// The outline of a shape with area is the curve around it. A point, a segment and a shape with a zero size are
-    /// their own outlines. A polygon's outline is its edges, and so is a polyline's. If outlines meet, the distance is
-    /// 0 and (ax, ay) = (bx, by) is a point of both. If shapes are disjoint, the result is as of vesica_nearest_f32. If
-    /// one is strictly inside the other, the distance is the least over the whole outline, never a local minimum. Which
+    /// their own outlines. The outline of a polygon or a polyline is its edges. If outlines meet, the distance is 0 and
+    /// (ax, ay) = (bx, by) is a point of both. If shapes are disjoint, the result is as of vesica_nearest_f32. If one
+    /// is strictly inside the other, the distance is the least over the whole outline, never a local minimum. Which
     /// case holds is decided exactly. Exchanging the shapes exchanges the points and changes no bit. Moving both shapes
     /// alike changes no bit of the distance if no coordinate is rounded.
     ///
