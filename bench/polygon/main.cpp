@@ -201,7 +201,8 @@ void row(int n, double least, Data data) {
 }  // namespace
 
 void report() {
-  std::printf("Distance of outlines of two polygons of n vertices, ns a pair, least of 15; radii from the number to 1\n");
+  std::printf(
+      "Distance of outlines of two polygons of n vertices, ns a pair, least of 15; radii from the number to 1\n");
   for (const double least : {0.5, 0.99}) {
     for (const Data data : {Data::beside, Data::near, Data::around}) {
       for (const int n : {4, 16, 64, 256, 1024, 4096}) row(n, least, data);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "queries/within.hpp"
+
 #include <vesica/polygon/within.hpp>
 
 #include "compiled_once.hpp"
 #include "polygon/answers.hpp"
 #include "polygon/operand.hpp"
-#include "queries/within.hpp"
 
 namespace vesica {
 

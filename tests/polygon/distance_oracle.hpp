@@ -28,7 +28,7 @@ inline Fraction squared_distance(Lattice p, const LatticeEdge& e) {
   return {across * across, length};
 }
 
-/// Of outlines: the least over all pairs of edges.
+/// The squared distance of two outlines: the least over all pairs of edges.
 inline Fraction squared_outline_distance(const std::vector<LatticeEdge>& a, const std::vector<LatticeEdge>& b) {
   Fraction least{1, 0};
   for (const LatticeEdge& e : a) {

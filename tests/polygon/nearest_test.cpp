@@ -300,11 +300,12 @@ TEST(PolygonNearest, HolesAndIslands) {
                                  ask(vesica_boundary_distance_f64, a, b).distance};
   };
   using Two = std::array<double, 2>;
-  EXPECT_EQ(distances(5.5, 10, 0.5), (Two{1, 1}));       // in the hole
-  EXPECT_EQ(distances(2, 10, 0.5), (Two{0, 1.5}));       // in the ring
-  EXPECT_EQ(distances(10, 10, 0.25), (Two{0, 1.75}));    // in the island
-  EXPECT_EQ(distances(30, 10, 2), (Two{8, 8}));          // outside
-  EXPECT_EQ(distances(10, 10, 100), (Two{0, 100 - std::sqrt(200)}));  // around
+  EXPECT_EQ(distances(5.5, 10, 0.5), (Two{1, 1}));     // in the hole
+  EXPECT_EQ(distances(2, 10, 0.5), (Two{0, 1.5}));     // in the ring
+  EXPECT_EQ(distances(10, 10, 0.25), (Two{0, 1.75}));  // in the island
+  EXPECT_EQ(distances(30, 10, 2), (Two{8, 8}));        // outside
+  EXPECT_EQ(distances(10, 10, 100)[0], 0);             // around
+  EXPECT_NEAR(distances(10, 10, 100)[1], 100 - std::sqrt(200), 1e-13);
   // A polygon in the hole, one around the island.
   Path inner, around;
   inner.add_ring({5, 9, 7, 9, 7, 11, 5, 11});

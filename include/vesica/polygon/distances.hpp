@@ -24,9 +24,7 @@ std::int32_t ask_distance(const Edge& e, const Shape<double>& s, Points& out) no
 inline Points exchanged(const Points& c) noexcept { return {c.distance, c.bx, c.by, c.ax, c.ay}; }
 
 /// No -0, whichever shape is the first.
-inline Points at_one_point(const Point<double>& p) noexcept {
-  return {0, p.x + 0.0, p.y + 0.0, p.x + 0.0, p.y + 0.0};
-}
+inline Points at_one_point(const Point<double>& p) noexcept { return {0, p.x + 0.0, p.y + 0.0, p.x + 0.0, p.y + 0.0}; }
 
 /// The least over edges; both shapes are valid.
 template <Distance distance, class T, class Other>
@@ -96,30 +94,29 @@ std::int32_t rounded_distance_or_error(const A& a, const B& b, ClosestPoints<T>&
 // The checked forms with a polygon or a polyline, in either order. Their plain forms are those of other shapes.
 
 template <template <class> class A, template <class> class B>
-requires AnyPath<A<double>, B<double>>
-std::int32_t nearest_or_error(const A<double>& a, const B<double>& b, ClosestPoints<double>& out) noexcept {
+std::int32_t nearest_or_error(const A<double>& a, const B<double>& b,
+                              ClosestPoints<double>& out) noexcept requires AnyPath<A<double>, B<double>> {
   return detail::polygon::rounded_distance_or_error<detail::polygon::Distance::of_shapes>(a, b, out);
 }
 template <template <class> class A, template <class> class B>
-requires AnyPath<A<float>, B<float>>
-std::int32_t nearest_or_error(const A<float>& a, const B<float>& b, ClosestPoints<float>& out) noexcept {
+std::int32_t nearest_or_error(const A<float>& a, const B<float>& b,
+                              ClosestPoints<float>& out) noexcept requires AnyPath<A<float>, B<float>> {
   return detail::polygon::rounded_distance_or_error<detail::polygon::Distance::of_shapes>(a, b, out);
 }
 
 template <template <class> class A, template <class> class B>
-requires AnyPath<A<double>, B<double>>
-std::int32_t boundary_distance_or_error(const A<double>& a, const B<double>& b, ClosestPoints<double>& out) noexcept {
+std::int32_t boundary_distance_or_error(const A<double>& a, const B<double>& b,
+                                        ClosestPoints<double>& out) noexcept requires AnyPath<A<double>, B<double>> {
   return detail::polygon::rounded_distance_or_error<detail::polygon::Distance::of_outlines>(a, b, out);
 }
 template <template <class> class A, template <class> class B>
-requires AnyPath<A<float>, B<float>>
-std::int32_t boundary_distance_or_error(const A<float>& a, const B<float>& b, ClosestPoints<float>& out) noexcept {
+std::int32_t boundary_distance_or_error(const A<float>& a, const B<float>& b,
+                                        ClosestPoints<float>& out) noexcept requires AnyPath<A<float>, B<float>> {
   return detail::polygon::rounded_distance_or_error<detail::polygon::Distance::of_outlines>(a, b, out);
 }
 
 template <template <class> class A, template <class> class B, class T>
-requires AnyPath<A<T>, B<T>>
-std::int32_t signed_distance_or_error(const A<T>& a, const B<T>& b, T& out) noexcept {
+std::int32_t signed_distance_or_error(const A<T>& a, const B<T>& b, T& out) noexcept requires AnyPath<A<T>, B<T>> {
   return detail::polygon::with_edges(a, b, [&](const auto& edges, const auto& other, bool) {
     return detail::polygon::signed_distance_or_error(edges, other, out);
   });

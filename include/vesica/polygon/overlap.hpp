@@ -59,16 +59,15 @@ std::int32_t overlap_or_error(const Edges<T>& a, const Other& b) noexcept {
 
 /// The checked form with a polygon or a polyline, in either order: 1, 0 or error_shape.
 template <template <class> class A, template <class> class B, class T>
-requires AnyPath<A<T>, B<T>>
-std::int32_t overlap_or_error(const A<T>& a, const B<T>& b) noexcept {
-  return detail::polygon::with_edges(a, b, [](const auto& edges, const auto& other, bool) {
-    return detail::polygon::overlap_or_error(edges, other);
-  });
+std::int32_t overlap_or_error(const A<T>& a, const B<T>& b) noexcept requires AnyPath<A<T>, B<T>> {
+  return detail::polygon::with_edges(
+      a, b, [](const auto& edges, const auto& other, bool) { return detail::polygon::overlap_or_error(edges, other); });
 }
 
 /// True if they share a point; touching counts. For valid shapes.
 template <template <class> class A, template <class> class B, class T>
-requires AnyPath<A<T>, B<T>>
-bool overlap(const A<T>& a, const B<T>& b) noexcept { return vesica::overlap_or_error(a, b) == 1; }
+bool overlap(const A<T>& a, const B<T>& b) noexcept requires AnyPath<A<T>, B<T>> {
+  return vesica::overlap_or_error(a, b) == 1;
+}
 
 }  // namespace vesica

@@ -19,9 +19,7 @@ constexpr double squared_gap(const Box& a, const Box& b) noexcept {
   return x * x + y * y;
 }
 /// No less than squared_gap() of boxes, or another square right to 8u, if they are at most that far apart.
-constexpr double squared_limit(double distance) noexcept {
-  return distance * distance * (1 + 0x1p-50) + 0x1p-1070;
-}
+constexpr double squared_limit(double distance) noexcept { return distance * distance * (1 + 0x1p-50) + 0x1p-1070; }
 
 /// Ranges of at most this many edges are compared edge by edge.
 inline constexpr std::int64_t few_edges = 32;

@@ -70,15 +70,15 @@ std::int32_t within_or_error(const Edges<T>& a, const Other& b, double distance)
 /// The checked forms with a polygon or a polyline, in either order; also error_kind for a negative distance of
 /// overlapping shapes.
 template <template <class> class A, template <class> class B>
-requires AnyPath<A<double>, B<double>>
-std::int32_t within_or_error(const A<double>& a, const B<double>& b, double distance) noexcept {
+std::int32_t within_or_error(const A<double>& a, const B<double>& b,
+                             double distance) noexcept requires AnyPath<A<double>, B<double>> {
   return detail::polygon::with_edges(a, b, [&](const auto& edges, const auto& other, bool) {
     return detail::polygon::within_or_error(edges, other, distance);
   });
 }
 template <template <class> class A, template <class> class B>
-requires AnyPath<A<float>, B<float>>
-std::int32_t within_or_error(const A<float>& a, const B<float>& b, float distance) noexcept {
+std::int32_t within_or_error(const A<float>& a, const B<float>& b,
+                             float distance) noexcept requires AnyPath<A<float>, B<float>> {
   return detail::polygon::with_edges(a, b, [&](const auto& edges, const auto& other, bool) {
     return detail::polygon::within_or_error(edges, other, static_cast<double>(distance));
   });
