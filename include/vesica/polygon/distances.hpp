@@ -3,6 +3,7 @@
 /// outline is its edges, a polyline is its own outline.
 #pragma once
 
+#include <type_traits>
 #include <vesica/boundary_distance.hpp>
 #include <vesica/polygon/least.hpp>
 #include <vesica/polygon/overlap.hpp>
@@ -36,28 +37,37 @@ std::int32_t least_distance(const Edges<T>& a, const Box& box_a, const Other& b,
 template <Distance, class T>
 std::int32_t least_distance(const Edges<T>& a, const Box& box_a, const Edges<T>& b, const Box& box_b,
                             Points& out) noexcept {
-  const bool in_order = compared(a, b) <= 0;
-  const Edges<T>&first = in_order ? a : b, &second = in_order ? b : a;
-  const Box &box = in_order ? box_a : box_b, &other_box = in_order ? box_b : box_a;
-  LeastOfPairs least(together(box, other_box));
-  least.sample(first, second);
-  walk(first, box, second, other_box, least);
-  const std::int32_t error = least.result(out);
-  if (error == 0 && !in_order) out = exchanged(out);
-  return error;
+  LeastOfPairs least(together(box_a, box_b));
+  least.sample(a, b);
+  walk(a, box_a, b, box_b, least);
+  return least.result(out);
 }
 
-/// The checked form in double. If no edges meet, one shape may be inside the other.
+/// Both shapes are valid. If no edges meet, one may be inside the other.
 template <Distance distance, class T, class Other>
-std::int32_t distance_or_error(const Edges<T>& a, const Other& b, Points& out) noexcept {
-  Box box_a, box_b;
-  if (!is_valid(a, box_a) || !is_valid(b, box_b)) return error_shape;
+std::int32_t distance_of_valid(const Edges<T>& a, const Box& box_a, const Other& b, const Box& box_b,
+                               Points& out) noexcept {
   Point<double> common;
   if (distance == Distance::of_shapes && point_inside(a, box_a, b, box_b, common)) {
     out = at_one_point(common);
     return 0;
   }
   return least_distance<distance>(a, box_a, b, box_b, out);
+}
+
+/// The checked form in double. Two paths are asked in an order of their own, so that exchanging them changes no bit.
+template <Distance distance, class T, class Other>
+std::int32_t distance_or_error(const Edges<T>& a, const Other& b, Points& out) noexcept {
+  Box box_a, box_b;
+  if (!is_valid(a, box_a) || !is_valid(b, box_b)) return error_shape;
+  if constexpr (std::is_same_v<Other, Edges<T>>) {
+    if (compared(a, b) > 0) {
+      const std::int32_t error = distance_of_valid<distance>(b, box_b, a, box_a, out);
+      if (error == 0) out = exchanged(out);
+      return error;
+    }
+  }
+  return distance_of_valid<distance>(a, box_a, b, box_b, out);
 }
 
 /// The checked form for operands in either order, rounded once.

@@ -72,8 +72,8 @@ class Insides {
   Blocks blocks_;
 };
 
-/// A vertex of b inside a, or -1: the first vertex of one of b's rings. If no edges meet, a ring lies inside as its first
-/// vertex does.
+/// A vertex of b inside a, or -1: the first vertex of one of b's rings. If no edges meet, a ring lies inside as its
+/// first vertex does.
 template <class T>
 std::int64_t vertex_inside(const Edges<T>& a, const Box& box_a, const Edges<T>& b) noexcept {
   if (!a.closed()) return -1;
