@@ -199,7 +199,9 @@ VESICA_CALLED std::int32_t depth_in_order(const A& a, const B& b, std::int32_t o
   } else {
     const nearest::ClosestCores c = nearest::closest_cores(a, b);
     const double depth = nearest::scaled_distance(c.radii - c.distance, c.exponent);
-    found = {depth > 0 ? depth : 0, c.nx + 0.0, c.ny + 0.0};  // no -0
+    const bool is_positive = depth > surely_positive * arithmetic::scale_far(c.size, c.exponent) ||
+                             decide_undecided(a, b, Common::insides) == 1;
+    found = {is_positive ? above_zero(depth) : 0, c.nx + 0.0, c.ny + 0.0};  // no -0
   }
   if (!all_finite(found.depth)) return error_range;
   out = found;
