@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// answers_draw [SEED [GROUPS]]: draws tests/answers/cases.txt. For each ordered pair of kinds and scalar type it draws
-// some groups of the stress test. It writes four pairs of a group, each with a motion: the one that the group began
-// with, two about its contact and one further away. A broken pair follows.
+// answers_draw [SEED [GROUPS [KIND]]]: draws tests/answers/cases.txt. For each ordered pair of kinds, one of them KIND
+// or above, and scalar type it draws some groups of the stress test. It writes four pairs of a group, each with a
+// motion: the one that the group began with, two about its contact and one further away. A broken pair follows.
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <map>
@@ -37,16 +38,18 @@ void print(const Pair& pair, const Motion& motion) {
 int main(int argc, char** argv) {
   const std::uint64_t seed = argc > 1 ? std::strtoull(argv[1], nullptr, 0) : 1;
   const int groups_of_each = argc > 2 ? std::atoi(argv[2]) : 6;
+  const int least_kind = argc > 3 ? std::atoi(argv[3]) : 0;
+  const int pairs = properties::kinds * properties::kinds - least_kind * least_kind;
   properties::Random random(seed);
   std::map<std::tuple<int, int, Scalar>, int> drawn;
   int complete = 0;
-  std::printf("# Drawn by answers_draw %llu: two shapes, and how the second moves in casts.\n",
-              static_cast<unsigned long long>(seed));
-  for (std::uint64_t number = 0; complete < 2 * properties::kinds_with_form * properties::kinds_with_form; ++number) {
+  std::printf("# Drawn by answers_draw %llu %d %d: two shapes, and how the second moves in casts.\n",
+              static_cast<unsigned long long>(seed), groups_of_each, least_kind);
+  for (std::uint64_t number = 0; complete < 2 * pairs; ++number) {
     const Group group = draw_group(seed, number);
     const std::size_t n = group.pairs.size();
     const Pair& base = group.pairs[0];
-    if (n < 6) continue;
+    if (n < 6 || std::max(base.kind_a, base.kind_b) < least_kind) continue;
     int& count = drawn[{base.kind_a, base.kind_b, group.scalar}];
     if (count == groups_of_each) continue;
     if (++count == groups_of_each) ++complete;

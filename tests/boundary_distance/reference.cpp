@@ -108,6 +108,12 @@ Shape shape(int kind, const Numbers& n) {
     case VESICA_AABB:
       return of_centre(middle(n[0], n[2]), middle(n[1], n[3]), 1, 0, (real(n[2]) - real(n[0])) / 2,
                        (real(n[3]) - real(n[1])) / 2, false);
+    case VESICA_CAPSULE:
+    case VESICA_ROUND_RECT: {
+      Shape core = shape(kind == VESICA_CAPSULE ? VESICA_SEGMENT : VESICA_RECT, n);
+      core.radius = real(properties::radius(kind, n));
+      return core;
+    }
     default:
       return of_centre(real(n[0]), real(n[1]), n[2], n[3], real(n[4]), real(n[5]), kind == VESICA_ELLIPSE);
   }
@@ -201,16 +207,18 @@ Shape scaled(const Shape& s, int exponent) {
 
 Least least(const Shape& a, const Shape& b, int sign) {
   const double size = scale(a, b);
-  if (size == 0) return {real(0), 1, 0};
+  const Real radii = a.radius + sign * b.radius;
+  if (size == 0) return {radii, 1, 0};
   const int exponent = std::ilogb(size) + 1;
   Least found = least_of_moderate(scaled(a, -exponent), scaled(b, -exponent), sign);
-  found.value = scaled(found.value, exponent);
+  found.value = scaled(found.value, exponent) + radii;
   return found;
 }
 
 double scale(const Shape& a, const Shape& b) {
   const Real dx = abs(b.cx - a.cx), dy = abs(b.cy - a.cy);
-  return std::max({dx.get_d(), dy.get_d(), a.a.get_d(), a.b.get_d(), b.a.get_d(), b.b.get_d()});
+  return std::max(
+      {dx.get_d(), dy.get_d(), a.a.get_d(), a.b.get_d(), b.a.get_d(), b.b.get_d(), a.radius.get_d(), b.radius.get_d()});
 }
 
 double error_in_roundoffs(double computed, const Real& exact, double scale) {

@@ -16,10 +16,12 @@ namespace outline_reference {
 using properties::Numbers;
 using Real = mpf_class;
 
-/// A shape about its centre: { s axis + t perp(axis) }, the axis a unit vector, and a true length along and across it.
+/// A shape about its centre: { s axis + t perp(axis) }, the axis a unit vector, and a true length along and across it;
+/// and all that is at most the radius from it.
 struct Shape {
   Real cx, cy, ux, uy, a, b;
   bool curved;
+  Real radius = 0;
 };
 
 /// From a kind and numbers as in vesica.h.

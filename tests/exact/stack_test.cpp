@@ -76,10 +76,12 @@ TEST(Stack, MeasureSeesWhatIsUsed) {
   EXPECT_LT(stack.used_by([] { use(10); }), 16'384U);
 }
 
+constexpr int most_fields = 7;
+
 /// Two shapes of any kinds, in vesica.h's order.
 struct Shapes {
   int kind_a, kind_b;
-  double a[6], b[6];
+  double a[most_fields], b[most_fields];
 };
 
 /// Numbers at both ends of the range: differences and products have as many bits as they can.
@@ -88,8 +90,8 @@ Shapes at_the_ends(int kind_a, int kind_b, properties::Random& random) {
                              0x0.aaaaaaaaaaaaap-1022};
   Shapes shapes{kind_a, kind_b, {}, {}};
   const auto draw = [&](int kind, double* n) {
-    for (int i = 0; i < 6; ++i) n[i] = ends[random.below(5)] * random.sign();
-    for (int i = kind == VESICA_CIRCLE ? 2 : 4; i < 6; ++i) n[i] = n[i] < 0 ? -n[i] : n[i];
+    for (int i = 0; i < most_fields; ++i) n[i] = ends[random.below(5)] * random.sign();
+    for (int i = kind == VESICA_CIRCLE ? 2 : 4; i < most_fields; ++i) n[i] = n[i] < 0 ? -n[i] : n[i];
     if (kind != VESICA_AABB) return;
     if (n[0] > n[2]) std::swap(n[0], n[2]);
     if (n[1] > n[3]) std::swap(n[1], n[3]);
@@ -124,7 +126,9 @@ using Query = std::int32_t (*)(std::int32_t, const void*, std::int32_t, const vo
 std::size_t used_by(PaintedStack& stack, Query query, const Shapes& s) {
   std::int32_t answer = VESICA_E_NULL;
   const std::size_t used = stack.used_by([&] { answer = query(s.kind_a, s.a, s.kind_b, s.b); });
-  EXPECT_GE(answer, 0) << vesica_strerror(answer);
+  // Some questions refuse some pairs with a capsule or a rounded rectangle (properties/refused_test.cpp).
+  const bool is_refused = answer == VESICA_E_KIND && s.kind_b >= VESICA_CAPSULE;
+  EXPECT_TRUE(answer >= 0 || is_refused) << vesica_strerror(answer);
   return used;
 }
 
@@ -200,9 +204,9 @@ std::int32_t impact_time(std::int32_t kind_a, const void* a, std::int32_t kind_b
 /// Shapes moved apart and towards each other again: so contact at the start is contact on the way, at a time of about
 /// 1.
 std::int32_t cast(std::int32_t kind_a, const void* a, std::int32_t kind_b, const void* b) {
-  double apart[6];
-  std::copy_n(static_cast<const double*>(b), 6, apart);
-  const bool corners = kind_b == VESICA_SEGMENT || kind_b == VESICA_AABB;
+  double apart[most_fields];
+  std::copy_n(static_cast<const double*>(b), vesica_field_count(kind_b), apart);
+  const bool corners = kind_b == VESICA_SEGMENT || kind_b == VESICA_AABB || kind_b == VESICA_CAPSULE;
   const double vx = 0x1p1019, vy = 0x1.3333p1018;
   for (int i = 0; i < (corners ? 4 : 2); ++i) apart[i] = apart[i] / 8 + (i % 2 == 0 ? vx : vy);
   vesica_impact_f64 out;
@@ -246,13 +250,13 @@ TEST(Stack, AtMostAsPromised) {
   PaintedStack stack;
   properties::Random random(properties::seed());
   std::size_t most_of_all = 0;
-  for (int a = VESICA_POINT; a <= VESICA_ELLIPSE; ++a) {
-    for (int b = a; b <= VESICA_ELLIPSE; ++b) {
+  for (int a = VESICA_POINT; a <= VESICA_ROUND_RECT; ++a) {
+    for (int b = a; b <= VESICA_ROUND_RECT; ++b) {
       std::size_t most = 0;
       for (int i = 0; i < 20 * properties::repeat(); ++i) {
         most = std::max(most, used_by(stack, at_the_ends(a, b, random)));
       }
-      if (a == VESICA_ELLIPSE) {
+      if (a == VESICA_ELLIPSE && b == VESICA_ELLIPSE) {
         EXPECT_EQ(vesica_overlap_f64(a, touching_ellipses().a, b, touching_ellipses().b), 1);
         most = std::max(most, used_by(stack, touching_ellipses()));
         EXPECT_EQ(vesica_relation_f64(a, nested_ellipses().a, b, nested_ellipses().b), VESICA_CONTAINS_TOUCH);
@@ -261,7 +265,7 @@ TEST(Stack, AtMostAsPromised) {
         EXPECT_GT(most, 30'000U);
       }
       EXPECT_LE(most, promised) << vesica_kind_name(a) << " " << vesica_kind_name(b);
-      std::printf("  %-8s %-8s %6zu bytes\n", vesica_kind_name(a), vesica_kind_name(b), most);
+      std::printf("  %-10s %-10s %6zu bytes\n", vesica_kind_name(a), vesica_kind_name(b), most);
       most_of_all = std::max(most_of_all, most);
     }
   }

@@ -34,10 +34,11 @@ class Bytes {
 
   unsigned below(unsigned count) { return take<std::uint8_t>() % count; }
 
-  /// One of the six, or now and then anything.
+  /// A kind, those with a radius about a core less often; or now and then anything.
   std::int32_t kind() {
     const unsigned choice = below(64);
-    return choice == 63 ? take<std::int32_t>() : static_cast<std::int32_t>(choice % 6);
+    if (choice == 63) return take<std::int32_t>();
+    return static_cast<std::int32_t>(choice < 48 ? choice % 6 : VESICA_CAPSULE + choice % 2);
   }
 
   /// Small whole numbers and halves, powers of two, or any bits at all.
@@ -65,7 +66,7 @@ inline void demand(bool holds, const char* file = __builtin_FILE(), int line = _
   __builtin_trap();
 }
 
-/// Numbers of a shape against a guard page: all six where the kind is none, so that no reading is legal beyond them.
+/// Numbers of a shape against a guard page: as many as its kind has, so that no reading is legal beyond them.
 template <class T>
 class Shape {
  public:

@@ -165,6 +165,12 @@ Shape shape(int kind, const properties::Numbers& s) {
                                                         : box(half * (first + second), second - first, half, zero);
     case VESICA_CIRCLE:
       return {first, right, zero, zero, real(s[2]), false};
+    case VESICA_CAPSULE:
+    case VESICA_ROUND_RECT: {
+      Shape core = shape(kind == VESICA_CAPSULE ? VESICA_SEGMENT : VESICA_RECT, s);
+      core.r = real(s[kind == VESICA_CAPSULE ? 4 : 6]);
+      return core;
+    }
     case VESICA_AABB:
       return box(half * (first + second), right, half * (second.x - first.x), half * (second.y - first.y));
     default: {
@@ -212,12 +218,11 @@ Real aspect(const Shape& s) {
 Real beyond_outline(const Shape& s, double x, double y, const Real& enough) {
   const Vector p = Vector{real(x), real(y)} - s.centre;
   const Real u = length(s.u), along = abs(dot(s.u, p)) / u, across = abs(cross(s.u, p)) / u;
-  if (s.r > 0) return length(p) - s.r;
   const Real a = s.a * u, b = s.b * u;
   if (s.curved) return beyond_ellipse(a, b, along, across, enough);
   const Real dx = along - a, dy = across - b;
-  if (dx <= 0 || dy <= 0) return dx > dy ? dx : dy;
-  return length({dx, dy});
+  if (dx <= 0 || dy <= 0) return Real(dx > dy ? dx : dy) - s.r;
+  return length({dx, dy}) - s.r;
 }
 
 }  // namespace nearest_reference

@@ -142,7 +142,7 @@ class Hunt {
         do {
           c.query = stress::all_queries[any_of(stress::all_queries.size())];
         } while (c.query == Query::invalid || c.query == Query::batch ||
-                 (c.query == Query::intersection && !stress::has_intersection(pair.kind_a, pair.kind_b)));
+                 stress::is_refused(c.query, pair.kind_a, pair.kind_b));
       }
       if (of_motion(c.query)) c.motion = cast_test::draw_motion(pair, group.scalar, random_);
       if (c.query == Query::within) c.distance = stress::draw_distance(group.scalar, pair, random_);

@@ -33,7 +33,7 @@ void search(Query query, int kind_a, int kind_b, double seconds) {
 }
 
 std::optional<int> kind_of(const char* name) {
-  for (int kind = 0; kind < properties::kinds_with_form; ++kind) {
+  for (int kind = 0; kind < properties::kinds; ++kind) {
     if (std::strcmp(name, properties::kind_name(kind)) == 0) return kind;
   }
   return std::nullopt;
@@ -50,9 +50,9 @@ int search_all(int count, char** words) {
   }
   for (const Query query : stress::all_queries) {
     if (query == Query::invalid || query == Query::batch || (only && query != *only)) continue;
-    for (int a = 0; a < properties::kinds_with_form; ++a) {
-      for (int b = stress::of_one_shape(query) ? properties::kinds_with_form - 1 : a; b < properties::kinds_with_form;
-           ++b) {
+    for (int a = 0; a < properties::kinds; ++a) {
+      for (int b = stress::of_one_shape(query) ? properties::kinds - 1 : a; b < properties::kinds; ++b) {
+        if (stress::is_refused(query, a, b)) continue;
         if (!kind_a || (a == *kind_a && b == *kind_b)) search(query, a, b, seconds);
       }
     }

@@ -405,7 +405,7 @@ class Arrays {
 
   void judge_join(Aligned& index_a, Aligned& index_b) {
     const std::size_t n = pairs_.size();
-    const bool contains = layout_ % 2 == 0;
+    const bool contains = layout_ % 2 == 0 && !is_refused(Query::contains, pairs_[0].kind_a, pairs_[0].kind_b);
     Aligned scratch(vesica_join_scratch());
     std::vector<std::int64_t> out_a(n * n), out_b(n * n), expected, got;
     std::int64_t state[4] = {};

@@ -199,6 +199,7 @@ std::vector<BatchFault> judge_batches(Scalar scalar, std::span<const Pair> pairs
   std::vector<BatchFault> faults;
   if (pairs.empty()) return faults;
   for (const Query query : batched) {
+    if (is_refused(query, pairs[0].kind_a, pairs[0].kind_b)) continue;
     if (scalar == Scalar::f64) {
       judge_query<double>(query, pairs, layout, environment, faults);
     } else {

@@ -90,9 +90,10 @@ Vector place_beside(Random& random, const Vector& needle, const Vector& other) {
 properties::Numbers shape_about(int kind, const Vector& axis, const Vector& about, const Vector& centre) {
   const double length = std::hypot(axis.x, axis.y);
   const Vector unit{axis.x / length, axis.y / length};
-  properties::Numbers n = properties::shape_at_origin(kind, unit, about.x, about.y, 1);
+  const double along = kind == VESICA_CAPSULE ? std::fmax(about.x - about.y, 0) : about.x;
+  properties::Numbers n = properties::shape_at_origin(kind, unit, along, about.y, 1);
   // As it was drawn, rather than its direction times a length.
-  if (kind >= VESICA_RECT) n[2] = axis.x, n[3] = axis.y, n[4] = about.x / length, n[5] = about.y / length;
+  if (properties::has_axis(kind)) n[2] = axis.x, n[3] = axis.y, n[4] = about.x / length, n[5] = about.y / length;
   return properties::moved(kind, n, centre);
 }
 
@@ -101,7 +102,7 @@ properties::Numbers shape_about(int kind, const Vector& axis, const Vector& abou
 properties::Pair draw_needle_pair(Random& random) {
   const double longer = 1 + random.unit(), shorter = longer * of_binades(random, -80, -3);
   const Vector needle{longer, shorter}, axis = any_axis(random);
-  const int kind = random.chance(0.75) ? VESICA_ELLIPSE : VESICA_RECT, other_kind = random.below(6);
+  const int kind = random.chance(0.75) ? VESICA_ELLIPSE : VESICA_RECT, other_kind = random.below(properties::kinds);
   Vector other{of_binades(random, -30, 1), 0};
   other.y = other.x * (other_kind == VESICA_CIRCLE ? 1 : of_binades(random, -80, 0));
   if (other_kind == VESICA_POINT) other = {0, 0};

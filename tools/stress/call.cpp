@@ -194,7 +194,7 @@ Answer call(Query query, const Caller<T>& caller) {
 
 properties::NumbersOf<float> as_floats(const Numbers& numbers) {
   properties::NumbersOf<float> result{};
-  for (std::size_t i = 0; i < 6; ++i) {
+  for (std::size_t i = 0; i < result.size(); ++i) {
     const volatile float stored = static_cast<float>(numbers[i]);
     result[i] = stored;
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stress/exact_stage.hpp"
 
+#include <vesica.h>
+
 #include <cstring>
 #include <vesica/relation.hpp>
 
@@ -17,18 +19,14 @@ Shape load(const Numbers& numbers) {
 template <class Action>
 std::int32_t with_shape(int kind, const Numbers& numbers, Action action) {
   switch (static_cast<vesica::Kind>(kind)) {
-    case vesica::Kind::point:
-      return action(load<vesica::Point<double>>(numbers));
-    case vesica::Kind::segment:
-      return action(load<vesica::Segment<double>>(numbers));
-    case vesica::Kind::circle:
-      return action(load<vesica::Circle<double>>(numbers));
-    case vesica::Kind::aabb:
-      return action(load<vesica::Aabb<double>>(numbers));
-    case vesica::Kind::rect:
-      return action(load<vesica::Rect<double>>(numbers));
+#define VESICA_CASE(name, Name) \
+  case vesica::Kind::name:      \
+    return action(load<vesica::Name<double>>(numbers));
+    VESICA_EACH_SHAPE_WITH_FORM(VESICA_CASE)
+    VESICA_EACH_SHAPE_INFLATED(VESICA_CASE)
+#undef VESICA_CASE
     default:
-      return action(load<vesica::Ellipse<double>>(numbers));
+      return VESICA_E_KIND;
   }
 }
 
@@ -37,6 +35,20 @@ std::int32_t with_pair(const Pair& p, Action action) {
   return with_shape(p.kind_a, p.a, [&](const auto& a) {
     return with_shape(p.kind_b, p.b, [&](const auto& b) { return static_cast<std::int32_t>(action(a, b)); });
   });
+}
+
+/// For kinds in order.
+template <class A, class B>
+std::int32_t relate(const A& a, const B& b) {
+  if constexpr (!vesica::detail::form::Inflated<B>) {
+    return static_cast<std::int32_t>(
+        vesica::exact::relate(vesica::exact::relation_form(a), vesica::exact::relation_form(b)));
+  } else if constexpr (!vesica::detail::overlap::is_ellipse<A>) {
+    return static_cast<std::int32_t>(
+        vesica::exact::relate(vesica::exact::inflated_box(a), vesica::exact::inflated_box(b)));
+  } else {
+    return VESICA_E_KIND;
+  }
 }
 
 }  // namespace
@@ -52,8 +64,21 @@ std::int32_t exact_overlap(const Pair& p) {
 }
 
 std::int32_t exact_relation(const Pair& p) {
-  return with_pair(p, [](const auto& a, const auto& b) {
-    return vesica::exact::relate(vesica::exact::relation_form(a), vesica::exact::relation_form(b));
+  if (is_refused(Query::relation, p.kind_a, p.kind_b)) {
+    if (exact_overlap(p) == 0) return VESICA_DISJOINT;
+    return vesica_interiors_overlap_f64(p.kind_a, p.a.data(), p.kind_b, p.b.data()) == 1 ? VESICA_CROSS : VESICA_TOUCH;
+  }
+  const bool has_ellipse = p.kind_a == VESICA_ELLIPSE || p.kind_b == VESICA_ELLIPSE;
+  if (has_ellipse && (is_inflated(p.kind_a) || is_inflated(p.kind_b))) {
+    return vesica_relation_f64(p.kind_a, p.a.data(), p.kind_b, p.b.data());
+  }
+  return with_pair(p, []<class A, class B>(const A& a, const B& b) {
+    if constexpr (!vesica::detail::in_order<A, B>) {
+      const auto reversed = static_cast<vesica::Relation>(relate(b, a));
+      return static_cast<std::int32_t>(vesica::converse(reversed));
+    } else {
+      return relate(a, b);
+    }
   });
 }
 

@@ -70,6 +70,8 @@ Numbers thinned(int kind, Numbers n, Random& random) {
   if (kind == VESICA_AABB) {
     const std::size_t i = random.chance(0.5) ? 0U : 1U;
     n[i + 2] = n[i] + (n[i + 2] - n[i]) * by;
+  } else if (kind == VESICA_CAPSULE) {
+    n[4] *= by;
   } else if (kind >= VESICA_RECT) {
     n[random.chance(0.5) ? 4U : 5U] *= by;
   }
@@ -79,7 +81,7 @@ Numbers thinned(int kind, Numbers n, Random& random) {
 /// Far smaller than it is, where it is: to a shape of another size about a dot.
 Numbers shrunk(Scalar scalar, int kind, Numbers n, Random& random) {
   const double by = std::ldexp(1, -random.integer(20, scalar == Scalar::f32 ? 120 : 700));
-  if (kind == VESICA_SEGMENT || kind == VESICA_AABB) {
+  if (properties::role(kind, 2) == Role::x) {
     for (const std::size_t i : {0U, 1U}) n[i + 2] = n[i] + (n[i + 2] - n[i]) * by;
   }
   for (int i = 0; i < properties::field_count(kind); ++i) {
@@ -94,7 +96,8 @@ Pair shifted(Pair p, double x, double y) {
   return p;
 }
 
-bool areal(int kind) { return kind >= VESICA_CIRCLE; }
+/// The hard and the nested pairs are drawn of these kinds.
+bool areal(int kind) { return kind >= VESICA_CIRCLE && !is_inflated(kind); }
 
 Pair drawn(Scalar scalar, int kind_a, int kind_b, Random& random) {
   using properties::Workload;
@@ -242,7 +245,7 @@ Group draw_group(std::uint64_t seed, std::uint64_t number, Drawn from) {
   Random random(mixed(seed, number));
   if (from != Drawn::all) return built_group(from, random);
   Group group{random.chance(0.5) ? Scalar::f32 : Scalar::f64, {}};
-  const int kind_a = random.below(6), kind_b = random.below(6);
+  const int kind_a = random.below(properties::kinds), kind_b = random.below(properties::kinds);
   const bool odd = random.below(8) == 0;
   Pair base = odd ? odd_pair(group.scalar, kind_a, kind_b, random)
                   : altered(group.scalar, drawn(group.scalar, kind_a, kind_b, random), random);

@@ -31,16 +31,17 @@ bool valid(const Pair& p) { return properties::valid(p.kind_a, p.a) && propertie
 namespace {
 
 double extent_of(int kind, const Numbers& n) {
-  double place = 0, axis = 1, size = 0;
+  double place = 0, axis = 1, size = 0, radius = 0;
   for (int i = 0; i < properties::field_count(kind); ++i) {
     const double x = std::fabs(n[static_cast<std::size_t>(i)]);
     const Role r = properties::role(kind, i);
     if (r == Role::x || r == Role::y) place = std::fmax(place, x);
-    if (is_size(r)) size = std::fmax(size, x);
+    if (r == Role::size) size = std::fmax(size, x);
+    if (r == Role::radius) radius = x;
   }
-  if (kind >= VESICA_RECT) axis = std::fabs(n[2]) + std::fabs(n[3]);
+  if (properties::has_axis(kind)) axis = std::fabs(n[2]) + std::fabs(n[3]);
   // Products that underflow count as the least number.
-  return place + 2 * std::fmax(axis * size, size > 0 ? DBL_TRUE_MIN : 0);
+  return place + 2 * std::fmax(axis * size, size > 0 ? DBL_TRUE_MIN : 0) + 2 * radius;
 }
 
 }  // namespace
@@ -49,6 +50,10 @@ double extent(const Pair& p) { return std::fmax(extent_of(p.kind_a, p.a), extent
 
 bool far_from_overflow(Scalar scalar, const Pair& p) {
   return extent(p) < (scalar == Scalar::f32 ? 0x1p122 : 0x1p1018);
+}
+
+bool has_wild_radius(const Pair& p) {
+  return (is_inflated(p.kind_a) || is_inflated(p.kind_b)) && !is_moderate(p, 0x1p200);
 }
 
 bool move_exactly(Scalar scalar, const Pair& p, double x, double y, Pair& moved) {
@@ -159,6 +164,11 @@ std::vector<Fault> judge(const Case& c, const Choice& choice) {
   if ((c.query == Query::invalid) == of_valid) return {};  // a shrinking step too far
   if (c.query == Query::invalid) {
     judge_invalid(j, c, choice.environments);
+    return j.faults();
+  }
+  if (is_refused(c.query, c.pair.kind_a, c.pair.kind_b)) {
+    const Answer r = ask(c);
+    j.demand(r.code == VESICA_E_KIND && !r.wrote, "refused", std::to_string(VESICA_E_KIND), text(r));
     return j.faults();
   }
   judge_query(j, c, choice.effort);

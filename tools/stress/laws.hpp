@@ -68,6 +68,9 @@ bool valid(const Pair& p);
 double extent(const Pair& p);
 /// Are all numbers, and the products of sizes and axes, so small that no result can overflow?
 bool far_from_overflow(Scalar scalar, const Pair& p);
+/// A shape with a core and a radius, and numbers beyond 2^200 or below 2^-200. Such pairs are known to break laws of
+/// areas, ratios and depths: a radius that vanishes beside a core of 2^800 counts as none. Those laws leave them out.
+bool has_wild_radius(const Pair& p);
 /// Both shapes moved by (x, y), where that is exact in the scalar type.
 bool move_exactly(Scalar scalar, const Pair& p, double x, double y, Pair& moved);
 /// Both shapes times a power of two, where that is exact; the motion stays.

@@ -28,11 +28,19 @@ bool holds(int kind, const Numbers& n, std::size_t i, int sign, double m) {
   const mpz_class distance = sign * (fixed_point(m) - fixed_point(n[i]));
   if (kind == VESICA_POINT) return distance >= 0;
   if (kind == VESICA_CIRCLE) return distance >= fixed_point(n[2]);
+  if (kind == VESICA_CAPSULE) {
+    const mpz_class other = sign * (fixed_point(m) - fixed_point(n[i + 2])), radius = fixed_point(n[4]);
+    return distance >= radius && other >= radius;
+  }
   if (kind == VESICA_SEGMENT || kind == VESICA_AABB) {
     return distance >= 0 && sign * (fixed_point(m) - fixed_point(n[i + 2])) >= 0;
   }
   const mpz_class along = fixed_point(n[2 + i]) * fixed_point(n[4]), across = fixed_point(n[3 - i]) * fixed_point(n[5]);
   if (kind == VESICA_RECT) return distance << unit >= abs(along) + abs(across);
+  if (kind == VESICA_ROUND_RECT) {
+    const mpz_class beside = distance - fixed_point(n[6]);
+    return beside >= 0 && beside << unit >= abs(along) + abs(across);
+  }
   return distance >= 0 && (distance * distance) << (2 * unit) >= along * along + across * across;
 }
 

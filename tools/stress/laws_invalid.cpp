@@ -35,7 +35,7 @@ void judge_invalid(Judge& j, const Case& c, bool in_environments) {
   }
   for (const Query query : all_queries) {
     if (query == Query::invalid || query == Query::batch) continue;
-    if (query == Query::intersection && !has_intersection(p.kind_a, p.kind_b)) continue;
+    if (is_refused(query, p.kind_a, p.kind_b)) continue;
     if (of_one_shape(query) && properties::valid(p.kind_a, p.a)) continue;
     const Answer answer = ask({query, c.scalar, p, motion, 1});
     j.demand(answer.code == VESICA_E_SHAPE, name(query), std::to_string(VESICA_E_SHAPE), text(answer));

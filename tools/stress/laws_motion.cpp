@@ -76,12 +76,13 @@ struct Extent {
   double x, y, half_length;
 };
 Extent extent(int kind, const Numbers& n) {
-  if (kind == VESICA_SEGMENT || kind == VESICA_AABB) {
+  const double r = properties::radius(kind, n);
+  if (properties::role(kind, 2) == properties::Role::x) {
     return {n[0] / 2 + n[2] / 2, n[1] / 2 + n[3] / 2,
-            std::fmax(std::fabs(n[2] / 2 - n[0] / 2), std::fabs(n[3] / 2 - n[1] / 2))};
+            std::fmax(std::fabs(n[2] / 2 - n[0] / 2), std::fabs(n[3] / 2 - n[1] / 2)) + r};
   }
-  const bool has_axis = kind == VESICA_RECT || kind == VESICA_ELLIPSE;
-  return {n[0], n[1], has_axis ? std::hypot(n[2], n[3]) * std::fmax(n[4], n[5]) : n[2]};
+  const double half = properties::has_axis(kind) ? std::hypot(n[2], n[3]) * std::fmax(n[4], n[5]) : 0;
+  return {n[0], n[1], half + r};
 }
 
 double aspect(const Numbers& ellipse) { return std::fmax(ellipse[4], ellipse[5]) / std::fmin(ellipse[4], ellipse[5]); }
@@ -97,10 +98,12 @@ bool is_nearly_along(double x, double y, const Motion& v) {
 bool is_nearly_along_a_face(int kind, const Numbers& n, const Motion& v) {
   switch (kind) {
     case VESICA_SEGMENT:
+    case VESICA_CAPSULE:
       return is_nearly_along(n[2] / 2 - n[0] / 2, n[3] / 2 - n[1] / 2, v);
     case VESICA_AABB:
       return is_nearly_along(1, 0, v) || is_nearly_along(0, 1, v);
     case VESICA_RECT:
+    case VESICA_ROUND_RECT:
       return is_nearly_along(n[2], n[3], v) || is_nearly_along(-n[3], n[2], v);
     default:
       return false;

@@ -78,6 +78,7 @@ void demand_of_areas(Judge& j, const Case& c, const Answer& r) {
 }  // namespace
 
 void judge_ratio(Judge& j, const Case& c, Effort) {
+  if (has_wild_radius(c.pair)) return;
   const Answer r = ask(c), back = ask({c.query, c.scalar, swapped(c.pair)});
   Answer exchanged_back = back;
   for (const std::size_t i : {std::size_t{0}, ratio_count}) {

@@ -104,7 +104,6 @@ void judge_de9im(Judge& j, const Case& c, Effort effort) {
 }
 
 void judge_intersection(Judge& j, const Case& c, Effort) {
-  if (!has_intersection(c.pair.kind_a, c.pair.kind_b)) return;
   const Answer r = ask(c), back = ask({c.query, c.scalar, swapped(c.pair)});
   j.demand(same_bits(r, back), "exchanged", text(r), text(back));
   if (r.code == VESICA_E_RANGE) return j.demand(!far_from_overflow(c.scalar, c.pair), "range", "an answer", text(r));

@@ -34,8 +34,8 @@ void demand_of_nearest(Judge& j, const Case& c, std::int32_t code) {
 
 /// True if no bound on the depth is stated.
 bool is_thin(int kind, const Numbers& n) {
-  const bool is_box = kind == VESICA_AABB, has_sizes = kind == VESICA_RECT || kind == VESICA_ELLIPSE;
-  if (!is_box && !has_sizes) return false;
+  const bool is_box = kind == VESICA_AABB;
+  if (!is_box && !properties::has_axis(kind)) return false;
   const double a = is_box ? n[2] - n[0] : n[4], b = is_box ? n[3] - n[1] : n[5];
   return std::fmax(a, b) > 1e6 * std::fmin(a, b);
 }
@@ -68,7 +68,7 @@ void judge_within(Judge& j, const Case& c, Effort effort) {
   if (c.distance == 0) return demand_code(j, "of_0_is_overlap", overlap, code);
   if (!are_ellipses(c.pair)) j.demand(code == 0 || code == 1, "certain", "0 or 1", std::to_string(code));
   demand_of_nearest(j, c, code);
-  demand_of_depth(j, c);
+  if (!has_wild_radius(c.pair)) demand_of_depth(j, c);
   if (code == VESICA_WITHIN_YES) {
     Case further = c;
     further.distance = properties::nearest(c.scalar, 1.5 * c.distance);

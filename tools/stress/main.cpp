@@ -175,7 +175,6 @@ class Attack {
   bool turn(std::uint64_t every) const { return (index_ * 7 + progress_.next_group * 13) % every == 0; }
 
   void run_case(Case c, bool slow) {
-    if (c.query == Query::intersection && !has_intersection(c.pair.kind_a, c.pair.kind_b)) return;
     if (of_motion(c.query)) c.motion = motion_of(c);
     if (c.query == Query::within) {
       properties::Random random(progress_.seed + (progress_.next_group << 8) + index_);

@@ -7,11 +7,13 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "properties/refused.hpp"
+
 namespace stress {
 namespace {
 
 std::optional<int> find_kind(const std::string& word) {
-  for (int kind = 0; kind < 6; ++kind) {
+  for (int kind = 0; kind < properties::kinds; ++kind) {
     if (word == properties::kind_name(kind)) return kind;
   }
   return std::nullopt;
@@ -75,6 +77,20 @@ const char* name(Query query) {
       "bounds",          "ratio",    "cast",         "sweep_bounds", "within",
       "signed_distance", "de9im",    "intersection", "invalid",      "batch"};
   return names.at(static_cast<std::size_t>(query));
+}
+
+bool is_refused(Query query, int kind_a, int kind_b) {
+  using properties::Question;
+  constexpr struct {
+    Query query;
+    Question question;
+  } questions[] = {{Query::relation, Question::relation},   {Query::contains, Question::relation},
+                   {Query::crossings, Question::crossings}, {Query::boundary_distance, Question::boundary_distance},
+                   {Query::de9im, Question::de9im},         {Query::intersection, Question::intersection}};
+  for (const auto& q : questions) {
+    if (q.query == query) return properties::refuses(q.question, kind_a, kind_b);
+  }
+  return false;
 }
 
 std::optional<Query> find_query(const std::string& text) {

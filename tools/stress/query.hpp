@@ -17,6 +17,7 @@ namespace stress {
 using cast_test::Motion;
 using properties::has_area;
 using properties::is_curved;
+using properties::is_inflated;
 using properties::is_moderate;
 using properties::is_round;
 using properties::Numbers;
@@ -41,9 +42,9 @@ enum class Query {
   within,        ///< of a distance
   signed_distance,
   de9im,
-  intersection,  ///< of kinds that have one
-  invalid,       ///< every function on a pair of which a shape is invalid
-  batch,         ///< every batch function on many copies of the pair, on every instruction set
+  intersection,
+  invalid,  ///< every function on a pair of which a shape is invalid
+  batch,    ///< every batch function on many copies of the pair, on every instruction set
 };
 
 inline constexpr std::array all_queries{
@@ -62,10 +63,8 @@ constexpr bool of_one_shape(Query query) {
 /// Does a shape move?
 constexpr bool of_motion(Query query) { return query == Query::cast || query == Query::sweep_bounds; }
 
-/// Does intersection support these kinds? Both must be straight, or one a point or a segment.
-constexpr bool has_intersection(int kind_a, int kind_b) {
-  return kind_a <= VESICA_SEGMENT || kind_b <= VESICA_SEGMENT || (!is_round(kind_a) && !is_round(kind_b));
-}
+/// Does the query refuse these kinds (properties/refused.hpp)?
+bool is_refused(Query query, int kind_a, int kind_b);
 
 /// One question. For Scalar::f32 each number is a float's value.
 struct Case {
