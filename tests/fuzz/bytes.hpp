@@ -34,10 +34,14 @@ class Bytes {
 
   unsigned below(unsigned count) { return take<std::uint8_t>() % count; }
 
-  /// A kind, those with a radius about a core less often; or now and then anything.
+  /// A kind, those with a radius about a core less often; or now and then anything but a kind whose shapes are pointers
+  /// to vertices, which a row of numbers is not.
   std::int32_t kind() {
     const unsigned choice = below(64);
-    if (choice == 63) return take<std::int32_t>();
+    if (choice == 63) {
+      const auto any = take<std::int32_t>();
+      return any == VESICA_POLYGON || any == VESICA_POLYLINE ? -1 : any;
+    }
     return static_cast<std::int32_t>(choice < 48 ? choice % 6 : VESICA_CAPSULE + choice % 2);
   }
 

@@ -73,7 +73,8 @@ void typed(Bytes& bytes, Memory& memory) {
 void describe(Bytes& bytes, Memory&) {
   const auto value = bytes.take<std::int32_t>();
   demand(vesica_strerror(value) != nullptr && vesica_isa_name() != nullptr);
-  demand((vesica_kind_name(value) == nullptr) == (vesica_field_count(value) < 0));
+  const bool has_vertices = value == VESICA_POLYGON || value == VESICA_POLYLINE;
+  demand((vesica_kind_name(value) == nullptr) == (vesica_field_count(value) < 0 && !has_vertices));
 }
 
 constexpr Call calls[] = {
