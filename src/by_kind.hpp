@@ -25,10 +25,6 @@ concept HasCore = HasForm<Shape> || detail::form::Inflated<Shape>;
 template <class Shape>
 concept CoreOrPath = HasCore<Shape> || Path<Shape>;
 
-/// Pairs in order whose relation is known: not yet an ellipse and a core with a radius.
-template <class A, class B>
-concept HasRelation = HasCore<A> && HasCore<B> &&(HasForm<B> || ShapeTraits<A>::kind != Kind::ellipse);
-
 /// Kinds whose shapes are a row of numbers: those of each_shape.hpp.
 VESICA_INLINE constexpr bool is_row(std::int32_t kind) noexcept { return kind >= 0 && kind < kind_count; }
 /// Those, polygons and polylines.

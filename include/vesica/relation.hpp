@@ -71,6 +71,11 @@ VESICA_COLD constexpr std::int32_t decide_relation(const A& a, const B& b) noexc
   if (check(a) != 0 || check(b) != 0) return error_shape;
   return static_cast<std::int32_t>(exact::relate(exact::inflated_box(a), exact::inflated_box(b)));
 }
+template <form::Inflated B>
+VESICA_COLD constexpr std::int32_t decide_relation(const Ellipse<double>& a, const B& b) noexcept {
+  if (check(a) != 0 || check(b) != 0) return error_shape;
+  return static_cast<std::int32_t>(exact::relate(exact::form(a), exact::inflated_box(b)));
+}
 
 template <template <class> class A, template <class> class B>
 VESICA_COLD constexpr std::int32_t decide_relation(const A<float>& a, const B<float>& b) noexcept {

@@ -19,8 +19,6 @@ namespace {
 struct RelationOfPair {
   static constexpr Reversal reversal = Reversal::converse;
   template <class A, class B>
-  static constexpr bool answers = HasRelation<A, B>;
-  template <class A, class B>
   VESICA_INLINE static std::int32_t answer(const A& a, const B& b) noexcept {
     return detail::called_relation(widen(a), widen(b));
   }
@@ -28,8 +26,6 @@ struct RelationOfPair {
 
 struct ContainsPair {
   static constexpr Reversal reversal = Reversal::unknown;
-  template <class A, class B>
-  static constexpr bool answers = HasRelation<A, B>;
   template <class A, class B>
   VESICA_INLINE static std::int32_t answer(const A& a, const B& b) noexcept {
     const std::int32_t relation = detail::called_relation(widen(a), widen(b));

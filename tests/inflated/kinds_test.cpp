@@ -24,8 +24,6 @@ TEST(InflatedKinds, AreRefusedByOtherQuestions) {
   EXPECT_EQ(vesica_crossings_f64(VESICA_CAPSULE, &a, VESICA_ELLIPSE, &b, nullptr, 0, &shared), VESICA_E_KIND);
   EXPECT_EQ(shared, 7);
   EXPECT_EQ(vesica_intersection_f64(VESICA_CAPSULE, &a, VESICA_CAPSULE, &a, nullptr, 0), VESICA_E_KIND);
-  EXPECT_EQ(vesica_relation_f64(VESICA_CAPSULE, &a, VESICA_ELLIPSE, &b), VESICA_E_KIND);
-  EXPECT_EQ(vesica_contains_f64(VESICA_ELLIPSE, &b, VESICA_CAPSULE, &a), VESICA_E_KIND);
 }
 
 }  // namespace

@@ -79,6 +79,21 @@ VESICA_CALLED constexpr void set(const Ellipse& e, const Ellipse& f, Cubic& p) n
   set(Outline(e, f), p, mu, al, be);
 }
 
+/// The same for the disc of radius r about (x, y) in place of e. As S1 = r^2, no degree exceeds 8, though those of x and
+/// y are 2.
+VESICA_CALLED constexpr void set(const Length& r, const Number<2>& x, const Number<2>& y, const Ellipse& f, Cubic& p,
+                                 Number<8>& mu, Number<8>& al, Number<8>& be) noexcept {
+  const Number<2> rr = square(r), ww = dot(f.ux, f.uy, f.ux, f.uy);
+  const Image<4> z = image(f, x, y);
+  mu = rr * ((square(f.a) + square(f.b)) * ww);
+  al = rr * (square(x) + square(y));
+  be = sum_of_products(z.x, z.x, 1, z.y, z.y);
+  p.d1 = square(rr);
+  p.d2 = square(f.a * f.b * ww);
+  p.c1 = p.d1 + mu - al;
+  p.c2 = p.d2 + mu - be;
+}
+
 }  // namespace detail
 
 constexpr Cubic cubic(const Ellipse& e, const Ellipse& f) noexcept {
@@ -86,17 +101,17 @@ constexpr Cubic cubic(const Ellipse& e, const Ellipse& f) noexcept {
   detail::set(e, f, p);
   return p;
 }
-/// The cubic of f and the disc of radius r about (x, y), seen from the centre of f. As S1 = r^2, no degree exceeds 8,
-/// though those of x and y are 2.
+/// The cubic of the disc of radius r about (x, y), seen from the centre of f, and f.
 constexpr Cubic disc_cubic(const Length& r, const Number<2>& x, const Number<2>& y, const Ellipse& f) noexcept {
   Cubic p;
-  const Number<2> rr = square(r), ww = dot(f.ux, f.uy, f.ux, f.uy);
-  const Number<6> mu = rr * ((square(f.a) + square(f.b)) * ww);
-  const Image<4> z = image(f, x, y);
-  p.d1 = square(rr);
-  p.d2 = square(f.a * f.b * ww);
-  p.c1 = p.d1 + mu - rr * (square(x) + square(y));
-  p.c2 = p.d2 + mu - detail::sum_of_products(z.x, z.x, 1, z.y, z.y);
+  Number<8> mu, al, be;
+  detail::set(r, x, y, f, p, mu, al, be);
+  return p;
+}
+constexpr ContactCubic disc_contact_cubic(const Length& r, const Number<2>& x, const Number<2>& y,
+                                          const Ellipse& f) noexcept {
+  ContactCubic p;
+  detail::set(r, x, y, f, p, p.mu, p.al, p.be);
   return p;
 }
 constexpr ContactCubic contact_cubic(const Ellipse& e, const Ellipse& f) noexcept {

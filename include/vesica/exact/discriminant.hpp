@@ -41,12 +41,14 @@ VESICA_CALLED constexpr int discriminant_sign(const Cubic& p) noexcept {
   return compare_products(lower, upper, ends, less);
 }
 
-/// True if a double root of p is the greater of its roots, so that p'' > 0 there: x0 = -b / (2a) > -c2 / (3 d2),
-/// a = c2^2 - 3 c1 d2 and b = c1 c2 - 9 d1 d2, a > 0 unless the root is triple, and then both sides are 0. Degree 24.
-VESICA_CALLED constexpr bool double_root_is_greater(const Cubic& p) noexcept {
+/// The place of a double root of p: 1 if it is greater than the other root, so that p'' > 0 there, -1 if it is less, 0
+/// if the root is triple. x0 = -b / (2a) against -c2 / (3 d2), a = c2^2 - 3 c1 d2 and b = c1 c2 - 9 d1 d2. a > 0 unless
+/// the root is triple, and then both sides are 0. Degree 24.
+VESICA_CALLED constexpr int double_root_place(const Cubic& p) noexcept {
   using detail::difference_of_multiples;
   return compare_products(integer(2) * p.c2, difference_of_multiples(1, p.c2, p.c2, 3, p.c1, p.d2), integer(3) * p.d2,
-                          difference_of_multiples(1, p.c1, p.c2, 9, p.d1, p.d2)) > 0;
+                          difference_of_multiples(1, p.c1, p.c2, 9, p.d1, p.d2));
 }
+constexpr bool double_root_is_greater(const Cubic& p) noexcept { return double_root_place(p) > 0; }
 
 }  // namespace vesica::exact

@@ -114,9 +114,8 @@ constexpr Relation nesting(const ContactCubic& p) noexcept {
 
 }  // namespace detail
 
-/// How two ellipses relate, neither degenerate.
-constexpr Relation relation(const Ellipse& e, const Ellipse& f) noexcept {
-  ContactCubic p = contact_cubic(e, f);
+/// How the two ellipses of a cubic relate, which may be left with them exchanged.
+constexpr Relation relation(ContactCubic& p) noexcept {
   if (p.al.sign == 0) return detail::concentric(p);
   if (p.c1.sign < 0 || p.c2.sign < 0) {
     const int roots = discriminant_sign(p);
@@ -129,6 +128,12 @@ constexpr Relation relation(const Ellipse& e, const Ellipse& f) noexcept {
   if (order > 0) detail::exchange_ellipses(p);
   const Relation of_lesser = detail::nesting(p);
   return order < 0 ? of_lesser : converse(of_lesser);
+}
+
+/// How two ellipses relate, neither degenerate.
+constexpr Relation relation(const Ellipse& e, const Ellipse& f) noexcept {
+  ContactCubic p = contact_cubic(e, f);
+  return relation(p);
 }
 
 }  // namespace vesica::exact

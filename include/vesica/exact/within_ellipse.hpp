@@ -87,14 +87,29 @@ VESICA_CALLED constexpr ClosestParts closest_parts(const Box& box, const Ellipse
   return parts;
 }
 
-/// The contact of an ellipse and the disc of radius reach > 0 about a corner. Not inlined, as above.
+/// Leads from an ellipse's centre to a corner.
+struct CornerOffset {
+  Number<2> x, y;
+
+  constexpr CornerOffset(const Box& box, const Corner& corner, const Ellipse& ellipse) noexcept {
+    const auto [i, j] = corner;
+    const Length dx = box.cx - ellipse.cx, dy = box.cy - ellipse.cy;
+    x = add(add(Number<2>(dx), box.hx * box.ux, i), box.hy * box.uy, -j);
+    y = add(add(Number<2>(dy), box.hx * box.uy, i), box.hy * box.ux, j);
+  }
+};
+
+/// The cubic of the disc of radius r > 0 about a corner and an ellipse. Not inlined, as above.
+VESICA_CALLED constexpr Cubic corner_cubic(const Box& box, const Corner& corner, const Ellipse& ellipse,
+                                           const Length& r) noexcept {
+  const CornerOffset at(box, corner, ellipse);
+  return disc_cubic(r, at.x, at.y, ellipse);
+}
+
+/// The contact of that disc and the ellipse.
 VESICA_CALLED constexpr int corner_contact(const Box& box, const Corner& corner, const Ellipse& ellipse,
                                            const Length& reach) noexcept {
-  const auto [i, j] = corner;
-  const Length dx = box.cx - ellipse.cx, dy = box.cy - ellipse.cy;
-  const Number<2> x = add(add(Number<2>(dx), box.hx * box.ux, i), box.hy * box.uy, -j);
-  const Number<2> y = add(add(Number<2>(dy), box.hx * box.uy, i), box.hy * box.ux, j);
-  const Cubic p = disc_cubic(reach, x, y, ellipse);
+  const Cubic p = corner_cubic(box, corner, ellipse, reach);
   return contact(p);
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Capsules and rounded rectangles against everything but ellipses: distances of cores compared with radii.
+/// Capsules and rounded rectangles: distances of cores compared with radii; with an ellipse its distance from corners.
 #pragma once
 
-#include <vesica/exact/inflated.hpp>
+#include <vesica/exact/inflated_ellipse.hpp>
 #include <vesica/filter/inflated.hpp>
 
 namespace vesica::detail::relation {
@@ -10,6 +10,12 @@ namespace vesica::detail::relation {
 template <class A, form::Inflated B>
 VESICA_INLINE constexpr auto certain_facts(const A& a, const B& b) noexcept {
   return filter::inflated_certain_facts(form::inflated(a), form::inflated(b));
+}
+
+template <class V, form::Inflated B>
+VESICA_INLINE constexpr auto certain_facts(const Ellipse<V>& a, const B& b) noexcept {
+  const auto [core, radius] = form::inflated(b);
+  return filter::ellipse_inflated_certain_facts(a, core, radius);
 }
 
 }  // namespace vesica::detail::relation
