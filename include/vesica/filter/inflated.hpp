@@ -138,14 +138,4 @@ VESICA_CALLED constexpr auto inflated_box_ellipse(const Box<V>& box, V radius, c
   return guarded(valid, in_masks(box_ellipse(box, inner, d)).overlap, in_masks(box_ellipse(box, outer, d)).disjoint);
 }
 
-/// Certain facts about an ellipse and a core with a radius.
-template <class V, class Core>
-VESICA_INLINE constexpr auto ellipse_inflated_certain_facts(const Ellipse<V>& e, const Core& core, V radius) noexcept {
-  const Box<V> b = box(core);
-  const Centre<V> d = offset(place(core), place(e));
-  const auto verdict = inflated_box_ellipse(b, radius, e, d);
-  const auto no = radius < radius;
-  return CertainFacts<decltype(verdict.overlap)>{verdict.disjoint, verdict.overlap, no, no, no};
-}
-
 }  // namespace vesica::filter
