@@ -42,7 +42,8 @@ Workload workload_of(Data data) {
 Numbers shrunk_to(std::int32_t kind, Numbers n, double x, double y) {
   if (kind == VESICA_SEGMENT || kind == VESICA_AABB) return {x, y, x + (n[2] - n[0]) / 4, y + (n[3] - n[1]) / 4};
   if (kind == VESICA_CIRCLE) return {x, y, n[2] / 4};
-  return {x, y, n[2], n[3], n[4] / 4, n[5] / 4};
+  if (kind == VESICA_CAPSULE) return {x, y, x + (n[2] - n[0]) / 4, y + (n[3] - n[1]) / 4, n[4] / 4};
+  return {x, y, n[2], n[3], n[4] / 4, n[5] / 4, n[6] / 4};
 }
 
 struct Kinds {
@@ -141,12 +142,18 @@ void report_relation(std::FILE* out) {
       "most %.0f\non random pairs (mixed and sparse).\n\n%-30s %6s %9s %8s %8s %8s %9s %8s %8s %8s\n",
       seed_of_run(), target, "pair/scalar/workload", "hits", "contained", "overlap", "relation", "contains",
       "interiors", "ratio", "ratio", "ratio");
-  for (std::int32_t a = 0; a < 6; ++a) {
-    for (std::int32_t b = a; b < 6; ++b) {
-      for (const Data data : all_data) {
-        if (has_workload(a, b, workload_of(data))) print(out, {a, b}, data, measure({a, b}, data));
-      }
+  const auto report = [out](std::int32_t a, std::int32_t b) {
+    for (const Data data : all_data) {
+      if (has_workload(a, b, workload_of(data))) print(out, {a, b}, data, measure({a, b}, data));
     }
+  };
+  for (std::int32_t a = 0; a < 6; ++a) {
+    for (std::int32_t b = a; b < 6; ++b) report(a, b);
+  }
+  // Each kind of core with a radius with its own kind, and with an ellipse.
+  for (const std::int32_t kind : {VESICA_CAPSULE, VESICA_ROUND_RECT}) {
+    report(VESICA_ELLIPSE, kind);
+    report(kind, kind);
   }
 }
 

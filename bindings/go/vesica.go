@@ -11,9 +11,9 @@
 //	pairs, err := index.Join(index, vesica.JoinOverlap)
 //
 // Shapes are closed and solid, and touching is overlap. Answers that are yes or no are exact for every valid input.
-// Capsules and rounded rectangles are for Check, Bounds, ShapeArea, Overlap, Nearest, Depth, SignedDistance, Within,
-// Area, IoU, ratios, suppression, Cast, ImpactTime, SweepBounds, and not with an ellipse RelationOf, Contains and
-// BoundaryDistance; the same holds of arrays. An index of them has joins by overlap or distance, Select, Nearest and casts. Other functions return ErrKind
+// Capsules and rounded rectangles are for Check, Bounds, ShapeArea, Overlap, RelationOf, Contains, Nearest, Depth,
+// SignedDistance, Within, Area, IoU, ratios, suppression, Cast, ImpactTime, SweepBounds, and BoundaryDistance but with
+// an ellipse; the same holds of arrays. An index of them has joins by overlap or distance, Select, Nearest and casts. Other functions return ErrKind
 // for them.
 //
 // Slices are used where they lie. An invalid shape is ErrShape; in a batch all other answers are written all the same.

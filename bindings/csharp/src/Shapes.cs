@@ -5,9 +5,9 @@ using System.Runtime.InteropServices;
 namespace Vesica
 {
     /// <summary>One shape: the structs Point, Rect and the like in double, PointF and the like in float.</summary>
-    /// <remarks>Capsules and rounded rectangles are for Check, Bounds, ShapeArea, Overlap, Nearest, Depth, Signed,
-    /// Within, Area, Iou, ratios, suppression, Cast, ImpactTime, SweepBounds, and not with an ellipse Relation, Contains
-    /// and BoundaryDistance; the same holds of arrays. An index of them has joins by overlap or distance, Select, Nearest and casts. Other methods
+    /// <remarks>Capsules and rounded rectangles are for Check, Bounds, ShapeArea, Overlap, Relation, Contains,
+    /// Nearest, Depth, Signed, Within, Area, Iou, ratios, suppression, Cast, ImpactTime, SweepBounds, and
+    /// BoundaryDistance but with an ellipse; the same holds of arrays. An index of them has joins by overlap or distance, Select, Nearest and casts. Other methods
     /// throw a VesicaException for them.</remarks>
     public interface IShape
     {

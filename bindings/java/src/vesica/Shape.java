@@ -4,9 +4,9 @@ package vesica;
 /**
  * One shape: a record of its numbers.
  *
- * <p>Capsules and rounded rectangles are for check, bounds, shapeArea, overlap, nearest, depth, signedDistance, within,
- * area, iou, ratios, suppression, cast, impactTime, sweepBounds, and not with an ellipse relation, contains and
- * boundaryDistance; the same holds of arrays. An index of them has joins by overlap or distance, select, nearest and casts. Other methods throw a {@link
+ * <p>Capsules and rounded rectangles are for check, bounds, shapeArea, overlap, relation, contains, nearest, depth,
+ * signedDistance, within, area, iou, ratios, suppression, cast, impactTime, sweepBounds, and boundaryDistance but with
+ * an ellipse; the same holds of arrays. An index of them has joins by overlap or distance, select, nearest and casts. Other methods throw a {@link
  * VesicaException} for them.
  */
 public sealed interface Shape permits Point, Segment, Circle, Aabb, Rect, Ellipse, Capsule, RoundRect {

@@ -7,9 +7,9 @@ use vesica_sys::{self as sys, Aabb, Capsule, Circle, Ellipse, Point, Rect, Round
 
 /// The kinds of shapes.
 ///
-/// [`Capsule`] and [`RoundRect`] are for `check`, `bounds`, `shape_area`, both overlaps, `nearest`, `depth`,
-/// `signed_distance`, `within`, `cast`, `impact_time`, `sweep_bounds`, and not with an ellipse `relation`, `contains`
-/// and `boundary_distance`; the same holds of arrays. An index of them has joins by overlap or distance, `select`,
+/// [`Capsule`] and [`RoundRect`] are for `check`, `bounds`, `shape_area`, both overlaps, `relation`, `contains`,
+/// `nearest`, `depth`, `signed_distance`, `within`, `cast`, `impact_time`, `sweep_bounds`, and `boundary_distance` but
+/// with an ellipse; the same holds of arrays. An index of them has joins by overlap or distance, `select`,
 /// `nearest` and casts. Other functions return [`Error::Kind`] for them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[allow(missing_docs)]
