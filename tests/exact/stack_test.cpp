@@ -272,4 +272,44 @@ TEST(Stack, AtMostAsPromised) {
   RecordProperty("most_bytes_of_stack", std::to_string(most_of_all));
 }
 
+/// An ellipse that a core with a radius holds, at contacts that take every stage of the decision; and at exponents that
+/// make its numbers their widest.
+TEST(Stack, AtMostAsPromisedOfAnEllipseInARoundedShape) {
+  struct Contact {
+    int kind;
+    double ellipse[6], shape[7];
+    int relation;
+  };
+  const Contact contacts[] = {
+      {VESICA_ROUND_RECT, {0, 0, 1, 0, 80, 45}, {-441, -173, 15, -8, 20, 20, 75}, VESICA_INSIDE_TOUCH},
+      {VESICA_ROUND_RECT, {0, 0, 1, 0, 585, 325}, {-1479, -752, 5, 12, 100, 100, 338}, VESICA_CROSS},
+      {VESICA_CAPSULE, {0, 0, 1, 0, 240, 135}, {0, -175, 0, -1000, 320}, VESICA_INSIDE_TOUCH},
+      {VESICA_CAPSULE, {0, 0, 1, 0, 5, 4}, {-2, 0, 2, 0, 3}, VESICA_CONTAINS_TOUCH},
+  };
+  PaintedStack stack;
+  std::size_t most = 0;
+  const auto measure = [&](const Contact& c, int expected) {
+    std::int32_t answer = VESICA_E_NULL;
+    const auto used =
+        stack.used_by([&] { answer = vesica_relation_f64(VESICA_ELLIPSE, c.ellipse, c.kind, c.shape); });
+    if (expected >= 0) {
+      EXPECT_EQ(answer, expected);
+    } else {
+      EXPECT_GE(answer, 0) << vesica_strerror(answer);
+    }
+    most = std::max(most, used);
+  };
+  for (const Contact& c : contacts) measure(c, c.relation);
+  properties::Random random(properties::seed());
+  for (int i = 0; i < 40 * properties::repeat(); ++i) {
+    Contact wide = contacts[random.below(4)];
+    for (double& x : wide.ellipse) x *= 1 + random.between(0, 0x1p-40);
+    for (double& x : wide.shape) x = std::ldexp(x, random.integer(-1000, 1000));
+    measure(wide, -1);
+  }
+  EXPECT_GT(most, 30'000U);
+  EXPECT_LE(most, promised);
+  std::printf("  ellipse, core with a radius %6zu bytes\n", most);
+}
+
 }  // namespace

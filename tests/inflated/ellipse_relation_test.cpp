@@ -266,11 +266,19 @@ TEST(InflatedEllipseRelation, KnownContacts) {
       {{E, {0, 0, 1, 0, 240, 135}}, {C, {0, -175, 0, -1000, 320}}, VESICA_INSIDE_TOUCH, VESICA_CROSS, VESICA_INSIDE},
       {{E, {0, 0, 1, 0, 240, 135}}, {R, {-100, -275, 1, 0, 100, 100, 320}}, VESICA_INSIDE_TOUCH, VESICA_CROSS,
        VESICA_INSIDE},
+      {{E, {0, 0, 1, 0, 240, 135}}, {R, {100, -275, 1, 0, 100, 100, 320}}, VESICA_INSIDE_TOUCH, VESICA_CROSS,
+       VESICA_INSIDE},
       // The second farthest point is on the arc, and the farthest one not in the corner's cone.
       {{E, {0, 0, 1, 0, 80, 45}}, {R, {-441, -173, 15, -8, 20, 20, 75}}, VESICA_INSIDE_TOUCH, VESICA_CROSS,
        VESICA_INSIDE},
+      // So is the closest point beside it; or neither is, and both are farther than the radius and closer.
+      {{E, {0, 0, 1, 0, 80, 45}}, {R, {-1180, -835, 99, -20, 10, 10, 90}}, VESICA_INSIDE_TOUCH, VESICA_CROSS,
+       VESICA_INSIDE},
+      {{E, {0, 0, 1, 0, 80, 45}}, {R, {-690, 55, 4, 3, 100, 100, 89.5}}, VESICA_INSIDE, VESICA_INSIDE, VESICA_INSIDE},
       // The same on the greater axis, which the corner is on.
       {{E, {0, 0, 3, 4, 10, 4}}, {R, {-94, -92, 1, 0, 100, 100, 40}}, VESICA_INSIDE_TOUCH, VESICA_CROSS, VESICA_INSIDE},
+      // The farthest point is on the disc, but the arc is elsewhere.
+      {{E, {0, 0, 3, 4, 10, 4}}, {R, {-94, -92, 1, 0, 100, 100, 60}}, VESICA_INSIDE, VESICA_INSIDE, VESICA_INSIDE},
       // At the end of the arc the ellipse has the curvature of the disc, and bends more beyond.
       {{E, {0, 0, 1, 0, 80, 45}}, {R, {-252, -61, 3, 4, 40, 40, 60}}, VESICA_INSIDE_TOUCH, VESICA_CROSS, VESICA_INSIDE},
       // It touches a side where the arc begins, and crosses the arc: its distance from the corner has a minimum there.
