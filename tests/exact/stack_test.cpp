@@ -290,8 +290,7 @@ TEST(Stack, AtMostAsPromisedOfAnEllipseInARoundedShape) {
   std::size_t most = 0;
   const auto measure = [&](const Contact& c, int expected) {
     std::int32_t answer = VESICA_E_NULL;
-    const auto used =
-        stack.used_by([&] { answer = vesica_relation_f64(VESICA_ELLIPSE, c.ellipse, c.kind, c.shape); });
+    const auto used = stack.used_by([&] { answer = vesica_relation_f64(VESICA_ELLIPSE, c.ellipse, c.kind, c.shape); });
     if (expected >= 0) {
       EXPECT_EQ(answer, expected);
     } else {

@@ -213,8 +213,8 @@ testing::AssertionResult agrees(const Shape& ellipse, const Shape& s) {
   return failed;
 }
 
-/// Both shapes alike: turned by a quarter, mirrored, or all lengths times a power of two. An axis is a length only where
-/// sizes are in its unit.
+/// Both shapes alike: turned by a quarter, mirrored, or all lengths times a power of two. Sizes in units of the axis
+/// stay.
 Shape turned(Shape s) {
   auto& n = s.number;
   for (const std::size_t i : {std::size_t{0}, std::size_t{2}}) n[i] = -std::exchange(n[i + 1], n[i]);
@@ -260,19 +260,34 @@ TEST(InflatedEllipseRelation, KnownContacts) {
   constexpr int C = VESICA_CAPSULE, R = VESICA_ROUND_RECT, E = VESICA_ELLIPSE;
   const Known all[] = {
       // The ellipse's farthest point from a corner is on the arc there.
-      {{E, {0, 0, 1, 0, 80, 45}}, {R, {-111, -173, 1, 0, 100, 100, 125}}, VESICA_INSIDE_TOUCH, VESICA_CROSS,
+      {{E, {0, 0, 1, 0, 80, 45}},
+       {R, {-111, -173, 1, 0, 100, 100, 125}},
+       VESICA_INSIDE_TOUCH,
+       VESICA_CROSS,
        VESICA_INSIDE},
       // Its farthest points are two, mirror images. Both are beside the end of a capsule, one is beside a corner.
       {{E, {0, 0, 1, 0, 240, 135}}, {C, {0, -175, 0, -1000, 320}}, VESICA_INSIDE_TOUCH, VESICA_CROSS, VESICA_INSIDE},
-      {{E, {0, 0, 1, 0, 240, 135}}, {R, {-100, -275, 1, 0, 100, 100, 320}}, VESICA_INSIDE_TOUCH, VESICA_CROSS,
+      {{E, {0, 0, 1, 0, 240, 135}},
+       {R, {-100, -275, 1, 0, 100, 100, 320}},
+       VESICA_INSIDE_TOUCH,
+       VESICA_CROSS,
        VESICA_INSIDE},
-      {{E, {0, 0, 1, 0, 240, 135}}, {R, {100, -275, 1, 0, 100, 100, 320}}, VESICA_INSIDE_TOUCH, VESICA_CROSS,
+      {{E, {0, 0, 1, 0, 240, 135}},
+       {R, {100, -275, 1, 0, 100, 100, 320}},
+       VESICA_INSIDE_TOUCH,
+       VESICA_CROSS,
        VESICA_INSIDE},
       // The second farthest point is on the arc, and the farthest one not in the corner's cone.
-      {{E, {0, 0, 1, 0, 80, 45}}, {R, {-441, -173, 15, -8, 20, 20, 75}}, VESICA_INSIDE_TOUCH, VESICA_CROSS,
+      {{E, {0, 0, 1, 0, 80, 45}},
+       {R, {-441, -173, 15, -8, 20, 20, 75}},
+       VESICA_INSIDE_TOUCH,
+       VESICA_CROSS,
        VESICA_INSIDE},
       // So is the closest point beside it; or neither is, and both are farther than the radius and closer.
-      {{E, {0, 0, 1, 0, 80, 45}}, {R, {-1180, -835, 99, -20, 10, 10, 90}}, VESICA_INSIDE_TOUCH, VESICA_CROSS,
+      {{E, {0, 0, 1, 0, 80, 45}},
+       {R, {-1180, -835, 99, -20, 10, 10, 90}},
+       VESICA_INSIDE_TOUCH,
+       VESICA_CROSS,
        VESICA_INSIDE},
       {{E, {0, 0, 1, 0, 80, 45}}, {R, {-690, 55, 4, 3, 100, 100, 89.5}}, VESICA_INSIDE, VESICA_INSIDE, VESICA_INSIDE},
       // The same on the greater axis, which the corner is on.
@@ -390,9 +405,10 @@ void expect_agreement_beside_contact(Shape ellipse, Shape s, Random& random, int
   const auto nested = [&] { return asked(ellipse, s) >= VESICA_INSIDE; };
   // The axis of the core stays, as its length must be rational.
   const bool of_ellipse = random.chance(0.7);
-  const std::size_t field = of_ellipse                  ? static_cast<std::size_t>(random.below(6))
-                            : s.kind == VESICA_CAPSULE ? 4
-                                                       : std::array<std::size_t, 5>{0, 1, 4, 5, 6}[static_cast<std::size_t>(random.below(5))];
+  const std::size_t field = of_ellipse ? static_cast<std::size_t>(random.below(6))
+                            : s.kind == VESICA_CAPSULE
+                                ? 4
+                                : std::array<std::size_t, 5>{0, 1, 4, 5, 6}[static_cast<std::size_t>(random.below(5))];
   double& x = of_ellipse ? ellipse.number[field] : s.number[field];
   const bool is_size = of_ellipse ? field >= 4 : s.kind == VESICA_CAPSULE || field >= 4;
   double from = x, to = is_size ? x * random.between(0.01, 4) : x + random.between(-40, 40);

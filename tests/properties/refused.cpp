@@ -18,8 +18,6 @@ constexpr Numbers samples[kinds] = {{0, 0},          {0, 0, 1, 1},         {0, 0
 
 std::int64_t ask(Question question, int kind_a, const double* a, int kind_b, const double* b) {
   switch (question) {
-    case Question::relation:
-      return vesica_relation_f64(kind_a, a, kind_b, b);
     case Question::boundary_distance: {
       vesica_closest_points_f64 points;
       return vesica_boundary_distance_f64(kind_a, a, kind_b, b, &points);
@@ -43,7 +41,7 @@ std::int64_t ask(Question question, int kind_a, const double* a, int kind_b, con
 }  // namespace
 
 const char* name(Question question) {
-  constexpr std::array<const char*, all_questions.size()> names{"relation", "boundary_distance", "crossings", "de9im",
+  constexpr std::array<const char*, all_questions.size()> names{"boundary_distance", "crossings", "de9im",
                                                                 "intersection"};
   return names.at(static_cast<std::size_t>(question));
 }

@@ -7,10 +7,10 @@
 
 namespace properties {
 
-/// The questions that refuse some pairs. Containment is answered by the relation.
-enum class Question { relation, boundary_distance, crossings, de9im, intersection };
-inline constexpr std::array all_questions{Question::relation, Question::boundary_distance, Question::crossings,
-                                          Question::de9im, Question::intersection};
+/// The questions that refuse some pairs.
+enum class Question { boundary_distance, crossings, de9im, intersection };
+inline constexpr std::array all_questions{Question::boundary_distance, Question::crossings, Question::de9im,
+                                          Question::intersection};
 const char* name(Question question);
 
 /// Asks the library about two valid shapes of these kinds.

@@ -19,7 +19,6 @@ struct Pinned {
   const char* pairs;  ///< the lower kind first
 };
 constexpr Pinned pinned[] = {
-    {Question::relation, "ellipse-capsule ellipse-round_rect "},
     {Question::boundary_distance, "ellipse-capsule ellipse-round_rect "},
     {Question::crossings, "ellipse-capsule ellipse-round_rect "},
     {Question::de9im, "ellipse-capsule ellipse-round_rect "},

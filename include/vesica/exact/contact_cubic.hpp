@@ -79,8 +79,8 @@ VESICA_CALLED constexpr void set(const Ellipse& e, const Ellipse& f, Cubic& p) n
   set(Outline(e, f), p, mu, al, be);
 }
 
-/// The same for the disc of radius r about (x, y) in place of e. As S1 = r^2, no degree exceeds 8, though those of x and
-/// y are 2.
+/// The same for the disc of radius r about (x, y) in place of e. As S1 = r^2, no degree exceeds 8, though those of x
+/// and y are 2.
 VESICA_CALLED constexpr void set(const Length& r, const Number<2>& x, const Number<2>& y, const Ellipse& f, Cubic& p,
                                  Number<8>& mu, Number<8>& al, Number<8>& be) noexcept {
   const Number<2> rr = square(r), ww = dot(f.ux, f.uy, f.ux, f.uy);

@@ -6,8 +6,8 @@
 ///
 ///   - The core with its radius is in E iff each of these discs is, since E is convex.
 ///   - Let h(n) be the greatest n.(x - p) of E's points x, for unit normals n. The cone of p has the normals with
-///     n.e >= 0 for each side of the core that ends in p, e leading out of that side. There the shape has the support of
-///     the disc about p. So E is in it iff h <= r in every cone, and reaches its outline iff h = r somewhere.
+///     n.e >= 0 for each axis e that leads out of the core at p. There the shape has the support of the disc about p. So
+///     E is in it iff h <= r in every cone, and reaches its outline iff h = r somewhere.
 ///   - At the ends of cones this says that E is within r of each side's line (side_clearance()). If it holds there, h
 ///     exceeds r inside a cone iff a local maximum there does.
 ///   - Let d lead from p to the centre, along axes of E with half lengths A1 >= A2. Where h is stationary, n is along
@@ -18,7 +18,7 @@
 ///     (J. M. Martinez, SIAM J. Optim. 4 (1994) 159). Below A2^2 there is only the least minimum N.
 ///   - If d1 = 0 the farthest points may be two, with normals that are mirror images. Both are then what d1 of either
 ///     sign stands for, and no other maximum is left.
-///   - n.e = 0 for one le only, which is rational. is_ahead() tells by phi(le) and phi'(le) on which side n lies.
+///   - n.e = 0 for one le only, which is rational. maxima_ahead() decides by phi(le) and phi'(le) on which side n lies.
 ///   - F <= r iff E is in the disc. Otherwise the cone must not have F. Let it have M, if M exists:
 ///     - If the disc and E are disjoint or touch from outside, no point of E at distance S <= r exists. But the cone's
 ///       ends are on either side of M, where h falls to S on one of them before it rises to F. So S <= r, and M does
@@ -99,7 +99,7 @@ constexpr Maxima both(const Maxima& a, const Maxima& b) noexcept {
 ///   - le - A1^2 = -k1 (A1^2 - A2^2) / d.e, le - A2^2 = k2 (A1^2 - A2^2) / d.e. So phi(le) has the sign of
 ///     (d.e)^2 p - p01^2, and phi'(le), where k1 and k2 have one sign, that of A1^2 |d2 e2^3| - A2^2 |d1 e1^3|.
 ///   - Beyond A1^2, n.e has the sign of k1 / (l - A1^2) + k2 / (l - A2^2). If k1 and k2 have one sign, it is theirs.
-///     Otherwise it is that of k1 unless d.e has the other one and l > le, which is phi(le) > 0: then it is that of d.e.
+///     Otherwise it is that of k1, unless d.e has the other one and l > le, which is phi(le) > 0. Then it is d.e's.
 ///   - Between A2^2 and A1^2, n.e has the sign of k2 / (l - A2^2) - k1 / (A1^2 - l), decided unless k1 and k2 have one
 ///     sign. Then it is theirs iff l < le, which is phi(le) > 0 and phi'(le) > 0 for the greater root.
 VESICA_CALLED constexpr Maxima maxima_ahead(const SeenFromCorner& d, const OutwardAxis& e, const Number<6>& p,

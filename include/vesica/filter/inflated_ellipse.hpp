@@ -107,8 +107,9 @@ VESICA_CALLED constexpr CertainFacts<bool> ellipse_inflated_certain_facts(const 
     const double along = (quarter == 0 || quarter == 3 ? box.hx : -box.hx) + reach * p.x,
                  across = (quarter < 2 ? box.hy : -box.hy) + reach * p.y;
     const double m0 = e.b * ((along * f.c + across * f.s) - x0), m1 = e.a * ((across * f.c - along * f.s) - x1);
-    return {det - (m0 * m0 + m1 * m1), ((error0 + error0) * (abs(m0) + error0) +
-                                        (error1 + error1) * (abs(m1) + error1)) + roundoffs<double>(16) * det};
+    return {det - (m0 * m0 + m1 * m1),
+            ((error0 + error0) * (abs(m0) + error0) + (error1 + error1) * (abs(m1) + error1)) +
+                roundoffs<double>(16) * det};
   };
   const int inside = circle_within(in_core), contains = inside > 0 ? -1 : circle_within(in_conic);
   return {false, true, inside > 0, contains > 0, inside < 0 && contains < 0};
