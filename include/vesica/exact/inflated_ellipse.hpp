@@ -6,8 +6,8 @@
 ///
 ///   - The core with its radius is in E iff each of these discs is, since E is convex.
 ///   - Let h(n) be the greatest n.(x - p) of E's points x, for unit normals n. The cone of p has the normals with
-///     n.e >= 0 for each axis e that leads out of the core at p. There the shape has the support of the disc about p. So
-///     E is in it iff h <= r in every cone, and reaches its outline iff h = r somewhere.
+///     n.e >= 0 for each axis e that leads out of the core at p. There the shape has the support of the disc about p.
+///     So E is in it iff h <= r in every cone, and reaches its outline iff h = r somewhere.
 ///   - At the ends of cones this says that E is within r of each side's line (side_clearance()). If it holds there, h
 ///     exceeds r inside a cone iff a local maximum there does.
 ///   - Let d lead from p to the centre, along axes of E with half lengths A1 >= A2. Where h is stationary, n is along
