@@ -383,7 +383,7 @@ Shape ellipse_on_lattice(Random& random) {
 TEST(InflatedEllipseRelation, AgreesWithRationalNumbersOnALattice) {
   Random random(properties::seed());
   std::array<int, 8> seen{};
-  const int cases = 40000 * properties::repeat();
+  const int cases = 12000 * properties::repeat();
   for (int i = 0; i < cases; ++i) {
     const Shape ellipse = ellipse_on_lattice(random);
     const Shape s = on_lattice(random.chance(0.5) ? VESICA_CAPSULE : VESICA_ROUND_RECT, random);
@@ -432,7 +432,7 @@ void expect_agreement_beside_contact(Shape ellipse, Shape s, Random& random, int
 TEST(InflatedEllipseRelation, AgreesWithRationalNumbersBesideContact) {
   Random random(properties::seed());
   int found = 0;
-  const int cases = 12000 * properties::repeat();
+  const int cases = 6000 * properties::repeat();
   for (int i = 0; i < cases; ++i) {
     Shape ellipse = ellipse_on_lattice(random);
     for (std::size_t k = 0; k < 6; ++k) ellipse.number[k] *= random.between(0.8, 1.25);

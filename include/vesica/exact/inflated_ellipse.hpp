@@ -174,6 +174,17 @@ VESICA_CALLED constexpr Relation corner_relation(const Box& box, const Corner& c
   return relation(p);
 }
 
+/// How far r is above M, where a disc about a corner and an ellipse cross. Not inlined, as above.
+VESICA_CALLED constexpr int second_clearance(const Box& box, const Corner& corner, const Ellipse& ellipse,
+                                             const Length& r) noexcept {
+  const Cubic p = corner_cubic(box, corner, ellipse, r);
+  const int roots = discriminant_sign(p);
+  if (roots != 0) return -roots;
+  // A root of p is -r^2 / l: the greater root stands for the greater l.
+  const int place = double_root_place(p);
+  return place > 0 ? 0 : place < 0 ? -1 : 1;
+}
+
 /// How far r is above the maxima in a corner's cone: 1, 0 or -1.
 constexpr int cone_clearance(const Box& box, const Corner& corner, const Ellipse& ellipse, const Length& r,
                              const Maxima& maxima) noexcept {
@@ -182,13 +193,7 @@ constexpr int cone_clearance(const Box& box, const Corner& corner, const Ellipse
   if (disc == Relation::contains) return 1;
   if (disc == Relation::contains_touch || disc == Relation::equal) return has_first ? 0 : 1;
   if (has_first || disc == Relation::inside || disc == Relation::inside_touch) return -1;
-  if (disc != Relation::cross) return 1;
-  const Cubic p = corner_cubic(box, corner, ellipse, r);
-  const int roots = discriminant_sign(p);
-  if (roots != 0) return -roots;
-  // A root of p is -r^2 / l: the greater root stands for the greater l.
-  const int place = double_root_place(p);
-  return place > 0 ? 0 : place < 0 ? -1 : 1;
+  return disc == Relation::cross ? second_clearance(box, corner, ellipse, r) : 1;
 }
 
 }  // namespace detail
@@ -218,12 +223,24 @@ constexpr int clearance(const InflatedBox& a, const Ellipse& ellipse) noexcept {
   return least;
 }
 
+namespace detail {
+
+// Not inlined: the contact cubics are computed without the stack of these.
+
+/// The relation where the ellipse has no area, or the core no radius.
+VESICA_CALLED constexpr Relation relation_of_simpler(const InflatedBox& a, const Ellipse& b) noexcept {
+  return degenerate(b) ? relate(a, InflatedBox{as_box(b), {}}) : relate(a.core, b);
+}
+VESICA_CALLED constexpr int called_contact(const InflatedBox& a, const Ellipse& b) noexcept {
+  return contact(a.core, b, a.radius, Common::insides);
+}
+
+}  // namespace detail
+
 constexpr Relation relate(const InflatedBox& a, const Ellipse& b) noexcept {
-  const auto& [core, radius] = a;
-  if (degenerate(b)) return relate(a, InflatedBox{as_box(b), {}});
-  if (radius.sign == 0) return relate(core, b);
-  if (detail::is_point(core)) return relation(Ellipse{core.cx, core.cy, from_double(1), {}, radius, radius}, b);
-  const int touching = contact(core, b, radius, Common::insides);
+  if (degenerate(b) || a.radius.sign == 0) return detail::relation_of_simpler(a, b);
+  if (detail::is_point(a.core)) return detail::corner_relation(a.core, {1, 1}, b, a.radius);
+  const int touching = detail::called_contact(a, b);
   if (touching >= 0) return touching > 0 ? Relation::disjoint : Relation::touch;
   return detail::relation_of(touching, clearance(a, b), clearance(b, a));
 }
