@@ -213,8 +213,7 @@ testing::AssertionResult agrees(const Shape& ellipse, const Shape& s) {
   return failed;
 }
 
-/// Both shapes alike: turned by a quarter, mirrored, or all lengths times a power of two. Sizes in units of the axis
-/// stay.
+/// Both shapes alike: turned by a quarter, or mirrored.
 Shape turned(Shape s) {
   auto& n = s.number;
   for (const std::size_t i : {std::size_t{0}, std::size_t{2}}) n[i] = -std::exchange(n[i + 1], n[i]);
@@ -225,13 +224,6 @@ Shape mirrored(Shape s) {
   n[1] = -n[1], n[3] = -n[3];
   return s;
 }
-Shape times(Shape s, double k) {
-  for (std::size_t i = 0; i < 4; ++i) s.number[i] *= k;
-  if (s.kind == VESICA_CAPSULE) s.number[4] *= k;
-  s.number[6] *= k;
-  return s;
-}
-
 void expect_laws(const Shape& ellipse, const Shape& s, int code) {
   EXPECT_EQ(asked(s, ellipse), converse(code));
   EXPECT_EQ(asked(turned(ellipse), turned(s)), code);
