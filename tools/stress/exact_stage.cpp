@@ -47,7 +47,7 @@ std::int32_t relate(const A& a, const B& b) {
     return static_cast<std::int32_t>(
         vesica::exact::relate(vesica::exact::inflated_box(a), vesica::exact::inflated_box(b)));
   } else {
-    return VESICA_E_KIND;
+    return static_cast<std::int32_t>(vesica::exact::relate(vesica::exact::form(a), vesica::exact::inflated_box(b)));
   }
 }
 
@@ -64,14 +64,6 @@ std::int32_t exact_overlap(const Pair& p) {
 }
 
 std::int32_t exact_relation(const Pair& p) {
-  if (is_refused(Query::relation, p.kind_a, p.kind_b)) {
-    if (exact_overlap(p) == 0) return VESICA_DISJOINT;
-    return vesica_interiors_overlap_f64(p.kind_a, p.a.data(), p.kind_b, p.b.data()) == 1 ? VESICA_CROSS : VESICA_TOUCH;
-  }
-  const bool has_ellipse = p.kind_a == VESICA_ELLIPSE || p.kind_b == VESICA_ELLIPSE;
-  if (has_ellipse && (is_inflated(p.kind_a) || is_inflated(p.kind_b))) {
-    return vesica_relation_f64(p.kind_a, p.a.data(), p.kind_b, p.b.data());
-  }
   return with_pair(p, []<class A, class B>(const A& a, const B& b) {
     if constexpr (!vesica::detail::in_order<A, B>) {
       const auto reversed = static_cast<vesica::Relation>(relate(b, a));

@@ -84,9 +84,10 @@ bool is_refused(Query query, int kind_a, int kind_b) {
   constexpr struct {
     Query query;
     Question question;
-  } questions[] = {{Query::relation, Question::relation},   {Query::contains, Question::relation},
-                   {Query::crossings, Question::crossings}, {Query::boundary_distance, Question::boundary_distance},
-                   {Query::de9im, Question::de9im},         {Query::intersection, Question::intersection}};
+  } questions[] = {{Query::crossings, Question::crossings},
+                   {Query::boundary_distance, Question::boundary_distance},
+                   {Query::de9im, Question::de9im},
+                   {Query::intersection, Question::intersection}};
   for (const auto& q : questions) {
     if (q.query == query) return properties::refuses(q.question, kind_a, kind_b);
   }
