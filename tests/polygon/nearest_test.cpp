@@ -62,7 +62,7 @@ inline double distance_from(double x, double y, const Given& s, Function functio
 TEST(PolygonNearest, AgreesWithIntegers) {
   Random random(159);
   int met = 0, nested = 0;
-  const int pairs = 60000 * properties::repeat();
+  const int pairs = 30000 * properties::repeat();
   for (int i = 0; i < pairs; ++i) {
     const int size = random.integer(2, 30);
     Path a = lattice_path(size, random), b = lattice_path(random.integer(2, size), random);

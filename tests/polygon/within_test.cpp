@@ -23,7 +23,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std:
 TEST(PolygonWithin, AgreesWithIntegers) {
   Random random(259);
   int yes = 0, equal = 0;
-  const int pairs = 100000 * properties::repeat();
+  const int pairs = 40000 * properties::repeat();
   for (int i = 0; i < pairs; ++i) {
     const int size = random.integer(2, 20);
     Path a = lattice_path(size, random), b = lattice_path(random.integer(2, size), random);

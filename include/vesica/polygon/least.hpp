@@ -151,22 +151,19 @@ class LeastOfPairs {
 
   bool keeps(const Box& a, const Box& b) const noexcept { return least_.keeps_squared(squared_gap(a, b)); }
 
-  /// True if the edges meet: nothing is closer.
+  /// True if the edges meet: nothing is closer. Other pairs wait, since most are found to be farther than another.
   bool visit(const Edge& e, std::int64_t i, const Edge& f, std::int64_t j) noexcept {
-    const bool met = meet(box_of(e), box_of(f)) && vesica::overlap(e, f);
-    if (!met) {
-      // Below this square its terms may underflow.
-      const double squared = squared_distance(e, f);
-      if (squared > 0x1p-900 && !least_.keeps_squared(squared)) return false;
+    if (meet(box_of(e), box_of(f)) && vesica::overlap(e, f)) {
+      ask({e, f, i, j, 0});
+      return true;
     }
-    Points points;
-    const std::int32_t error = nearest_or_error(e, f, points);
-    if (error != 0) {
-      least_.refuse(error);
-      return false;
-    }
-    least_.offer(points, i, j);
-    return met;
+    const double squared = squared_distance(e, f);
+    const bool underflows = !(squared > 0x1p-900);  // perhaps, in one of its terms
+    if (!underflows && !least_.keeps_squared(squared)) return false;
+    if (!underflows) least_.lower(std::sqrt(squared));
+    if (count_ == room) settle();
+    waiting_[count_++] = {e, f, i, j, underflows ? 0 : squared};
+    return false;
   }
 
   /// A first bound, by a few vertices of each path.
@@ -182,9 +179,32 @@ class LeastOfPairs {
     least_.lower(std::sqrt(squared));
   }
 
-  std::int32_t result(Points& out) const noexcept { return least_.result(out); }
+  std::int32_t result(Points& out) noexcept {
+    settle();
+    return least_.result(out);
+  }
 
  private:
+  static constexpr int room = 16;
+  struct Waiting {
+    Edge e, f;
+    std::int64_t i, j;
+    double squared;  // a bound
+  };
+
+  void ask(const Waiting& pair) noexcept {
+    Points points;
+    const std::int32_t error = nearest_or_error(pair.e, pair.f, points);
+    if (error != 0) return least_.refuse(error);
+    least_.offer(points, pair.i, pair.j);
+  }
+  void settle() noexcept {
+    for (int k = 0; k < count_; ++k) {
+      if (least_.keeps_squared(waiting_[k].squared)) ask(waiting_[k]);
+    }
+    count_ = 0;
+  }
+
   template <class T, class Visit>
   static void each_sample(const Edges<T>& edges, Visit visit) noexcept {
     const Range all = edges.all();
@@ -193,6 +213,8 @@ class LeastOfPairs {
   }
 
   Least least_;
+  int count_ = 0;
+  Waiting waiting_[room];
 };
 
 /// -1, 0 or 1 as two numbers are in order, equal, or not.
