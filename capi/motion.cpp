@@ -2,6 +2,7 @@
 // Shapes that move: two, arrays of them, and one through an index.
 #include <cstring>
 #include <vesica/impact_time.hpp>
+#include <vesica/polygon/bounds.hpp>
 
 #include "index_arguments.hpp"
 #include "join/cast.hpp"
@@ -98,12 +99,29 @@ consteval RestOfCasts<T> rest_of_casts() noexcept {
 template <class T>
 constinit const RestOfCasts<T> casts_by_kind = rest_of_casts<T>();
 
+constexpr bool is_path(int32_t kind) noexcept { return vesica::is_kind(kind) && !vesica::is_row(kind); }
+/// True if casts take shapes of this kind.
+constexpr bool casts_take(int32_t kind) noexcept { return vesica::has_core(kind) || is_path(kind); }
+
+template <class T, class Out>
+int32_t cast_path(int32_t kind_a, const void* a, int32_t kind_b, const void* b, const Motion& motion,
+                  Out* out) noexcept {
+  if (!casts_take(kind_a) || !casts_take(kind_b)) return VESICA_E_KIND;
+  if (!vesica::detail::cast::is_sound(motion)) return VESICA_E_ARGUMENT;
+  Impact<T> impact = vesica::detail::cast::no_impact<T>();
+  constexpr bool is_float = std::is_same_v<T, float>;
+  const int32_t code = vesica::polygon::cast({kind_a, is_float, a}, {kind_b, is_float, b}, motion, impact);
+  if (code >= 0) write(impact, out);
+  return code;
+}
+
 template <class T, class Out>
 int32_t cast_any(int32_t kind_a, const void* a, int32_t kind_b, const void* b, T vx, T vy, T end, Out* out) noexcept {
   VESICA_DEFAULT_ENVIRONMENT((cast_any<T, Out>), kind_a, a, kind_b, b, vx, vy, end, out);
   if (a == nullptr || b == nullptr || out == nullptr) return VESICA_E_NULL;
-  if (!vesica::has_core(kind_a) || !vesica::has_core(kind_b)) return VESICA_E_KIND;
   const Motion motion = motion_of(vx, vy, end);
+  if (is_path(kind_a) || is_path(kind_b)) return cast_path<T>(kind_a, a, kind_b, b, motion, out);
+  if (!vesica::has_core(kind_a) || !vesica::has_core(kind_b)) return VESICA_E_KIND;
   if (kind_b == VESICA_POINT) {
     return vesica::with_core(kind_a, [&]<template <class> class Shape>(vesica::Named<Shape>) {
       return cast_shapes<Shape<T>, vesica::Point<T>, T>(a, b, motion, out);
@@ -176,7 +194,7 @@ int64_t many(const CShapesOf<T>* a, const CShapesOf<T>* b, const T* vx, const T*
   const void* some = nullptr;
   for (const T* column : columns) some = column != nullptr ? column : some;
   const bool has_velocities = vx != nullptr && vy != nullptr;
-  const int32_t error = check_call(a, b, has_velocities ? some : nullptr, anything(a, b), vesica::has_core);
+  const int32_t error = check_call(a, b, has_velocities ? some : nullptr, anything(a, b), casts_take);
   if (error != 0) return error;
   const int64_t n = pairs_in_step(*a, *b);
   if (n < 0 || !addressable(n, stride) || !(end >= 0)) return VESICA_E_ARGUMENT;
@@ -196,7 +214,7 @@ template <class T, class Out>
 int64_t first(const CShapesOf<T>* shapes, const CShapesOf<T>* one, T vx, T vy, T end, Out* out) noexcept {
   VESICA_DEFAULT_ENVIRONMENT((first<T, Out>), shapes, one, vx, vy, end, out);
   if (out == nullptr) return VESICA_E_NULL;
-  const int32_t error = check_call(shapes, one, out, anything(shapes, one), vesica::has_core);
+  const int32_t error = check_call(shapes, one, out, anything(shapes, one), casts_take);
   if (error != 0) return error;
   if (one->count == 1 && has_null(*one)) return VESICA_E_NULL;  // it is looked at even if there are no others
   const Motion motion = motion_of(vx, vy, end);
@@ -214,7 +232,7 @@ int32_t sweep_bounds(int32_t kind, const void* shape, T vx, T vy, T end, Out* ou
   if (out == nullptr) return VESICA_E_NULL;
   vesica::Aabb<T> box;
   const int32_t error = vesica::with_shape<T>(
-      kind, shape, [&](const vesica::HasCore auto& s) { return vesica::sweep_bounds(s, vx, vy, end, box); });
+      kind, shape, [&](const vesica::CoreOrPath auto& s) { return vesica::sweep_bounds(s, vx, vy, end, box); });
   if (error == 0) *out = {box.min_x, box.min_y, box.max_x, box.max_y};
   return error;
 }

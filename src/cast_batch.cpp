@@ -6,11 +6,12 @@
 #include <cstring>
 #include <limits>
 #include <vesica/cast.hpp>
+#include <vesica/cast/before.hpp>
 
 #include "kernels/cast_columns.hpp"
 #include "number_columns.hpp"
+#include "polygon/arrays.hpp"
 #include "queries/cast.hpp"
-#include "queries/cast_before.hpp"
 
 namespace vesica::batch {
 
@@ -25,6 +26,16 @@ inline constexpr std::int64_t fewest_for_lanes = 4;
 /// An invalid shape shows before anything else.
 void note(std::int32_t error, std::int32_t& worst) noexcept {
   if (error < 0 && worst != error_shape) worst = error;
+}
+
+/// Element i; in step with another array, whose count of 1 repeats.
+template <class Item, class T>
+Item item_at(const Shapes<T>& shapes, std::int64_t i) noexcept {
+  if constexpr (std::is_same_v<Item, Body>) {
+    return body_at(shapes, i);
+  } else {
+    return {shapes, shapes.count == 1 ? 0 : i};
+  }
 }
 
 bool is_valid(const Body& body) noexcept {
@@ -173,14 +184,25 @@ class CastBlock {
   }
 };
 
-/// One pair, by the scalar function.
+/// The same for an element of a pair with a polygon or a polyline.
 template <class T>
-[[gnu::noinline]] void ask(const Body& first, const Body& second, const Motion& motion, CastTally& tally,
+bool is_valid(const Element<T>& element) noexcept {
+  return polygon::is_valid(element.operand());
+}
+template <class T>
+std::int32_t cast(const Element<T>& first, const Element<T>& second, const Motion& motion, Impact<T>& impact) noexcept {
+  return polygon::cast(first.operand(), second.operand(), motion, impact);
+}
+using queries::cast;
+
+/// One pair, by the scalar function.
+template <class T, class Item>
+[[gnu::noinline]] void ask(const Item& first, const Item& second, const Motion& motion, CastTally& tally,
                            Impact<T>& impact) noexcept {
   impact = detail::cast::no_impact<T>();
   const bool moves = detail::cast::is_sound(motion);
   const std::int32_t still = moves || (is_valid(first) && is_valid(second)) ? error_argument : error_shape;
-  const std::int32_t code = moves ? queries::cast(first, second, motion, impact) : still;
+  const std::int32_t code = moves ? cast(first, second, motion, impact) : still;
   if (code < 0) impact.t = std::numeric_limits<T>::quiet_NaN();
   tally.hits += code > 0;
   note(code, tally.error);
@@ -194,8 +216,8 @@ void put(const Impact<T>& impact, std::int64_t i, T* const (&columns)[5]) noexce
   }
 }
 
-/// Elements [begin, end) one by one.
-template <class T>
+/// Elements [begin, end) one by one; Item: Body, or Element<T> with a path.
+template <class Item, class T>
 [[gnu::noinline]] void ask_each(const Shapes<T>& a, const Shapes<T>& b, const Velocities<T>& v, double t_end,
                                 std::int64_t begin, std::int64_t end, T* const (&columns)[5],
                                 CastTally& tally) noexcept {
@@ -203,7 +225,7 @@ template <class T>
     const Motion motion{static_cast<double>(v.vx.advanced(i * v.stride)[0]),
                         static_cast<double>(v.vy.advanced(i * v.stride)[0]), t_end};
     Impact<T> impact;
-    ask(body_at(a, i), body_at(b, i), motion, tally, impact);
+    ask(item_at<Item>(a, i), item_at<Item>(b, i), motion, tally, impact);
     put(impact, i, columns);
   }
 }
@@ -262,7 +284,7 @@ void cast_many_in_lanes(const Shapes<T>& a, const Shapes<T>& b, std::int64_t n, 
     const std::int32_t length = block_length(n - begin, query_block);
     if (blocks_to_ask > 0) {
       --blocks_to_ask;
-      ask_each(a, b, v, end, begin, begin + length, columns, tally);
+      ask_each<Body>(a, b, v, end, begin, begin + length, columns, tally);
       continue;
     }
     block.set(a, b, v, begin, length);
@@ -273,10 +295,10 @@ void cast_many_in_lanes(const Shapes<T>& a, const Shapes<T>& b, std::int64_t n, 
 }
 
 /// The earliest so far, and the shape that moves.
-template <class T>
+template <class T, class Item>
 struct FirstSearch {
   const Shapes<T>& many;
-  Body moving;
+  Item moving;
   Motion motion;
   FirstHit first;
   Impact<T> best;
@@ -290,10 +312,10 @@ struct FirstSearch {
     first.index = i;
   }
   /// Element i, by the scalar function.
-  [[gnu::noinline]] void ask(std::int64_t i, const Body& still, double end) noexcept {
+  [[gnu::noinline]] void ask(std::int64_t i, const Item& still, double end) noexcept {
     Impact<T> impact;
-    const std::int32_t code = queries::cast_before(end, motion.end, [&](double until) {
-      return queries::cast(still, moving, {motion.vx, motion.vy, until}, impact);
+    const std::int32_t code = detail::cast::cast_before(end, motion.end, [&](double until) {
+      return cast(still, moving, {motion.vx, motion.vy, until}, impact);
     });
     note(code, first.error);
     if (code > 0) take(i, impact);
@@ -305,13 +327,13 @@ struct FirstSearch {
     for (std::int64_t i = 0; i < many.count; ++i) {
       // Among equal times the first element counts. Contact before the next number has the time of the best.
       const auto next = static_cast<double>(detail::arithmetic::next_above(best.t));
-      ask(i, body_at(many, i), i > first.index ? end() : next < motion.end ? next : motion.end);
+      ask(i, item_at<Item>(many, i), i > first.index ? end() : next < motion.end ? next : motion.end);
     }
   }
 };
 
 template <class T>
-void cast_first_in_lanes(const Shapes<T>& one, FirstSearch<T>& search) noexcept {
+void cast_first_in_lanes(const Shapes<T>& one, FirstSearch<T, Body>& search) noexcept {
   const Shapes<T>& many = search.many;
   const T vx = static_cast<T>(search.motion.vx), vy = static_cast<T>(search.motion.vy);
   const Velocities<T> v{Unaligned<T>(&vx), Unaligned<T>(&vy), 0};
@@ -343,29 +365,41 @@ template <class T>
 CastTally cast_many(const Shapes<T>& a, const Shapes<T>& b, std::int64_t n, const Velocities<T>& v, double end,
                     T* const (&columns)[5]) noexcept {
   CastTally tally;
+  if (has_path(a, b)) {
+    ask_each<Element<T>>(a, b, v, end, 0, n, columns, tally);
+    return tally;
+  }
   if constexpr (has_cast_kernels) {
     if (in_lanes(n)) {
       cast_many_in_lanes(a, b, n, v, end, columns, tally);
       return tally;
     }
   }
-  ask_each(a, b, v, end, 0, n, columns, tally);
+  ask_each<Body>(a, b, v, end, 0, n, columns, tally);
   return tally;
+}
+
+template <class Item, class T>
+FirstHit find_first(const Shapes<T>& many, const Shapes<T>& one, const Motion& motion, Impact<T>& out) noexcept {
+  FirstSearch<T, Item> search{many, item_at<Item>(one, 0), motion, {many.count, 0}, detail::cast::no_impact<T>()};
+  if (!is_valid(search.moving)) return {0, error_shape};
+  bool asked = false;
+  if constexpr (has_cast_kernels && std::is_same_v<Item, Body>) {
+    asked = in_lanes(many.count);
+    if (asked) cast_first_in_lanes(one, search);
+  }
+  for (std::int64_t i = asked ? many.count : 0; i < many.count; ++i) {
+    search.ask(i, item_at<Item>(many, i), search.end());
+  }
+  search.settle();
+  if (search.first.error == 0) out = search.best;
+  return search.first;
 }
 
 template <class T>
 FirstHit cast_first(const Shapes<T>& many, const Shapes<T>& one, const Motion& motion, Impact<T>& out) noexcept {
-  FirstSearch<T> search{many, body_at(one, 0), motion, {many.count, 0}, detail::cast::no_impact<T>()};
-  if (!is_valid(search.moving)) return {0, error_shape};
-  bool asked = false;
-  if constexpr (has_cast_kernels) {
-    asked = in_lanes(many.count);
-    if (asked) cast_first_in_lanes(one, search);
-  }
-  for (std::int64_t i = asked ? many.count : 0; i < many.count; ++i) search.ask(i, body_at(many, i), search.end());
-  search.settle();
-  if (search.first.error == 0) out = search.best;
-  return search.first;
+  return has_path(many, one) ? find_first<Element<T>>(many, one, motion, out)
+                             : find_first<Body>(many, one, motion, out);
 }
 
 #define VESICA_CASTS(T)                                                                                        \

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The questions of polygons, compiled as one object. NOLINTBEGIN(bugprone-suspicious-include)
+#include "polygon/cast.cpp"
 #include "polygon/distances.cpp"
 #include "polygon/overlap.cpp"
 #include "polygon/within.cpp"

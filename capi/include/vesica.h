@@ -85,6 +85,7 @@ extern "C" {
  *   overlap
  *   nearest, boundary_distance
  *   signed_distance, within (VESICA_E_KIND for a depth of overlapping shapes)
+ *   cast, cast_first, sweep_bounds
  * the arrays of these, indexes, index_select, index_nearest, and joins by overlap or bounds.
  */
 #define VESICA_POINT 0   /**< x y */

@@ -60,13 +60,16 @@ typedef struct {
  * corners meet, or a shape has no area, they may also separate.
  * Exchanging the shapes and reversing the velocity changes neither the answer nor the time. It reverses the normal, up
  * to rounding.
+ * A polygon or polyline is hit as the first of its edges is. Of several edges hit at one time, one hit from the front
+ * counts before one that b slides along. If it overlaps at the start, the normal is that of the overlapping edge that
+ * b moves into most directly. If no edge overlaps, one shape holds the other, and the normal is (0, 0).
  * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
  * Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline
  * before it is rounded; along the outline it may be off by (8 u scale + 4 u R) / |n.v|, n and v of unit length, R the
  * greatest radius of curvature of a: of an ellipse its long half length squared over the short one, far more than its
  * size if it is thin. The normal has length 1 to 4 u.
  * Cost: a small multiple of vesica_overlap_f64 for a miss, ten times that for a hit. Rays (b a point), two circles and
- * two ellipses take less.
+ * two ellipses take less. For polygons, a few comparisons an edge, and a cast for each edge in the swept box.
  */
 VESICA_API int32_t vesica_cast_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b, double vx, double vy,
                                    double t_end, vesica_impact_f64 *out);

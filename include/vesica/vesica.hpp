@@ -25,6 +25,7 @@
 #include <vesica/nearest.hpp>
 #include <vesica/overlap.hpp>
 #include <vesica/polygon/bounds.hpp>
+#include <vesica/polygon/cast.hpp>
 #include <vesica/polygon/distances.hpp>
 #include <vesica/polygon/overlap.hpp>
 #include <vesica/polygon/within.hpp>

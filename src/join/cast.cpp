@@ -3,10 +3,10 @@
 
 #include <limits>
 #include <vesica/arithmetic/rounding.hpp>
+#include <vesica/cast/before.hpp>
 #include <vesica/shapes.hpp>
 
 #include "index/frame.hpp"
-#include "queries/cast_before.hpp"
 
 namespace vesica::index {
 
@@ -222,7 +222,7 @@ class First {
 
   void ask(std::uint32_t item) noexcept {
     double t;
-    const std::int32_t code = queries::cast_before(
+    const std::int32_t code = detail::cast::cast_before(
         limit_, cast_.end, [&](double until) { return cast_.targets.ask(cast_.targets.context, item, until, t); });
     if (code < 0) best_.error = code;
     if (code <= 0 || (some() && (t > best_.t || (t == best_.t && item > best_.item)))) return;

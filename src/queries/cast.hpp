@@ -7,6 +7,7 @@
 #include <vesica/impact_time/scene.hpp>
 
 #include "batch.hpp"
+#include "polygon/answers.hpp"
 
 namespace vesica::queries {
 
@@ -70,6 +71,24 @@ std::int32_t impact_time(const Body& a, const Turn<double>& turn_a, const Body& 
                          double tolerance, Impact<T>& out, T& gap) noexcept;
 
 }  // namespace vesica::queries
+
+namespace vesica::polygon {
+
+/// The same for operands of which one is a path. The motion is sound.
+std::int32_t cast(const Operand& a, const Operand& b, const detail::cast::Motion& motion, Impact<double>& out) noexcept;
+
+bool is_valid(const Operand& s) noexcept;
+
+/// Rounded to T, as above.
+template <class T>
+std::int32_t cast(const Operand& a, const Operand& b, const detail::cast::Motion& motion, Impact<T>& out) noexcept {
+  Impact<double> found;
+  const std::int32_t code = cast(a, b, motion, found);
+  if (code <= 0) return code;
+  return detail::cast::rounded_to(found, out) ? code : error_range;
+}
+
+}  // namespace vesica::polygon
 
 namespace vesica::batch {
 

@@ -3676,7 +3676,10 @@ extern "C" {
     /// the point of vesica_nearest_f64. Shapes that only touch at the start move apart or slide if (nx, ny).(vx, vy)
     /// \>= 0. Otherwise they approach, but where corners meet, or a shape has no area, they may also separate.
     /// Exchanging the shapes and reversing the velocity changes neither the answer nor the time. It reverses the
-    /// normal, up to rounding.
+    /// normal, up to rounding. A polygon or polyline is hit as the first of its edges is. Of several edges hit at one
+    /// time, one hit from the front counts before one that b slides along. If it overlaps at the start, the normal is
+    /// that of the overlapping edge that b moves into most directly. If no edge overlaps, one shape holds the other,
+    /// and the normal is (0, 0).
     ///
     /// Requires: vx and vy finite; both may be 0. t_end \>= 0, or infinity.
     ///
@@ -3695,7 +3698,7 @@ extern "C" {
     /// shorter size.
     ///
     /// Cost: a small multiple of vesica_overlap_f64 for a miss, ten times that for a hit. Rays (b a point), two circles
-    /// and two ellipses take less.
+    /// and two ellipses take less. For polygons, a few comparisons an edge, and a cast for each edge in the swept box.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, vx: f64, vy: f64, t_end: f64,
@@ -3945,7 +3948,10 @@ extern "C" {
     /// the point of vesica_nearest_f32. Shapes that only touch at the start move apart or slide if (nx, ny).(vx, vy)
     /// \>= 0. Otherwise they approach, but where corners meet, or a shape has no area, they may also separate.
     /// Exchanging the shapes and reversing the velocity changes neither the answer nor the time. It reverses the
-    /// normal, up to rounding.
+    /// normal, up to rounding. A polygon or polyline is hit as the first of its edges is. Of several edges hit at one
+    /// time, one hit from the front counts before one that b slides along. If it overlaps at the start, the normal is
+    /// that of the overlapping edge that b moves into most directly. If no edge overlaps, one shape holds the other,
+    /// and the normal is (0, 0).
     ///
     /// Requires: vx and vy finite; both may be 0. t_end \>= 0, or infinity.
     ///
@@ -3964,7 +3970,7 @@ extern "C" {
     /// shorter size.
     ///
     /// Cost: a small multiple of vesica_overlap_f32 for a miss, ten times that for a hit. Rays (b a point), two circles
-    /// and two ellipses take less.
+    /// and two ellipses take less. For polygons, a few comparisons an edge, and a cast for each edge in the swept box.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, vx: f32, vy: f32, t_end: f32,

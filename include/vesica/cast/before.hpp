@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Casts in which only contact before a time counts, for the first of many.
+/// Casts in which only contact before a time counts, for the first of many.
 #pragma once
 
 #include <cstdint>
 #include <initializer_list>
 #include <vesica/shapes.hpp>
 
-namespace vesica::queries {
+namespace vesica::detail::cast {
 
 /// ask(end) for an end at the limit. The place then may have more digits than exact numbers hold, where at a rounder
 /// time it does not: so if that is out of range, later ends are asked, up to the end of the whole motion. Contact may
-/// then
-/// be found that is later than the limit.
+/// then be found that is later than the limit.
 template <class Ask>
 std::int32_t cast_before(double limit, double whole, const Ask& ask) noexcept {
   std::int32_t code = ask(limit);
@@ -22,4 +21,4 @@ std::int32_t cast_before(double limit, double whole, const Ask& ask) noexcept {
   return code;
 }
 
-}  // namespace vesica::queries
+}  // namespace vesica::detail::cast
