@@ -86,7 +86,7 @@ extern "C" {
  *   nearest, boundary_distance
  *   signed_distance, within (VESICA_E_KIND for a depth of overlapping shapes)
  *   cast, cast_first, sweep_bounds
- * the arrays of these, indexes, index_select, index_nearest, and joins by overlap or bounds.
+ * the arrays of these, indexes, index_select, index_nearest, join_nearest, and joins by overlap or bounds.
  */
 #define VESICA_POINT 0   /**< x y */
 #define VESICA_SEGMENT 1 /**< x0 y0 x1 y1 */
