@@ -7,13 +7,10 @@ namespace {
 using namespace vesica::capi;
 using vesica::Common;
 
-/// The kinds that a question takes.
-Suits suits(Common common) noexcept { return common == Common::any ? vesica::is_kind : vesica::is_row; }
-
 template <class T>
 int64_t overlap_many(Common common, const CShapesOf<T>* a, const CShapesOf<T>* b, uint8_t* out) noexcept {
   VESICA_DEFAULT_ENVIRONMENT(overlap_many<T>, common, a, b, out);
-  const int32_t error = check_call(a, b, out, anything(a, b), suits(common));
+  const int32_t error = check_call(a, b, out, anything(a, b), vesica::is_kind);
   if (error != 0) return error;
   const int64_t n = pairs_in_step(*a, *b);
   if (n < 0) return n;
@@ -24,7 +21,7 @@ template <class T>
 int64_t overlap_matrix(Common common, const CShapesOf<T>* a, const CShapesOf<T>* b, uint8_t* out,
                        ptrdiff_t row_stride) noexcept {
   VESICA_DEFAULT_ENVIRONMENT(overlap_matrix<T>, common, a, b, out, row_stride);
-  const int32_t error = check_call(a, b, out, anything(a, b), suits(common));
+  const int32_t error = check_call(a, b, out, anything(a, b), vesica::is_kind);
   if (error != 0) return error;
   if (!rows_apart(a->count, b->count, row_stride, 1)) return VESICA_E_ARGUMENT;
   if (!anything(a, b)) return 0;
@@ -36,7 +33,7 @@ int64_t overlap_select(Common common, const CShapesOf<T>* one, const CShapesOf<T
                        int64_t capacity) noexcept {
   VESICA_DEFAULT_ENVIRONMENT(overlap_select<T>, common, one, many, out, capacity);
   const int32_t error =
-      check_call(one, many, capacity > 0 ? out : static_cast<const void*>(one), anything(one, many), suits(common));
+      check_call(one, many, capacity > 0 ? out : static_cast<const void*>(one), anything(one, many), vesica::is_kind);
   if (error != 0) return error;
   if (one->count != 1 || capacity < 0) return VESICA_E_ARGUMENT;
   const auto tally = vesica::batch::select<T>(vesica::kernels(), view<T>(*one), view<T>(*many), out, capacity, common);

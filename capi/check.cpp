@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vesica/check.hpp>
-#include <vesica/polygon/edges.hpp>
+#include <vesica/polygon/simple.hpp>
 
 #include "by_kind.hpp"
 #include "environment.hpp"
@@ -11,7 +11,13 @@ namespace {
 template <class T>
 int32_t check_shape(int32_t kind, const void* shape) noexcept {
   VESICA_DEFAULT_ENVIRONMENT(check_shape<T>, kind, shape);
-  return vesica::with_shape<T>(kind, shape, [](const auto& s) { return vesica::check(s); });
+  return vesica::with_shape<T>(kind, shape, [](const auto& s) {
+    if constexpr (vesica::Path<std::remove_cvref_t<decltype(s)>>) {
+      return vesica::check_simple(s);
+    } else {
+      return vesica::check(s);
+    }
+  });
 }
 
 }  // namespace

@@ -36,7 +36,6 @@ int32_t check_side(int32_t query, const void* from, const CShapesOf<T>* sets, in
 }
 
 bool decides(int32_t query, int32_t kind_a, int32_t kind_b) noexcept {
-  if (query == VESICA_JOIN_INTERIORS) return vesica::is_row(kind_a) && vesica::is_row(kind_b);
   if (query != VESICA_JOIN_CONTAINS && query != VESICA_JOIN_INSIDE) return true;
   return vesica::queries::contains.answers(kind_a, kind_b);
 }

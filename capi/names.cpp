@@ -41,6 +41,8 @@ const char* vesica_strerror(int32_t code) {
       return "the bytes are not an index of this version, or are damaged";
     case VESICA_E_RINGS:
       return "a polygon has no vertex, or its offsets are negative or decrease";
+    case VESICA_E_NOT_SIMPLE:
+      return "edges of a polygon cross or overlap";
     default:
       return "unknown error";
   }

@@ -2,6 +2,7 @@
 #include "queries/overlap.hpp"
 
 #include "environment.hpp"
+#include "polygon/topology.hpp"
 #include "query.hpp"
 #include "vesica.h"
 
@@ -75,8 +76,9 @@ template <class T>
 [[gnu::noinline]] int32_t overlap_of_paths(int32_t kind_a, const void* a, int32_t kind_b, const void* b,
                                            Common common) noexcept {
   VESICA_DEFAULT_ENVIRONMENT(overlap_of_paths<T>, kind_a, a, kind_b, b, common);
-  if (common == Common::insides) return VESICA_E_KIND;
-  return vesica::ask<T>(vesica::queries::overlap, kind_a, a, kind_b, b, nullptr);
+  if (!vesica::is_kind(kind_a) || !vesica::is_kind(kind_b)) return VESICA_E_KIND;
+  constexpr bool is_float = std::is_same_v<T, float>;
+  return vesica::polygon::overlap_of(common, {kind_a, is_float, a}, {kind_b, is_float, b});
 }
 
 template <class T>

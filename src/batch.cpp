@@ -7,6 +7,7 @@
 
 #include "columns.hpp"
 #include "polygon/arrays.hpp"
+#include "polygon/topology.hpp"
 #include "queries/overlap.hpp"
 #include "tiles.hpp"
 
@@ -352,8 +353,8 @@ namespace {
 
 /// One answer of a question about paths.
 template <class T>
-std::uint8_t ask_path(const Element<T>& a, const Element<T>& b, Tally& tally) noexcept {
-  const std::int32_t code = polygon::overlap(a.operand(), b.operand(), nullptr);
+std::uint8_t ask_path(Common common, const Element<T>& a, const Element<T>& b, Tally& tally) noexcept {
+  const std::int32_t code = polygon::overlap_of(common, a.operand(), b.operand());
   tally.overlaps += code > 0;
   tally.invalid |= code < 0;
   return code > 0;
@@ -367,7 +368,7 @@ Tally many(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b, s
   if (has_path(a, b)) {
     Tally tally;
     for (std::int64_t i = 0; i < n; ++i) {
-      out[i] = ask_path<T>({a, a.count == 1 ? 0 : i}, {b, b.count == 1 ? 0 : i}, tally);
+      out[i] = ask_path<T>(common, {a, a.count == 1 ? 0 : i}, {b, b.count == 1 ? 0 : i}, tally);
     }
     return tally;
   }
@@ -384,7 +385,7 @@ Tally select(const KernelTable& kernels, const Shapes<T>& one, const Shapes<T>& 
     Tally tally;
     const Element<T> first(one, 0);
     for (std::int64_t i = 0; i < many.count; ++i) {
-      if (ask_path(first, {many, i}, tally) == 0) continue;
+      if (ask_path(common, first, {many, i}, tally) == 0) continue;
       if (found < capacity) out[found] = i;
       ++found;
     }
@@ -410,7 +411,7 @@ Tally matrix(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b,
     Tally tally;
     for (std::int64_t i = 0; i < a.count; ++i) {
       const Element<T> first(a, i);
-      for (std::int64_t j = 0; j < b.count; ++j) out[i * row_stride + j] = ask_path<T>(first, {b, j}, tally);
+      for (std::int64_t j = 0; j < b.count; ++j) out[i * row_stride + j] = ask_path<T>(common, first, {b, j}, tally);
     }
     return tally;
   }

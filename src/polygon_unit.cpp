@@ -3,5 +3,6 @@
 #include "polygon/cast.cpp"
 #include "polygon/distances.cpp"
 #include "polygon/overlap.cpp"
+#include "polygon/relation.cpp"
 #include "polygon/within.cpp"
 // NOLINTEND(bugprone-suspicious-include)

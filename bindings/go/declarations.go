@@ -84,6 +84,8 @@ const (
 	ErrIndex Error = -10
 	// ErrRings: a polygon has no vertex, or its offsets are negative or decrease
 	ErrRings Error = -11
+	// ErrNotSimple: edges of a polygon cross, or overlap along a stretch
+	ErrNotSimple Error = -12
 )
 
 // JoinQuery is what makes a pair of a join.

@@ -82,11 +82,11 @@ extern "C" {
  * but with an ellipse boundary_distance, de9im and crossings return VESICA_E_KIND.
  * Polygons and polylines are taken by:
  *   check, bounds
- *   overlap
+ *   overlap, interiors_overlap, relation, contains
  *   nearest, boundary_distance
  *   signed_distance, within (VESICA_E_KIND for a depth of overlapping shapes)
  *   cast, cast_first, sweep_bounds
- * the arrays of these, indexes, index_select, index_nearest, join_nearest, and joins by overlap or bounds.
+ * the arrays of these, indexes, index_select, index_nearest, join_nearest, and joins.
  */
 #define VESICA_POINT 0   /**< x y */
 #define VESICA_SEGMENT 1 /**< x0 y0 x1 y1 */
@@ -121,6 +121,7 @@ extern "C" {
 #define VESICA_E_RANGE (-9)         /**< a number of the result would overflow its type */
 #define VESICA_E_INDEX (-10)        /**< bytes are not an index of this version, or are damaged */
 #define VESICA_E_RINGS (-11)        /**< a polygon has no vertex, or its offsets are negative or decrease */
+#define VESICA_E_NOT_SIMPLE (-12)   /**< edges of a polygon cross, or overlap along a stretch */
 
 /* ---- Shapes and results, double. Structs have no padding, and their layout is frozen. ---- */
 
@@ -244,6 +245,11 @@ VESICA_API int32_t vesica_contains_f64(int32_t kind_a, const void *a, int32_t ki
  * outline. If several relations fit, VESICA_EQUAL comes first, then those of containment, then VESICA_CROSS. So a
  * segment that ends on the middle of another touches it; two segments on one line that overlap in part cross; a point
  * on the rim of a disc is VESICA_INSIDE_TOUCH. Exchanging the shapes always gives the converse relation.
+ *
+ * The outline of a polygon is its edges, but a polygon whose vertices are on one line is a segment. The outline of a
+ * polyline is the points where an odd number of its chains end.
+ * Requires: simple polygons, as vesica_check_f64 says. Others get one of the eight relations, without a meaning. The
+ * same holds for vesica_contains_f64 and vesica_interiors_overlap_f64.
  * Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe them.
  * Accuracy: exact.
  * Cost: up to twice vesica_overlap_f64; more if shapes touch or are equal.
@@ -330,8 +336,11 @@ VESICA_API int32_t vesica_bounds_f64(int32_t kind, const void *shape, vesica_aab
 
 /**
  * Is a shape valid, and if not, which rule does it break?
+ *
+ * A polygon is simple if its edges neither cross nor overlap along a stretch; they may touch. A ring of two places is
+ * allowed. Functions that need this say so; they do not check it, and vesica_overlap_f64 and others take any polygon.
  * Returns: 0 for a valid shape, else the first rule broken: VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE,
- * VESICA_E_ZERO_AXIS, VESICA_E_INVERTED or VESICA_E_RINGS.
+ * VESICA_E_ZERO_AXIS, VESICA_E_INVERTED, VESICA_E_RINGS or VESICA_E_NOT_SIMPLE.
  * Errors: VESICA_E_NULL, VESICA_E_KIND.
  */
 VESICA_API int32_t vesica_check_f64(int32_t kind, const void *shape);

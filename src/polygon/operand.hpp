@@ -2,8 +2,9 @@
 // Shapes of any kind as the questions of polygons take them: a polygon's edges, or a row of numbers with its kind.
 #pragma once
 
-#include <vesica/polygon/other.hpp>
+#include <vesica/polygon/row_parts.hpp>
 
+#include "queries/overlap.hpp"
 #include "query.hpp"
 
 namespace vesica {
@@ -41,6 +42,24 @@ inline std::int32_t ask_edge(const Query& query, const Edge& e, const AnyShape& 
 }
 inline bool edge_meets(const Edge& e, const AnyShape& s) noexcept {
   return ask_edge(queries::overlap, e, s, nullptr) == 1;
+}
+inline Relation edge_relation(const Edge& e, const AnyShape& s) noexcept {
+  return static_cast<Relation>(ask_edge(queries::relation, e, s, nullptr));
+}
+inline bool edge_insides_meet(const Edge& e, const AnyShape& s) noexcept {
+  constexpr auto segment = static_cast<std::int32_t>(Kind::segment);
+  const auto& overlap = queries::overlap_in_order.of;
+  return (s.kind < segment ? overlap[s.kind][segment](s.number, &e, Common::insides)
+                           : overlap[segment][s.kind](&e, s.number, Common::insides)) == 1;
+}
+inline int dimension(const AnyShape& s) noexcept {
+  return with_shape(s, [](const auto& shape) { return polygon::dimension(shape); });
+}
+inline Thin thin(const AnyShape& s) noexcept {
+  return with_shape(s, [](const auto& shape) { return polygon::thin(shape); });
+}
+inline Middle centre(const AnyShape& s) noexcept {
+  return with_shape(s, [](const auto& shape) { return polygon::centre(shape); });
 }
 
 }  // namespace detail::polygon

@@ -2,6 +2,7 @@
 #include <vesica/relation.hpp>
 
 #include "compiled_once.hpp"
+#include "polygon/topology.hpp"
 #include "query.hpp"
 
 namespace vesica {
@@ -43,6 +44,7 @@ constinit const Query relation{
     .doubles = pair_table<RelationOfPair, double>(),
     .floats = pair_table<RelationOfPair, float>(),
     .reversal = RelationOfPair::reversal,
+    .paths = polygon::relation,
     .kernels = &QueryTable::relation,
 };
 
@@ -52,6 +54,7 @@ constinit const Query contains{
     .doubles = pair_table<ContainsPair, double>(),
     .floats = pair_table<ContainsPair, float>(),
     .reversal = ContainsPair::reversal,
+    .paths = polygon::contains,
     .asked_instead = &relation,
     .from_code = contains_from_relation,
 };

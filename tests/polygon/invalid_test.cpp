@@ -194,7 +194,11 @@ TEST(PolygonInvalid, Check) {
   EXPECT_EQ(vesica_overlap_f64(VESICA_POLYGON, &polygon, VESICA_CIRCLE, &negative), VESICA_E_SHAPE);
   EXPECT_EQ(vesica_overlap_f64(VESICA_POLYGON, &polygon, VESICA_CIRCLE, nullptr), VESICA_E_NULL);
   EXPECT_EQ(vesica_overlap_f64(VESICA_POLYGON, &polygon, 10, &negative), VESICA_E_KIND);
-  EXPECT_EQ(vesica_relation_f64(VESICA_POLYGON, &polygon, VESICA_POINT, &negative), VESICA_E_KIND);
+  EXPECT_EQ(vesica_relation_f64(VESICA_POLYGON, &polygon, VESICA_CIRCLE, &negative), VESICA_E_SHAPE);
+  EXPECT_EQ(vesica_relation_f64(VESICA_CIRCLE, nullptr, VESICA_POLYGON, &polygon), VESICA_E_NULL);
+  EXPECT_EQ(vesica_relation_f64(VESICA_POLYGON, &polygon, 10, &negative), VESICA_E_KIND);
+  EXPECT_EQ(vesica_interiors_overlap_f64(VESICA_POLYGON, &polygon, 10, &negative), VESICA_E_KIND);
+  EXPECT_EQ(vesica_interiors_overlap_f64(VESICA_CIRCLE, &negative, VESICA_POLYGON, &polygon), VESICA_E_SHAPE);
 }
 
 }  // namespace polygon_invalid

@@ -38,6 +38,7 @@
 (define-public VESICA_E_RANGE -9)
 (define-public VESICA_E_INDEX -10)
 (define-public VESICA_E_RINGS -11)
+(define-public VESICA_E_NOT_SIMPLE -12)
 (define-public VESICA_ANGLE_RADIANS 0)
 (define-public VESICA_ANGLE_DEGREES 1)
 (define-public VESICA_ANGLE_QUARTERS 2)

@@ -38,6 +38,7 @@ module Vesica
   E_RANGE = -9
   E_INDEX = -10
   E_RINGS = -11
+  E_NOT_SIMPLE = -12
   ANGLE_RADIANS = 0
   ANGLE_DEGREES = 1
   ANGLE_QUARTERS = 2

@@ -10,6 +10,7 @@ namespace vesica::detail::polygon {
 /// The side of p on which b lies, seen from a: the sign of (a - p) x (b - p), exact.
 VESICA_COLD inline int exact_side(double px, double py, const Edge& e) noexcept {
   using exact::from_double;
+  if ((px == e.x0 && py == e.y0) || (px == e.x1 && py == e.y1)) return 0;
   const auto x = from_double(px), y = from_double(py);
   return ((from_double(e.x0) - x) * (from_double(e.y1) - y) - (from_double(e.y0) - y) * (from_double(e.x1) - x)).sign;
 }

@@ -65,6 +65,8 @@ pub const VESICA_E_RANGE: i32 = -9;
 pub const VESICA_E_INDEX: i32 = -10;
 /// a polygon has no vertex, or its offsets are negative or decrease
 pub const VESICA_E_RINGS: i32 = -11;
+/// edges of a polygon cross, or overlap along a stretch
+pub const VESICA_E_NOT_SIMPLE: i32 = -12;
 pub const VESICA_ANGLE_RADIANS: i32 = 0;
 pub const VESICA_ANGLE_DEGREES: i32 = 1;
 /// quarter turns
@@ -428,6 +430,12 @@ extern "C" {
     /// in part cross; a point on the rim of a disc is VESICA_INSIDE_TOUCH. Exchanging the shapes always gives the
     /// converse relation.
     ///
+    /// The outline of a polygon is its edges, but a polygon whose vertices are on one line is a segment. The outline of
+    /// a polyline is the points where an odd number of its chains end.
+    ///
+    /// Requires: simple polygons, as vesica_check_f64 says. Others get one of the eight relations, without a meaning.
+    /// The same holds for vesica_contains_f64 and vesica_interiors_overlap_f64.
+    ///
     /// Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe
     /// them.
     ///
@@ -543,8 +551,12 @@ extern "C" {
     pub fn vesica_bounds_f64(kind: i32, shape: *const c_void, out: *mut Aabb<f64>) -> i32;
     /// Is a shape valid, and if not, which rule does it break?
     ///
+    /// A polygon is simple if its edges neither cross nor overlap along a stretch; they may touch. A ring of two places
+    /// is allowed. Functions that need this say so; they do not check it, and vesica_overlap_f64 and others take any
+    /// polygon.
+    ///
     /// Returns: 0 for a valid shape, else the first rule broken: VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE,
-    /// VESICA_E_ZERO_AXIS, VESICA_E_INVERTED or VESICA_E_RINGS.
+    /// VESICA_E_ZERO_AXIS, VESICA_E_INVERTED, VESICA_E_RINGS or VESICA_E_NOT_SIMPLE.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND.
     ///
@@ -1506,8 +1518,12 @@ extern "C" {
     pub fn vesica_isa_name() -> *const u8;
     /// Is a shape valid, and if not, which rule does it break?
     ///
+    /// A polygon is simple if its edges neither cross nor overlap along a stretch; they may touch. A ring of two places
+    /// is allowed. Functions that need this say so; they do not check it, and vesica_overlap_f32 and others take any
+    /// polygon.
+    ///
     /// Returns: 0 for a valid shape, else the first rule broken: VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE,
-    /// VESICA_E_ZERO_AXIS, VESICA_E_INVERTED or VESICA_E_RINGS.
+    /// VESICA_E_ZERO_AXIS, VESICA_E_INVERTED, VESICA_E_RINGS or VESICA_E_NOT_SIMPLE.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND.
     ///
@@ -1549,6 +1565,12 @@ extern "C" {
     /// VESICA_CROSS. So a segment that ends on the middle of another touches it; two segments on one line that overlap
     /// in part cross; a point on the rim of a disc is VESICA_INSIDE_TOUCH. Exchanging the shapes always gives the
     /// converse relation.
+    ///
+    /// The outline of a polygon is its edges, but a polygon whose vertices are on one line is a segment. The outline of
+    /// a polyline is the points where an odd number of its chains end.
+    ///
+    /// Requires: simple polygons, as vesica_check_f32 says. Others get one of the eight relations, without a meaning.
+    /// The same holds for vesica_contains_f32 and vesica_interiors_overlap_f32.
     ///
     /// Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe
     /// them.
