@@ -29,6 +29,7 @@
 #include <vesica/polygon/distances.hpp>
 #include <vesica/polygon/overlap.hpp>
 #include <vesica/polygon/relation.hpp>
+#include <vesica/polygon/simple.hpp>
 #include <vesica/polygon/within.hpp>
 #include <vesica/ratio.hpp>
 #include <vesica/relation.hpp>
