@@ -270,7 +270,7 @@ TEST(PolygonRelation, OfConvexShapesAndUnionsOfSquares) {
     if (HasFatalFailure()) return;
   }
   if (!properties::draws_all()) return;
-  for (std::size_t r = 0; r < 8; ++r) EXPECT_GT(seen[r], 5) << r;
+  for (std::size_t r = 0; r < VESICA_EQUAL; ++r) EXPECT_GT(seen[r], 5) << r;
 }
 
 /// Float shapes are the doubles that they are.

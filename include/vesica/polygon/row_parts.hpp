@@ -154,6 +154,22 @@ class RowParts {
     return r == Relation::inside ? 1 : r == Relation::inside_touch ? 2 : 0;
   }
 
+  /// As in topology.hpp, for an edge that b crosses.
+  bool is_alone(const Edge& e) noexcept {
+    bool alone = true;
+    a_.for_edges_near(shared(box_of(e), about_), [&](const Edge& g, std::int64_t) {
+      const int place0 = place_on_thin(start_of(g)), place1 = place_on_thin(end_of(g));
+      const int t0 = side(g.x0, g.y0, e), t1 = side(g.x1, g.y1, e);
+      const bool along = t0 * t1 < 0 && is_stretch(edge_relation(g, b_), place0 != 0 || place1 != 0);
+      if ((place0 != 0 && t0 == 0) || (place1 != 0 && t1 == 0) || along) alone = false;
+    });
+    return alone;
+  }
+  /// Does an edge of this relation to b share more than a point with it?
+  static bool is_stretch(Relation r, bool vertex_met) noexcept {
+    return r == Relation::cross ? vertex_met : r != Relation::disjoint && r != Relation::touch;
+  }
+
   void ask_edge_of_thin(const Edge& e) noexcept {
     const Relation r = may_meet(e) ? edge_relation(e, b_) : Relation::disjoint;
     const bool within = r == Relation::inside || r == Relation::inside_touch || r == Relation::equal;
@@ -168,8 +184,10 @@ class RowParts {
     if (!has_length(e)) return;
     if (r == Relation::cross && !vertex_met) {
       parts_.note(a_.part_of_edges(), inside_part, 0);
-      if (a_.has_area()) note_piece_of_b(1);
-      note_piece_of_b(-1);
+      if (is_alone(e)) {
+        if (a_.has_area()) note_piece_of_b(1);
+        note_piece_of_b(-1);
+      }
     } else if (r == Relation::touch) {
       if (!vertex_met) parts_.note(a_.part_of_edges(), outline_part, 0);
     } else {

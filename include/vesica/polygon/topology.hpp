@@ -4,9 +4,10 @@
 /// The inside of a polygon is open and its outline is its edges. The outline of a polyline is the points where an odd
 /// number of its chains end; its inside is the rest of it.
 ///
-/// Edges that cross at a point inside both settle nearly everything. Otherwise outlines meet at stored vertices alone:
-/// these cut an edge of one path into pieces, and each piece is inside the other path, along its edges, or outside. The
-/// middle of a piece says which. So does the first vertex of a ring that meets no edge.
+/// Edges that cross at a point inside both settle nearly everything, unless a path touches itself there. Otherwise
+/// outlines meet at stored vertices alone. These cut an edge of one path into pieces, each of which is inside the other
+/// path, along its edges, or outside. The middle of a piece says which. A ring that meets no edge lies where its first
+/// vertex does.
 ///
 /// Proved: for two polygons, this decides which of the sets "inside a and inside b", "inside a, outside b" and "outside
 /// a, inside b" are empty. Take a point of such a set, and the connected part of a's inside (or outside) that it lies
@@ -179,7 +180,7 @@ class PathParts {
     if (on_one_line && (common.min_x < common.max_x || common.min_y < common.max_y)) {
       note_stretch(e, i, f, j);
     } else if (s0 * s1 < 0 && t0 * t1 < 0) {
-      note_crossing();
+      note_crossing(e, f, common);
       return parts_.settled(asked_);
     } else {
       note_point(s0 == 0 && holds(box_e, start_of(f))   ? start_of(f)
@@ -193,12 +194,26 @@ class PathParts {
     return parts_.settled(asked_);
   }
 
-  void note_crossing() noexcept {
+  void note_crossing(const Edge& e, const Edge& f, const Box& common) noexcept {
     parts_.note(a_.part_of_edges(), b_.part_of_edges(), 0);
-    for (const int place : {1, -1}) {
-      if (place < 0 || b_.has_area()) note_piece(false, a_, place);
-      if (place < 0 || a_.has_area()) note_piece(true, b_, place);
-    }
+    if (is_alone(f, b_, e, common)) note_both_pieces(false, a_, b_);
+    if (is_alone(e, a_, f, common)) note_both_pieces(true, b_, a_);
+  }
+  void note_both_pieces(bool exchanged, const Outline<T>& p, const Outline<T>& q) noexcept {
+    if (q.has_area()) note_piece(exchanged, p, 1);
+    note_piece(exchanged, p, -1);
+  }
+  /// Does edge f alone decide where e's points beside their crossing lie in q? Not if q has a vertex there, which other
+  /// pairs of edges ask for, or another edge that lies along e.
+  bool is_alone(const Edge& f, Outline<T>& q, const Edge& e, const Box& common) noexcept {
+    bool alone = true;
+    q.for_edges_near(common, [&](const Edge& g, std::int64_t) {
+      const int s0 = side(g.x0, g.y0, e), s1 = side(g.x1, g.y1, e);
+      if (s0 != 0 && s1 != 0) return;
+      const int t0 = side(g.x0, g.y0, f), t1 = side(g.x1, g.y1, f);
+      if ((s0 == 0 && t0 == 0) || (s1 == 0 && t1 == 0) || (s0 == 0 && s1 == 0 && t0 * t1 < 0)) alone = false;
+    });
+    return alone;
   }
 
   /// The ends of two edges on one line, where an end of a polyline may be.
