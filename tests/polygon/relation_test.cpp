@@ -62,14 +62,19 @@ inline void compare_with_cells(const Grid& grid, const Figure& a, const Figure& 
          grid.size() < 5 ? m + " " + text(a.path) + "and " + text(b.path) : m);
 }
 
+/// Often all of the grid, or next to nothing.
+inline double density(Random& random) {
+  return random.chance(0.15) ? 1 : random.chance(0.15) ? 0.01 : random.between(0.1, 0.8);
+}
+
 TEST(PolygonRelation, OfRegionsAndLinesOfAGrid) {
   Random random(590);
   std::array<int, 8> seen_areas{}, seen_lines{}, seen_both{};
-  const int pairs = 40000 * properties::repeat();
+  const int pairs = 25000 * properties::repeat();
   for (int i = 0; i < pairs; ++i) {
     const Grid grid(random.integer(1, 3));
     const auto figure = [&](bool closed) {
-      return closed ? region(grid, random.between(0.1, 0.8), random) : lines(grid, 6, random);
+      return closed ? region(grid, density(random), random) : lines(grid, 6, random);
     };
     const bool closed_a = random.chance(0.7), closed_b = random.chance(0.7);
     const Figure a = figure(closed_a);
@@ -82,9 +87,9 @@ TEST(PolygonRelation, OfRegionsAndLinesOfAGrid) {
   for (const int relation : {VESICA_DISJOINT, VESICA_TOUCH, VESICA_CROSS, VESICA_INSIDE, VESICA_INSIDE_TOUCH,
                              VESICA_CONTAINS, VESICA_CONTAINS_TOUCH, VESICA_EQUAL}) {
     const auto k = static_cast<std::size_t>(relation);
-    EXPECT_GT(seen_areas[k], 20) << relation;
-    EXPECT_GT(seen_lines[k], 20) << relation;
-    EXPECT_EQ(seen_both[k] > 20, relation != VESICA_EQUAL) << relation;
+    EXPECT_GT(seen_areas[k], 5) << relation;
+    EXPECT_GT(seen_lines[k], 5) << relation;
+    EXPECT_EQ(seen_both[k] > 5, relation != VESICA_EQUAL) << relation;
   }
 }
 
@@ -185,7 +190,7 @@ TEST(PolygonRelation, OfRectanglesAsPolygons) {
 TEST(PolygonRelation, OfThinShapes) {
   Random random(594);
   std::array<int, 8> seen{};
-  const int pairs = 20000 * properties::repeat();
+  const int pairs = 5000 * properties::repeat();
   for (int i = 0; i < pairs; ++i) {
     const Grid grid(random.integer(1, 3));
     const Figure figure = random.chance(0.7) ? region(grid, random.between(0.2, 0.8), random) : lines(grid, 6, random);
