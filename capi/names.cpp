@@ -39,6 +39,8 @@ const char* vesica_strerror(int32_t code) {
       return "the result is out of the range of its type";
     case VESICA_E_INDEX:
       return "the bytes are not an index of this version, or are damaged";
+    case VESICA_E_NOT_CONVEX:
+      return "a polygon is not convex, as the function requires";
     case VESICA_E_RINGS:
       return "a polygon has no vertex, or its offsets are negative or decrease";
     case VESICA_E_NOT_SIMPLE:

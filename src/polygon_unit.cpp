@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The questions of polygons, compiled as one object. NOLINTBEGIN(bugprone-suspicious-include)
 #include "polygon/cast.cpp"
+#include "polygon/depth.cpp"
 #include "polygon/distances.cpp"
 #include "polygon/overlap.cpp"
 #include "polygon/relation.cpp"

@@ -86,6 +86,8 @@ const (
 	ErrRings Error = -11
 	// ErrNotSimple: edges of a polygon cross, or overlap along a stretch
 	ErrNotSimple Error = -12
+	// ErrNotConvex: a polygon is not convex, as the function requires
+	ErrNotConvex Error = -13
 )
 
 // JoinQuery is what makes a pair of a join.

@@ -84,8 +84,9 @@ extern "C" {
  *   check, bounds
  *   overlap, interiors_overlap, relation, contains
  *   nearest, boundary_distance
- *   signed_distance, within (VESICA_E_KIND for a depth of overlapping shapes)
+ *   signed_distance, within (where they overlap and their depth is asked for: if they are convex)
  *   cast, cast_first, sweep_bounds
+ *   depth, if they are convex
  * the arrays of these, indexes, index_select, index_nearest, join_nearest, and joins.
  */
 #define VESICA_POINT 0   /**< x y */
@@ -122,6 +123,7 @@ extern "C" {
 #define VESICA_E_INDEX (-10)        /**< bytes are not an index of this version, or are damaged */
 #define VESICA_E_RINGS (-11)        /**< a polygon has no vertex, or its offsets are negative or decrease */
 #define VESICA_E_NOT_SIMPLE (-12)   /**< edges of a polygon cross, or overlap along a stretch */
+#define VESICA_E_NOT_CONVEX (-13)   /**< a polygon is not convex, as the function requires */
 
 /* ---- Shapes and results, double. Structs have no padding, and their layout is frozen. ---- */
 
@@ -284,8 +286,10 @@ VESICA_API int32_t vesica_nearest_f64(int32_t kind_a, const void *a, int32_t kin
  * outside, if a point lies on an outline, or if points and segments lie along one line. Otherwise the depth is > 0.
  * Exchanging the shapes reverses the direction and changes no other bit, except for two equal shapes in one place.
  * Moving both shapes alike changes no bit if no coordinate is rounded.
+ * Polygons must be convex: one ring that turns one way only and winds once, collinear vertices allowed. A polygon or
+ * polyline whose vertices are on one line is a segment or a point.
  * Returns: 0.
- * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+ * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_NOT_CONVEX, VESICA_E_RANGE.
  * Accuracy: at aspect ratios up to 1e6 the depth is right to 4 u scale; for circles and points, to its last place. The
  * length of (x, y) is 1 to 3 u. After the move at most 8 u scale of overlap is left. Whether the depth is 0 is exact at
  * any ratio; beyond 1e6 no bound on its error is stated.

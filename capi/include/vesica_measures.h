@@ -120,7 +120,8 @@ VESICA_API int64_t vesica_depth_matrix_f64(const vesica_shapes_f64 *a, const ves
  *
  * It is the distance of vesica_nearest_f64 if they are disjoint, else minus the depth of vesica_depth_f64: 0 if they
  * only touch. Exchanging the shapes changes no bit.
- * Returns: 0, or VESICA_E_KIND if a polygon or a polyline overlaps the other shape.
+ * Polygons that overlap the other shape must be convex, else the error is VESICA_E_NOT_CONVEX.
+ * Returns: 0.
  * Cost: as vesica_nearest_f64 or vesica_depth_f64.
  */
 VESICA_API int32_t vesica_signed_distance_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b,
@@ -158,7 +159,8 @@ VESICA_API int64_t vesica_signed_distance_matrix_f64(const vesica_shapes_f64 *a,
  * call. With ellipses, test for > 0 to miss no pair, and for VESICA_WITHIN_YES to accept only what is certain.
  * Exchanging the shapes changes nothing.
  * A polygon or a polyline is within a distance >= 0 if one of its edges is, as a segment, or if the shapes overlap. It
- * is nearly so if no edge is, but one is nearly. For a distance < 0 the result is VESICA_E_KIND if the shapes overlap.
+ * is nearly so if no edge is, but one is nearly. For a distance < 0 polygons that overlap the other shape must be
+ * convex, else the error is VESICA_E_NOT_CONVEX. Their depth is compared as vesica_depth_f64 rounds it.
  * Returns: VESICA_WITHIN_NO, VESICA_WITHIN_YES or VESICA_WITHIN_NEARLY.
  * Cost: one to six times vesica_overlap_f64; as vesica_nearest_f64 or vesica_depth_f64 for ellipses.
  */

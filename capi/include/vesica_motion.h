@@ -61,8 +61,8 @@ typedef struct {
  * Exchanging the shapes and reversing the velocity changes neither the answer nor the time. It reverses the normal, up
  * to rounding.
  * A polygon or polyline is hit as the first of its edges is. Of several edges hit at one time, one hit from the front
- * counts before one that b slides along. If it overlaps at the start, the normal is that of the overlapping edge that
- * b moves into most directly. If no edge overlaps, one shape holds the other, and the normal is (0, 0).
+ * counts before one that b slides along. If it overlaps at the start and both shapes are convex, the normal is as said
+ * above. Otherwise it is that of the overlapping edge that b moves into most directly, or (0, 0) if no edge overlaps.
  * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
  * Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline
  * before it is rounded; along the outline it may be off by (8 u scale + 4 u R) / |n.v|, n and v of unit length, R the

@@ -82,6 +82,7 @@ enum Error : std::int32_t {
   error_inverted = -8,
   error_range = -9,
   error_rings = -11,  // -10 is of an index
+  error_not_convex = -13,
 };
 
 /// The kind of a shape template.

@@ -26,6 +26,7 @@
 #include <vesica/overlap.hpp>
 #include <vesica/polygon/bounds.hpp>
 #include <vesica/polygon/cast.hpp>
+#include <vesica/polygon/depth.hpp>
 #include <vesica/polygon/distances.hpp>
 #include <vesica/polygon/overlap.hpp>
 #include <vesica/polygon/relation.hpp>

@@ -19,6 +19,7 @@ using PathFunction = std::int32_t (*)(const Operand& a, const Operand& b, void* 
 namespace polygon {
 
 std::int32_t overlap(const Operand& a, const Operand& b, void* out) noexcept;
+std::int32_t depth(const Operand& a, const Operand& b, void* out) noexcept;
 std::int32_t nearest(const Operand& a, const Operand& b, void* out) noexcept;
 std::int32_t boundary_distance(const Operand& a, const Operand& b, void* out) noexcept;
 std::int32_t signed_distance(const Operand& a, const Operand& b, void* out) noexcept;

@@ -2,6 +2,7 @@
 // Shapes of any kind as the questions of polygons take them: a polygon's edges, or a row of numbers with its kind.
 #pragma once
 
+#include <vesica/polygon/depth.hpp>
 #include <vesica/polygon/row_parts.hpp>
 
 #include "queries/overlap.hpp"
@@ -60,6 +61,27 @@ inline Thin thin(const AnyShape& s) noexcept {
 }
 inline Middle centre(const AnyShape& s) noexcept {
   return with_shape(s, [](const auto& shape) { return polygon::centre(shape); });
+}
+
+inline CoreForm core_form(const AnyShape& s) noexcept {
+  return with_shape(s, [](const auto& shape) { return polygon::core_form(shape); });
+}
+VESICA_COLD inline exact::Box exact_core(const AnyShape& s) noexcept {
+  return with_shape(s, [](const auto& shape) { return polygon::exact_core(shape); });
+}
+inline bool edge_enters(const Edge& e, const AnyShape& s) noexcept {
+  return ask_edge(queries::relation, e, s, nullptr) > static_cast<std::int32_t>(Relation::touch);
+}
+/// A core's numbers are the first ones of the shape.
+inline bool core_meets(const Edge& e, const AnyShape& s) noexcept {
+  AnyShape core = s;
+  if (s.kind == static_cast<std::int32_t>(Kind::circle)) core.kind = static_cast<std::int32_t>(Kind::point);
+  if (s.kind == static_cast<std::int32_t>(Kind::capsule)) core.kind = static_cast<std::int32_t>(Kind::segment);
+  if (s.kind == static_cast<std::int32_t>(Kind::round_rect)) core.kind = static_cast<std::int32_t>(Kind::rect);
+  return edge_meets(e, core);
+}
+inline std::int32_t edge_depth(const Edge& e, const AnyShape& s, Penetration<double>& out) noexcept {
+  return ask_edge(queries::depth, e, s, &out);
 }
 
 }  // namespace detail::polygon

@@ -33,6 +33,7 @@ constinit const Query depth{
     .doubles = pair_table<DepthOfPair, double>(),
     .floats = pair_table<DepthOfPair, float>(),
     .reversal = DepthOfPair::reversal,
+    .paths = polygon::depth,
     .numbers = 3,
     .is_length = true,
     .kernels = &QueryTable::depth,

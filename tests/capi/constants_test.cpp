@@ -164,6 +164,8 @@ TEST(CapiConstants, Values) {
   EXPECT_EQ(VESICA_E_INDEX, -10);
   EXPECT_EQ(VESICA_E_RINGS, -11);
   EXPECT_EQ(VESICA_E_NOT_SIMPLE, -12);
+  EXPECT_EQ(VESICA_E_NOT_CONVEX, -13);
+  EXPECT_STREQ(vesica_strerror(VESICA_E_NOT_CONVEX), "a polygon is not convex, as the function requires");
   EXPECT_EQ(VESICA_JOIN_OVERLAP, 0);
   EXPECT_EQ(VESICA_JOIN_BOUNDS, 1);
   EXPECT_EQ(VESICA_JOIN_CONTAINS, 2);
@@ -185,7 +187,7 @@ TEST(CapiConstants, Version) {
 
 TEST(CapiConstants, EveryErrorHasItsOwnWords) {
   std::set<std::string> phrases{"success", "unknown error"};
-  for (std::int32_t code = VESICA_E_NOT_SIMPLE; code <= VESICA_E_NULL; ++code) {
+  for (std::int32_t code = VESICA_E_NOT_CONVEX; code <= VESICA_E_NULL; ++code) {
     const char* words = vesica_strerror(code);
     ASSERT_NE(words, nullptr) << code;
     const std::string phrase = words;
@@ -199,7 +201,7 @@ TEST(CapiConstants, EveryErrorHasItsOwnWords) {
 
 TEST(CapiConstants, AnswersAndUnknownCodesHaveWords) {
   for (std::int32_t code : {0, 1, 7, INT32_MAX}) EXPECT_STREQ(vesica_strerror(code), "success") << code;
-  for (std::int32_t code : {VESICA_E_NOT_SIMPLE - 1, -1000, INT32_MIN})
+  for (std::int32_t code : {VESICA_E_NOT_CONVEX - 1, -1000, INT32_MIN})
     EXPECT_STREQ(vesica_strerror(code), "unknown error") << code;
 }
 

@@ -21,7 +21,7 @@ PATHS = [8, 9]  # polygons and polylines; the functions that take them:
 OF_PATHS = ("vesica_field_count", "vesica_kind_name", "vesica_check", "vesica_shapes_from_records", "vesica_bounds_",
             "vesica_overlap_", "vesica_interiors_overlap_", "vesica_relation_", "vesica_contains_", "vesica_nearest_",
             "vesica_boundary_distance_", "vesica_signed_distance_",
-            "vesica_within_", "vesica_cast_f", "vesica_cast_many_", "vesica_sweep_bounds_",
+            "vesica_within_", "vesica_cast_f", "vesica_depth_", "vesica_cast_many_", "vesica_sweep_bounds_",
             "vesica_index_build_", "vesica_index_step_", "vesica_index_select_", "vesica_index_nearest_",
             "vesica_join_f", "vesica_join_nearest_")
 # These know a kind before any query does; overlap is the first query.

@@ -272,6 +272,12 @@ TEST(PolygonCast, OfBoxesAsPolygons) {
         ASSERT_NEAR(answer.at.ny, of_box.at.ny, 1e-6) << i;
       }
     }
+    vesica_penetration_f64 deep{};
+    EXPECT_EQ(vesica_depth_f64(VESICA_AABB, &box, b.kind, b.shape, &deep), 0);
+    if (answer.code == VESICA_CAST_START && deep.depth > 1e-9) {
+      ASSERT_NEAR(answer.at.nx, of_box.at.nx, 1e-9) << i;
+      ASSERT_NEAR(answer.at.ny, of_box.at.ny, 1e-9) << i;
+    }
     const Answer of_segment = cast({VESICA_SEGMENT, &segment}, b, vx, vy, end);
     const Answer of_polyline = cast(polyline.shape(), b, vx, vy, end);
     ASSERT_EQ(of_polyline.code, of_segment.code) << i;
@@ -356,7 +362,8 @@ TEST(PolygonCast, NormalsWhereEdgesMeet) {
   EXPECT_EQ(std::abs(into.at.ny), 1);
 }
 
-/// A shape that touches may part or not; one that is held within has no normal.
+/// A shape that touches may part or not. One that is held within moves out of a convex polygon by its depth; others
+/// give no normal.
 TEST(PolygonCast, ContactAtTheStart) {
   Path ground, ring;
   ground.add_ring({0, 0, 2, 0, 4, 2, 6, 2});
@@ -379,6 +386,14 @@ TEST(PolygonCast, ContactAtTheStart) {
   const Answer held = cast(zone.shape(), {VESICA_CIRCLE, &inside}, 1, 0, 9);
   EXPECT_EQ(held.code, VESICA_CAST_START);
   EXPECT_EQ(held.at.x, 4);
+  EXPECT_EQ(std::abs(held.at.nx) + std::abs(held.at.ny), 1);
+  Path bent;
+  bent.add_ring({0, 0, 9, 0, 9, 9, 5, 8.5, 0, 9});
+  const Answer in_bent = cast(Held(bent, true).shape(), {VESICA_CIRCLE, &inside}, 1, 0, 9);
+  EXPECT_EQ(in_bent.code, VESICA_CAST_START);
+  EXPECT_EQ(in_bent.at.x, 4);
+  EXPECT_EQ(in_bent.at.nx, 0);
+  EXPECT_EQ(in_bent.at.ny, 0);
   EXPECT_EQ(cast({VESICA_CIRCLE, &inside}, zone.shape(), 1, 0, 9).code, VESICA_CAST_START);
   // A polyline is its edges alone.
   EXPECT_EQ(cast(Held(ring, false).shape(), {VESICA_CIRCLE, &inside}, 1, 0, 9).at.t, 4);

@@ -94,7 +94,9 @@ TEST(PolygonNearest, AgreesWithIntegers) {
       ASSERT_LE(distance_from(c.ax, c.ay, first, function), 8 * u * scale) << i;
       ASSERT_LE(distance_from(c.bx, c.by, second, function), 8 * u * scale) << i;
       ASSERT_NEAR(std::hypot(c.ax - c.bx, c.ay - c.by) / scale, c.distance / scale, 12 * u) << i;
-      if (zero) ASSERT_TRUE(c.ax == c.bx && c.ay == c.by) << i;
+      if (zero) {
+        ASSERT_TRUE(c.ax == c.bx && c.ay == c.by) << i;
+      }
       // The same set, written otherwise.
       const Path other = closed_a ? rewritten(a, random) : a;
       const auto other_view = other.view();
@@ -106,8 +108,9 @@ TEST(PolygonNearest, AgreesWithIntegers) {
     const std::int32_t code =
         vesica_signed_distance_f64(first.kind, first.shape, second.kind, second.shape, &signed_distance);
     if (overlapping) {
-      ASSERT_EQ(code, VESICA_E_KIND);  // no depth as yet
-      ASSERT_EQ(signed_distance, 77);
+      vesica_penetration_f64 depth{};
+      ASSERT_EQ(code, vesica_depth_f64(first.kind, first.shape, second.kind, second.shape, &depth));
+      ASSERT_EQ(signed_distance, code == 0 ? 0 - depth.depth : 77);
     } else {
       ASSERT_EQ(code, 0);
       ASSERT_EQ(signed_distance, ask(vesica_nearest_f64, first, second).distance);
@@ -193,12 +196,16 @@ TEST(PolygonNearest, IsTheLeastOverEdgesOfOtherKinds) {
         const Closest pair = ask(functions[k], {VESICA_SEGMENT, &e}, shape);
         if (pair.distance < least.distance) least = pair;
       }
-      if (k == 0) ASSERT_EQ(c.distance == 0, overlapping) << i;
+      if (k == 0) {
+        ASSERT_EQ(c.distance == 0, overlapping) << i;
+      }
       if (c.distance == 0) {
         // A common point of both, or of both outlines.
         ASSERT_LE(distance_from(c.ax, c.ay, path, functions[k]), 1e-14) << i;
         ASSERT_LE(distance_from(c.bx, c.by, shape, functions[k]), 1e-14) << i;
-        if (k == 1) ASSERT_EQ(least.distance, 0) << i;
+        if (k == 1) {
+          ASSERT_EQ(least.distance, 0) << i;
+        }
         continue;
       }
       ++apart[k];

@@ -125,7 +125,12 @@ TEST(PolygonWithin, OtherDistances) {
   EXPECT_EQ(ask(disc, -infinity), VESICA_WITHIN_NO);
   EXPECT_EQ(ask(disc, -1), VESICA_WITHIN_NO);  // apart
   EXPECT_EQ(ask(inside, 0), VESICA_WITHIN_YES);
-  EXPECT_EQ(ask(inside, -0.25), VESICA_E_KIND);  // no depth as yet
+  EXPECT_EQ(ask(inside, -0.25), VESICA_WITHIN_YES);
+  EXPECT_EQ(ask(inside, -1.5), VESICA_WITHIN_YES);
+  EXPECT_EQ(ask(inside, std::nextafter(-1.5, -2)), VESICA_WITHIN_NO);
+  const std::vector<double> bent{0, 0, 2, 0, 1, 0.5, 0, 2};
+  const vesica_polygon_f64 not_convex{bent.data(), bent.data() + 1, 16, nullptr, 4};
+  EXPECT_EQ(vesica_within_f64(VESICA_POLYGON, &not_convex, VESICA_POLYGON, &square, -0.25), VESICA_E_NOT_CONVEX);
   EXPECT_EQ(ask(disc, nan), VESICA_E_ARGUMENT);
   EXPECT_EQ(ask(negative, 1), VESICA_E_SHAPE);
   EXPECT_EQ(ask(negative, nan), VESICA_E_ARGUMENT);

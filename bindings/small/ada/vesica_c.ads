@@ -43,6 +43,7 @@ package Vesica_C is
    Vesica_E_Index : constant := -10;
    Vesica_E_Rings : constant := -11;
    Vesica_E_Not_Simple : constant := -12;
+   Vesica_E_Not_Convex : constant := -13;
    Vesica_Angle_Radians : constant := 0;
    Vesica_Angle_Degrees : constant := 1;
    Vesica_Angle_Quarters : constant := 2;

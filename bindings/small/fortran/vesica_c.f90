@@ -42,6 +42,7 @@ module vesica_c
   integer(c_int32_t), parameter :: vesica_e_index = -10
   integer(c_int32_t), parameter :: vesica_e_rings = -11
   integer(c_int32_t), parameter :: vesica_e_not_simple = -12
+  integer(c_int32_t), parameter :: vesica_e_not_convex = -13
   integer(c_int32_t), parameter :: vesica_angle_radians = 0
   integer(c_int32_t), parameter :: vesica_angle_degrees = 1
   integer(c_int32_t), parameter :: vesica_angle_quarters = 2

@@ -39,6 +39,7 @@
 (define-public VESICA_E_INDEX -10)
 (define-public VESICA_E_RINGS -11)
 (define-public VESICA_E_NOT_SIMPLE -12)
+(define-public VESICA_E_NOT_CONVEX -13)
 (define-public VESICA_ANGLE_RADIANS 0)
 (define-public VESICA_ANGLE_DEGREES 1)
 (define-public VESICA_ANGLE_QUARTERS 2)

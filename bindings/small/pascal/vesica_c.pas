@@ -43,6 +43,7 @@ const
   vesica_e_index = -10;
   vesica_e_rings = -11;
   vesica_e_not_simple = -12;
+  vesica_e_not_convex = -13;
   vesica_angle_radians = 0;
   vesica_angle_degrees = 1;
   vesica_angle_quarters = 2;

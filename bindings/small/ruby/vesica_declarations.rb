@@ -39,6 +39,7 @@ module Vesica
   E_INDEX = -10
   E_RINGS = -11
   E_NOT_SIMPLE = -12
+  E_NOT_CONVEX = -13
   ANGLE_RADIANS = 0
   ANGLE_DEGREES = 1
   ANGLE_QUARTERS = 2

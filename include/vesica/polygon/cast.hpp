@@ -9,6 +9,7 @@
 
 #include <vesica/cast.hpp>
 #include <vesica/cast/before.hpp>
+#include <vesica/polygon/depth.hpp>
 #include <vesica/polygon/least.hpp>
 #include <vesica/polygon/overlap.hpp>
 
@@ -179,6 +180,16 @@ class StartContact {
   Impact<double> impact_{};
 };
 
+/// Turns the normal at the start to the direction of the depth, if both shapes are convex and the path is no segment.
+template <class T, class Other>
+void turn_to_depth(const Edges<T>& a, const Other& b, bool reversed, Impact<double>& out) noexcept {
+  Penetration<double> p;
+  if (convexity(a).flat || convex_depth(a, b, p) != 0) return;
+  if (reversed) p = depth::turned_round(p);
+  out.nx = p.x;
+  out.ny = p.y;
+}
+
 /// visit(contact) looks at all edges; more than once only where numbers are out of range.
 template <class Visit>
 std::int32_t first_contact(const Motion& motion, const Visit& visit, Impact<double>& out) noexcept {
@@ -210,7 +221,9 @@ std::int32_t cast_or_error(const Edges<T>& a, const Other& b, bool reversed, con
       if (meet(box_of(e), about)) start.look(ask_edge(e));
       return false;
     });
-    return start.answer(stored_point(b), out);
+    const std::int32_t code = start.answer(stored_point(b), out);
+    if (code == cast_start) turn_to_depth(a, b, reversed, out);
+    return code;
   }
   const auto visit = [&](FirstContact& contact) {
     const bool thin = is_thin(b, contact.heading());
@@ -280,7 +293,9 @@ std::int32_t cast_or_error(const Edges<T>& a, const Edges<T>& b, bool, const Mot
     pair.walk(box_a, box_b, LookAtStarts<CastPair<T, Ask>>{pair, start});
     Point<double> held{};
     point_inside(a, box_a, b, box_b, held);
-    return start.answer(held, out);
+    const std::int32_t code = start.answer(held, out);
+    if (code == cast_start) turn_to_depth(a, b, false, out);
+    return code;
   }
   const auto visit = [&](FirstContact& contact) {
     pair.walk(box_a, box_b, LookAtContacts<CastPair<T, Ask>>{pair, contact});
@@ -298,7 +313,7 @@ struct AskCast {
 }  // namespace detail::polygon
 
 /// The checked form with a polygon or a polyline, in either order. If the shapes overlap at the start, the normal is
-/// that of an edge there, or 0 if one of them holds the other.
+/// the direction of their depth if both are convex, else that of an edge there, or 0 if one of them holds the other.
 template <template <class> class A, template <class> class B, class T>
 std::int32_t cast_or_error(const A<T>& a, const B<T>& b, std::type_identity_t<T> vx, std::type_identity_t<T> vy,
                            std::type_identity_t<T> t_end, Impact<T>& out) noexcept requires AnyPath<A<T>, B<T>> {

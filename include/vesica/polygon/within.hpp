@@ -67,8 +67,8 @@ std::int32_t within_or_error(const Edges<T>& a, const Other& b, double distance)
 
 }  // namespace detail::polygon
 
-/// The checked forms with a polygon or a polyline, in either order; also error_kind for a negative distance of
-/// overlapping shapes.
+/// The checked forms with a polygon or a polyline, in either order; also error_not_convex for a negative
+/// distance of shapes that overlap. That is compared with the depth as depth() rounds it.
 template <template <class> class A, template <class> class B>
 std::int32_t within_or_error(const A<double>& a, const B<double>& b,
                              double distance) noexcept requires AnyPath<A<double>, B<double>> {

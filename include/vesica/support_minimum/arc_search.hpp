@@ -79,6 +79,45 @@ class ArcSearch {
     cut_at_axes();
     if (objective_.sign < 0 && objective_.first.curved && objective_.second.curved) cut_at_extreme_ratios();
     start();
+    refine();
+    polish();
+    const PlaneVector& n = minimum_.at.n;
+    minimum_.towards = rule_now(corners_towards(n)) ? n : corners_.towards;
+    return minimum_;
+  }
+
+  /// The least value of F between two directions that are less than a half turn apart, the first to the right of the
+  /// second, where it is below a value that is known. The second shape is a point.
+  Minimum run_between(const PlaneVector& from, const PlaneVector& to, double known) noexcept {
+    minimum_.at.value = known;
+    const CentredShape& s = objective_.first;
+    PlaneVector cuts[4];
+    int count = 0;
+    for (const PlaneVector& n : {s.axis, perp(s.axis), -s.axis, -perp(s.axis)}) {
+      if (!between(from, n, to)) continue;
+      int i = count++;
+      for (; i > 0 && cross(n, cuts[i - 1]) > 0; --i) cuts[i] = cuts[i - 1];
+      cuts[i] = n;
+    }
+    cuts[count++] = to;
+    const Corners corners{from, objective_.e};
+    Sample a = sample(from, corners);
+    for (int i = 0; i < count; ++i) {
+      const Sample b = sample(cuts[i], corners);
+      put({a, b, corners, 0});
+      a = b;
+    }
+    refine();
+    if (minimum_.at.value < known) {
+      const Sample found = minimum_.at;
+      approach();
+      if (!between(from, minimum_.at.n, to)) minimum_.at = found;
+    }
+    return minimum_;
+  }
+
+ private:
+  void refine() noexcept {
     while (arc_count_ > 0 && minimum_.settled) {
       const Arc arc = take_least();
       if (!may_improve(arc.bound)) break;
@@ -88,13 +127,8 @@ class ArcSearch {
         split(arc);
       }
     }
-    polish();
-    const PlaneVector& n = minimum_.at.n;
-    minimum_.towards = rule_now(corners_towards(n)) ? n : corners_.towards;
-    return minimum_;
   }
 
- private:
   static bool is_disc(const CentredShape& s) noexcept { return s.curved && s.a == s.b; }
 
   bool may_improve(double bound) const noexcept { return bound < minimum_.at.value - objective_.tolerance; }

@@ -67,6 +67,8 @@ pub const VESICA_E_INDEX: i32 = -10;
 pub const VESICA_E_RINGS: i32 = -11;
 /// edges of a polygon cross, or overlap along a stretch
 pub const VESICA_E_NOT_SIMPLE: i32 = -12;
+/// a polygon is not convex, as the function requires
+pub const VESICA_E_NOT_CONVEX: i32 = -13;
 pub const VESICA_ANGLE_RADIANS: i32 = 0;
 pub const VESICA_ANGLE_DEGREES: i32 = 1;
 /// quarter turns
@@ -479,11 +481,13 @@ extern "C" {
     /// are 0. Overlapping shapes always get a direction. Their depth is 0 if such a line exists without a move: if they
     /// touch from outside, if a point lies on an outline, or if points and segments lie along one line. Otherwise the
     /// depth is \> 0. Exchanging the shapes reverses the direction and changes no other bit, except for two equal
-    /// shapes in one place. Moving both shapes alike changes no bit if no coordinate is rounded.
+    /// shapes in one place. Moving both shapes alike changes no bit if no coordinate is rounded. Polygons must be
+    /// convex: one ring that turns one way only and winds once, collinear vertices allowed. A polygon or polyline whose
+    /// vertices are on one line is a segment or a point.
     ///
     /// Returns: 0.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_NOT_CONVEX, VESICA_E_RANGE.
     ///
     /// Accuracy: at aspect ratios up to 1e6 the depth is right to 4 u scale; for circles and points, to its last place.
     /// The length of (x, y) is 1 to 3 u. After the move at most 8 u scale of overlap is left. Whether the depth is 0 is
@@ -1684,11 +1688,13 @@ extern "C" {
     /// are 0. Overlapping shapes always get a direction. Their depth is 0 if such a line exists without a move: if they
     /// touch from outside, if a point lies on an outline, or if points and segments lie along one line. Otherwise the
     /// depth is \> 0. Exchanging the shapes reverses the direction and changes no other bit, except for two equal
-    /// shapes in one place. Moving both shapes alike changes no bit if no coordinate is rounded.
+    /// shapes in one place. Moving both shapes alike changes no bit if no coordinate is rounded. Polygons must be
+    /// convex: one ring that turns one way only and winds once, collinear vertices allowed. A polygon or polyline whose
+    /// vertices are on one line is a segment or a point.
     ///
     /// Returns: 0.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_NOT_CONVEX, VESICA_E_RANGE.
     ///
     /// Accuracy: at aspect ratios up to 1e6 the depth is right to 4 u scale; for circles and points, to its last place.
     /// The length of (x, y) is 1 to 3 u. After the move at most 8 u scale of overlap is left. Whether the depth is 0 is
@@ -3272,9 +3278,10 @@ extern "C" {
     /// Signed distance: how far apart are two shapes or, as a negative number, how deep do they overlap?
     ///
     /// It is the distance of vesica_nearest_f64 if they are disjoint, else minus the depth of vesica_depth_f64: 0 if
-    /// they only touch. Exchanging the shapes changes no bit.
+    /// they only touch. Exchanging the shapes changes no bit. Polygons that overlap the other shape must be convex,
+    /// else the error is VESICA_E_NOT_CONVEX.
     ///
-    /// Returns: 0, or VESICA_E_KIND if a polygon or a polyline overlaps the other shape.
+    /// Returns: 0.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
     ///
@@ -3313,7 +3320,8 @@ extern "C" {
     /// one call. With ellipses, test for \> 0 to miss no pair, and for VESICA_WITHIN_YES to accept only what is
     /// certain. Exchanging the shapes changes nothing. A polygon or a polyline is within a distance \>= 0 if one of its
     /// edges is, as a segment, or if the shapes overlap. It is nearly so if no edge is, but one is nearly. For a
-    /// distance \< 0 the result is VESICA_E_KIND if the shapes overlap.
+    /// distance \< 0 polygons that overlap the other shape must be convex, else the error is VESICA_E_NOT_CONVEX. Their
+    /// depth is compared as vesica_depth_f64 rounds it.
     ///
     /// Requires: distance, any number. With infinity the answer is yes for any two valid shapes, with -infinity no.
     ///
@@ -3554,9 +3562,10 @@ extern "C" {
     /// Signed distance: how far apart are two shapes or, as a negative number, how deep do they overlap?
     ///
     /// It is the distance of vesica_nearest_f32 if they are disjoint, else minus the depth of vesica_depth_f32: 0 if
-    /// they only touch. Exchanging the shapes changes no bit.
+    /// they only touch. Exchanging the shapes changes no bit. Polygons that overlap the other shape must be convex,
+    /// else the error is VESICA_E_NOT_CONVEX.
     ///
-    /// Returns: 0, or VESICA_E_KIND if a polygon or a polyline overlaps the other shape.
+    /// Returns: 0.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
     ///
@@ -3598,7 +3607,8 @@ extern "C" {
     /// one call. With ellipses, test for \> 0 to miss no pair, and for VESICA_WITHIN_YES to accept only what is
     /// certain. Exchanging the shapes changes nothing. A polygon or a polyline is within a distance \>= 0 if one of its
     /// edges is, as a segment, or if the shapes overlap. It is nearly so if no edge is, but one is nearly. For a
-    /// distance \< 0 the result is VESICA_E_KIND if the shapes overlap.
+    /// distance \< 0 polygons that overlap the other shape must be convex, else the error is VESICA_E_NOT_CONVEX. Their
+    /// depth is compared as vesica_depth_f32 rounds it.
     ///
     /// Requires: distance, any number. With infinity the answer is yes for any two valid shapes, with -infinity no.
     ///
@@ -3699,9 +3709,9 @@ extern "C" {
     /// \>= 0. Otherwise they approach, but where corners meet, or a shape has no area, they may also separate.
     /// Exchanging the shapes and reversing the velocity changes neither the answer nor the time. It reverses the
     /// normal, up to rounding. A polygon or polyline is hit as the first of its edges is. Of several edges hit at one
-    /// time, one hit from the front counts before one that b slides along. If it overlaps at the start, the normal is
-    /// that of the overlapping edge that b moves into most directly. If no edge overlaps, one shape holds the other,
-    /// and the normal is (0, 0).
+    /// time, one hit from the front counts before one that b slides along. If it overlaps at the start and both shapes
+    /// are convex, the normal is as said above. Otherwise it is that of the overlapping edge that b moves into most
+    /// directly, or (0, 0) if no edge overlaps.
     ///
     /// Requires: vx and vy finite; both may be 0. t_end \>= 0, or infinity.
     ///
@@ -3971,9 +3981,9 @@ extern "C" {
     /// \>= 0. Otherwise they approach, but where corners meet, or a shape has no area, they may also separate.
     /// Exchanging the shapes and reversing the velocity changes neither the answer nor the time. It reverses the
     /// normal, up to rounding. A polygon or polyline is hit as the first of its edges is. Of several edges hit at one
-    /// time, one hit from the front counts before one that b slides along. If it overlaps at the start, the normal is
-    /// that of the overlapping edge that b moves into most directly. If no edge overlaps, one shape holds the other,
-    /// and the normal is (0, 0).
+    /// time, one hit from the front counts before one that b slides along. If it overlaps at the start and both shapes
+    /// are convex, the normal is as said above. Otherwise it is that of the overlapping edge that b moves into most
+    /// directly, or (0, 0) if no edge overlaps.
     ///
     /// Requires: vx and vy finite; both may be 0. t_end \>= 0, or infinity.
     ///
