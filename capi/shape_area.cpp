@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <vesica/shape_area.hpp>
+#include <vesica/polygon/own_area.hpp>
 
 #include "by_kind.hpp"
 #include "compiled_once.hpp"
@@ -13,7 +13,7 @@ int32_t shape_area_by_kind(int32_t kind, const void* shape, T* out) noexcept {
   VESICA_DEFAULT_ENVIRONMENT(shape_area_by_kind<T>, kind, shape, out);
   if (out == nullptr) return VESICA_E_NULL;
   return vesica::with_shape<T>(kind, shape,
-                               [&](const vesica::HasCore auto& s) { return vesica::shape_area_or_error(s, *out); });
+                               [&](const vesica::CoreOrPath auto& s) { return vesica::shape_area_or_error(s, *out); });
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The questions of polygons, compiled as one object. NOLINTBEGIN(bugprone-suspicious-include)
+#include "polygon/area.cpp"
 #include "polygon/cast.cpp"
 #include "polygon/depth.cpp"
 #include "polygon/distances.cpp"

@@ -29,6 +29,7 @@
 #include <vesica/polygon/depth.hpp>
 #include <vesica/polygon/distances.hpp>
 #include <vesica/polygon/overlap.hpp>
+#include <vesica/polygon/ratio.hpp>
 #include <vesica/polygon/relation.hpp>
 #include <vesica/polygon/simple.hpp>
 #include <vesica/polygon/within.hpp>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <vesica/polygon/depth.hpp>
+#include <vesica/polygon/ratio.hpp>
 #include <vesica/polygon/row_parts.hpp>
 
 #include "queries/overlap.hpp"
@@ -35,6 +36,13 @@ inline Box box_about(const AnyShape& s) noexcept {
 inline Point<double> stored_point(const AnyShape& s) noexcept { return {s.number[0], s.number[1]}; }
 inline int check_other(const AnyShape& s) noexcept {
   return with_shape(s, [](const auto& shape) { return vesica::check(shape); });
+}
+
+inline RowArea row_area(const AnyShape& s, double reach) noexcept {
+  return with_shape(s, [&](const auto& shape) { return polygon::row_area(shape, reach); });
+}
+inline ratio::Facts other_facts(const AnyShape& s, const PathShares& shares) noexcept {
+  return with_shape(s, [&](const auto& shape) { return polygon::other_facts(shape, shares); });
 }
 
 /// A query's code for an edge and a valid shape.

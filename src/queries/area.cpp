@@ -2,6 +2,7 @@
 #include <vesica/area.hpp>
 
 #include "compiled_once.hpp"
+#include "polygon/areas.hpp"
 #include "query.hpp"
 
 namespace vesica {
@@ -34,6 +35,7 @@ constinit const Query area{
     .doubles = pair_table<AreaOfPair, double>(),
     .floats = pair_table<AreaOfPair, float>(),
     .reversal = AreaOfPair::reversal,
+    .paths = polygon::area,
     .numbers = 1,
     .kernels = &QueryTable::area,
     .known = Known::radius,

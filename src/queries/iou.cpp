@@ -4,6 +4,7 @@
 #include <vesica/shape_area.hpp>
 
 #include "compiled_once.hpp"
+#include "polygon/areas.hpp"
 #include "query.hpp"
 
 namespace vesica::queries {
@@ -32,6 +33,7 @@ constinit const Query iou{
     .doubles = pair_table<IouOfPair, double>(),
     .floats = pair_table<IouOfPair, float>(),
     .reversal = IouOfPair::reversal,
+    .paths = polygon::ratio<Ratio::over_union>,
     .numbers = 1,
     .kernels = &QueryTable::iou,
     .known = Known::radius,

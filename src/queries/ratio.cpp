@@ -7,6 +7,7 @@
 #include <vesica/check.hpp>
 
 #include "compiled_once.hpp"
+#include "polygon/areas.hpp"
 
 namespace vesica::queries {
 
@@ -61,6 +62,7 @@ consteval Query derived(const Query& from) noexcept {
   return {.doubles = {},
           .floats = {},
           .reversal = Reversal::none,
+          .paths = polygon::ratio<which>,
           .numbers = 1,
           .shape_area = area_as_of_iou,
           .asked_instead = &from,

@@ -88,12 +88,17 @@ inline BlockPair closest_pair(const Blocks& a, const Blocks& b) noexcept {
   return closest;
 }
 
-/// box_a and box_b hold the ranges.
+/// The same for ranges of any length. A policy that has visit_few() takes all pairs of short ranges at once. box_a and
+/// box_b hold the ranges.
 template <class T, class Policy>
 bool walk(const Edges<T>& a, const Range& range_a, const Box& box_a, const Edges<T>& b, const Range& range_b,
           const Box& box_b, Policy& policy) noexcept {
   if (range_a.length() <= few_edges && range_b.length() <= few_edges) {
-    return walk_few(a, range_a, b, range_b, box_b, policy);
+    if constexpr (requires { policy.visit_few(a, range_a, b, range_b, box_b); }) {
+      return policy.visit_few(a, range_a, b, range_b, box_b);
+    } else {
+      return walk_few(a, range_a, b, range_b, box_b, policy);
+    }
   }
   const Blocks blocks_a(a, range_a, [&](const Box& box) { return policy.keeps(box, box_b); });
   const Blocks blocks_b(b, range_b, [&](const Box& box) { return policy.keeps(box_a, box); });

@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: Apache-2.0
+/// area() of polygons, without clipping.
+///
+/// With another polygon: over each x, the edges of a polygon from above bound parts inside and outside in turn. With
+/// s = 1 for an edge whose inside is below and -1 for one whose inside is above, the shared area is the sum over pairs
+/// of edges of s_e s_f times the integral of min(y_e, y_f) over their common x. Over each x the signs of a polygon add
+/// up to 0, so y_f may be taken off: min(y_e - y_f, 0) remains, and a pair with e above f adds nothing.
+///
+/// With a row of numbers: in its frame the polygon's outline is clamped to it, as area/rounded_boxes.hpp does it.
+///
+/// An area within its own error of 0 is 0, and one within its error of the lesser shape's area is that area. So the
+/// answer is exact where the shapes touch, and where one contains the other.
+#pragma once
+
+#include <vesica/area.hpp>
+#include <vesica/polygon/other.hpp>
+#include <vesica/polygon/own_area.hpp>
+
+namespace vesica {
+
+namespace detail::polygon {
+
+/// A computed area in units of 2^exponent, and a bound of its error.
+struct Estimate {
+  double area, error;
+  int exponent;
+};
+
+inline Measure settled(const Estimate& e, const Measure& a, const Measure& b) noexcept {
+  if (!(e.area > e.error)) return {0, 0};
+  const Measure least = area::least(a, b);
+  return area::in_units(least, e.exponent) - e.area <= e.error ? least : Measure{e.area, e.exponent};
+}
+
+// ---- Two polygons.
+
+/// An edge as a function of x, y = y0 + slope (x - x0), and its sign: as times the sense of its ring, 1 if it goes to
+/// the right.
+struct Line {
+  double x0, x1, y0, slope, sign;
+
+  /// Heights are counted from a level.
+  VESICA_INLINE Line(const Edge& e, double level) noexcept {
+    const bool right = e.x0 < e.x1;
+    x0 = right ? e.x0 : e.x1;
+    x1 = right ? e.x1 : e.x0;
+    y0 = (right ? e.y0 : e.y1) - level;
+    slope = (e.y1 - e.y0) / (e.x1 - e.x0);
+    sign = right ? 1 : -1;
+  }
+};
+
+/// Lines side by side, for loops that compilers turn into vectors.
+struct Lines {
+  int count = 0;
+  double x0[few_edges + 2], x1[few_edges + 2], y0[few_edges + 2], slope[few_edges + 2], sign[few_edges + 2];
+
+  VESICA_INLINE void add(const Line& l, double sense) noexcept {
+    x0[count] = l.x0;
+    x1[count] = l.x1;
+    y0[count] = l.y0;
+    slope[count] = l.slope;
+    sign[count] = l.sign * sense;
+    ++count;
+  }
+};
+
+/// The terms of pairs of edges, for walk().
+///
+/// Each height is off by at most 9u times the greatest height g, so is the difference of two by 22u g, and a term by
+/// 36u g times the width of the common x. The terms of an edge with up to 32 others are added as they are, which is
+/// within 64u g times all their widths.
+template <class T>
+class SharedArea {
+ public:
+  SharedArea(const Edges<T>& a, const Edges<T>& b, Senses<T>& sense_a, Senses<T>& sense_b, const Box& box_a,
+             const Box& box_b) noexcept
+      : sense_a_(sense_a),
+        sense_b_(sense_b),
+        scale_({lesser(box_a.min_x, box_b.min_x), lesser(box_a.min_y, box_b.min_y), greater(box_a.max_x, box_b.max_x),
+                greater(box_a.max_y, box_b.max_y)}) {
+    const Box p = scale_(box_a), q = scale_(box_b), common = shared(p, q);
+    level_ = 0.5 * common.min_y + 0.5 * common.max_y;
+    height_ = greater(greater(p.max_y, q.max_y) - level_, level_ - lesser(p.min_y, q.min_y));
+    least_width_ = 0x1p-200 * (common.max_x - common.min_x);
+    walk(a, box_a, b, box_b, Policy{*this});
+  }
+
+  Estimate estimate() const noexcept {
+    return {lane::abs(sum_.value()), 0x1p-46 * height_ * widths_, scale_.exponent};
+  }
+
+ private:
+  struct Policy {
+    SharedArea& all;
+
+    /// Edges above others add nothing.
+    bool keeps(const Box& a, const Box& b) const noexcept {
+      using lane::both;
+      return both(both(a.min_x < b.max_x, b.min_x < a.max_x), a.min_y < b.max_y);
+    }
+    bool visit_few(const Edges<T>& a, const Range& range_a, const Edges<T>& b, const Range& range_b,
+                   const Box& box_b) const noexcept {
+      Lines lines;
+      b.for_edges(range_b, [&](const Edge& stored, std::int64_t j) {
+        const Edge f = all.scale_(stored);
+        if (all.is_wide(f)) lines.add(Line(f, all.level_), all.sense_b_.of_vertex(j));
+        return false;
+      });
+      // An odd one gets a line of no width beside it.
+      lines.x0[lines.count] = lines.x1[lines.count] = lines.y0[lines.count] = lines.slope[lines.count] =
+          lines.sign[lines.count] = 0;
+      return a.for_edges(range_a, [&](const Edge& stored, std::int64_t i) {
+        if (!keeps(box_of(stored), box_b)) return false;
+        const Edge e = all.scale_(stored);
+        if (all.is_wide(e)) all.add(Line(e, all.level_), all.sense_a_.of_vertex(i), lines);
+        return false;
+      });
+    }
+  };
+
+  bool is_wide(const Edge& e) const noexcept { return lane::abs(e.x1 - e.x0) > least_width_; }
+
+  /// The integral of min(d, 0) over 0 to 1 for a linear d from p to q is -n^2 / (2 (|p| + |q|)), n the sum of what is
+  /// negative of p and q.
+  VESICA_INLINE void add(const Line& e, double sense, const Lines& f) noexcept {
+    double sum[2] = {0, 0}, widths[2] = {0, 0};
+    for (int k = 0; k < f.count; k += 2) {
+      for (int lane = 0; lane < 2; ++lane) {
+        const int i = k + lane;
+        const double from = greater(e.x0, f.x0[i]), to = lesser(e.x1, f.x1[i]), width = greater(to - from, 0.0);
+        const double p = (e.y0 + e.slope * (from - e.x0)) - (f.y0[i] + f.slope[i] * (from - f.x0[i]));
+        const double q = (e.y0 + e.slope * (to - e.x0)) - (f.y0[i] + f.slope[i] * (to - f.x0[i]));
+        const double n = lesser(p, 0.0) + lesser(q, 0.0), all = (lane::abs(p) + lane::abs(q)) + 0x1p-1000;
+        sum[lane] += (f.sign[i] * width) * (n * (n / all));
+        widths[lane] += width;
+      }
+    }
+    sum_ += 0.5 * (e.sign * sense) * (sum[0] + sum[1]);
+    widths_ += widths[0] + widths[1];
+  }
+
+  Senses<T>&sense_a_, &sense_b_;
+  Scale scale_;
+  double level_, height_, least_width_, widths_ = 0;
+  Sum sum_;
+};
+
+/// An order of two polygons by their numbers, so that exchanging them changes no bit.
+template <class T>
+bool precedes(const Edges<T>& a, const Box& box_a, const Edges<T>& b, const Box& box_b) noexcept {
+  if (box_a.min_x != box_b.min_x) return box_a.min_x < box_b.min_x;
+  if (box_a.min_y != box_b.min_y) return box_a.min_y < box_b.min_y;
+  if (box_a.max_x != box_b.max_x) return box_a.max_x < box_b.max_x;
+  if (box_a.max_y != box_b.max_y) return box_a.max_y < box_b.max_y;
+  if (a.rings() != b.rings()) return a.rings() < b.rings();
+  for (std::int64_t j = 0; j < a.rings(); ++j) {
+    const Range p = a.ring(j), q = b.ring(j);
+    if (p.length() != q.length()) return p.length() < q.length();
+    for (std::int64_t i = 0; i < p.length(); ++i) {
+      const Point<double> s = a.vertex(p.first + i), t = b.vertex(q.first + i);
+      if (s.x != t.x) return s.x < t.x;
+      if (s.y != t.y) return s.y < t.y;
+    }
+  }
+  return true;
+}
+
+/// The shared area and both own ones, and boxes about both. Returns 0 or error_shape.
+struct PathShares : area::Shares {
+  Box box_a, box_b;
+};
+
+template <class T>
+std::int32_t shares(const Edges<T>& a, const Edges<T>& b, PathShares& out) noexcept {
+  if (a.check(out.box_a) != 0 || b.check(out.box_b) != 0) return error_shape;
+  Senses<T> sense_a(a), sense_b(b);
+  out.a = measure(a, out.box_a, sense_a);
+  out.b = measure(b, out.box_b, sense_b);
+  out.shared = {0, 0};
+  out.equal = false;
+  const Box common = polygon::shared(out.box_a, out.box_b);
+  if (out.a.value == 0 || out.b.value == 0 || !(common.min_x < common.max_x && common.min_y < common.max_y)) return 0;
+  const Estimate e = precedes(a, out.box_a, b, out.box_b)
+                         ? SharedArea<T>(a, b, sense_a, sense_b, out.box_a, out.box_b).estimate()
+                         : SharedArea<T>(b, a, sense_b, sense_a, out.box_b, out.box_a).estimate();
+  out.shared = settled(e, out.a, out.b);
+  return 0;
+}
+
+// ---- A polygon and a row of numbers.
+
+/// A row as a rounded box or an ellipse, in units of 2^unit, and its own area, 0 if it has none.
+struct RowArea {
+  area::RoundedBox<double> box{};
+  form::Corners<double> place{};
+  int unit = 0;
+  Measure own{0, 0};
+};
+
+/// reach: the greatest coordinate of the polygon, for the unit.
+template <template <class> class Shape>
+RowArea row_area(const Shape<double>& s, double reach) noexcept {
+  return form::with_simplest(s, [&](const auto& shape) {
+    RowArea row;
+    if constexpr (area::has_area<std::remove_cvref_t<decltype(shape)>>) {
+      row.own = area::shape_measure(shape);
+      if (row.own.value == 0) return row;
+      row.box = area::rounded_box(shape);
+      form::Corners<double>& p = row.place;
+      p = form::corners(filter::place(form::inflated(shape).core));
+      for (const double c : {p.x0, p.y0, p.x1, p.y1}) reach = greater(reach, lane::abs(c));
+      if (area::in_clip_range(row.box) && reach <= 0x1p150) [[likely]]
+        return row;
+      const int lift = area::lift_for(reach);
+      const area::Core core = area::core(shape, lift);
+      row.unit = std::clamp(std::max(core.exponent(), arithmetic::exponent_of(reach)), -1000, 1000);
+      row.box = core.in_units<double>(row.unit);
+      const double k = arithmetic::power_of_two(-row.unit);
+      p = {p.x0 * k, p.y0 * k, p.x1 * k, p.y1 * k};
+    }
+    return row;
+  });
+}
+
+/// Where the row is a rounded box about the origin, or the unit disc.
+class RowFrame {
+ public:
+  explicit RowFrame(const RowArea& row) noexcept
+      : row_(row),
+        scale_(row.unit == 0 ? 1 : arithmetic::power_of_two(-row.unit)),
+        over_x_(row.box.is_oval ? 1 / row.box.hx : 1),
+        over_y_(row.box.is_oval ? 1 / row.box.hy : 1) {}
+
+  area::RoundedFrame<double> frame() const noexcept {
+    const auto& b = row_.box;
+    if (b.is_oval) return {0, 0, 1, 1, 1};
+    return {b.hx, b.hy, b.r, b.hx + b.r, b.hy + b.r};
+  }
+  /// How many times larger areas are there.
+  double unit_area() const noexcept { return row_.box.is_oval ? row_.box.hx * row_.box.hy : 1; }
+
+  VESICA_INLINE area::Vector<double> image(double x, double y) const noexcept {
+    const auto d = offset(x, y);
+    const auto& b = row_.box;
+    return {(b.ux * d.x + b.uy * d.y) * over_x_, (b.ux * d.y - b.uy * d.x) * over_y_};
+  }
+  /// The sum of the numbers that an image of a point of a box is made of, at most.
+  double terms(const Box& box) const noexcept {
+    const auto low = offset(box.min_x, box.min_y), high = offset(box.max_x, box.max_y);
+    const double apart = greater(lane::abs(low.x), lane::abs(high.x)) + greater(lane::abs(low.y), lane::abs(high.y));
+    return apart * greater(over_x_, over_y_);
+  }
+
+ private:
+  VESICA_INLINE area::Vector<double> offset(double x, double y) const noexcept {
+    const auto& p = row_.place;
+    return {filter::offset_of_ends(p.x0, p.x1, x * scale_, x * scale_),
+            filter::offset_of_ends(p.y0, p.y1, y * scale_, y * scale_)};
+  }
+
+  const RowArea& row_;
+  double scale_, over_x_, over_y_;
+};
+
+/// No vertex's image is off by more than 16u times terms(), u = 2^-53; what lies within the row of each edge is at most
+/// two of its lengths. The sum and what its terms round to is less.
+template <class T>
+Estimate estimate(const Edges<T>& edges, const Box& box, Senses<T>& senses, const RowArea& row) noexcept {
+  const RowFrame frame(row);
+  const area::RoundedFrame<double> f = frame.frame();
+  const area::Profile profile(f);
+  const double around = f.ex + f.ey;
+  double total = 0, lengths = 0;
+  for (std::int64_t j = 0; j < edges.rings(); ++j) {
+    Sum ring;
+    std::optional<area::Walk> walk(profile);
+    std::int64_t next = -1, steps = 0;
+    area::Vector<double> from{};
+    bool from_inside = false;
+    edges.for_edges(edges.ring(j), [&](const Edge& e, std::int64_t i) {
+      if (i != next) {
+        from = frame.image(e.x0, e.y0);
+        from_inside = profile.holds(from);
+      }
+      const area::Vector<double> p = from;
+      const bool inside = from_inside;
+      from = frame.image(e.x1, e.y1);
+      from_inside = profile.holds(from);
+      next = i + 1;
+      if (++steps % few_edges == 0) {  // few are added as they are
+        ring += walk->sum();
+        walk.emplace(profile);
+        lengths += 0x1p-6 * around;
+      }
+      if (p.x == from.x && p.y == from.y) return false;
+      const area::Vector<double> along = from - p;
+      const bool beside = lesser(p.x, from.x) >= f.ex || greater(p.x, from.x) <= -f.ex;
+      const bool beyond = lesser(p.y, from.y) >= f.ey || greater(p.y, from.y) <= -f.ey;
+      if (beside) return false;
+      if (beyond) {
+        walk->outside(p.x, from.x, p.y);
+        return false;
+      }
+      lengths += lesser(lane::abs(along.x) + lane::abs(along.y), 2 * around);
+      area::add_edge(f, profile, p, area::EdgeDirection<double>(along), inside && from_inside, *walk);
+      return false;
+    });
+    ring += walk->sum();
+    total += senses.of_ring(j) * ring.value();
+  }
+  const double unit = frame.unit_area();
+  return {unit * lane::abs(total), unit * (0x1p-46 * (frame.terms(box) + around) * (lengths + around)), 2 * row.unit};
+}
+
+/// Returns 0 or error_shape.
+template <class T, class Other>
+std::int32_t shares(const Edges<T>& a, const Other& b, PathShares& out) noexcept {
+  if (a.check(out.box_a) != 0 || check_other(b) != 0) return error_shape;
+  const Box& box = out.box_a;
+  Senses<T> senses(a);
+  const RowArea row = row_area(b, greater(greater(lane::abs(box.min_x), lane::abs(box.max_x)),
+                                          greater(lane::abs(box.min_y), lane::abs(box.max_y))));
+  out.a = measure(a, box, senses);
+  out.b = row.own;
+  out.shared = {0, 0};
+  out.equal = false;
+  if (out.a.value == 0 || out.b.value == 0 || !meet(box, box_about(b))) return 0;
+  out.shared = settled(estimate(a, box, senses, row), out.a, out.b);
+  return 0;
+}
+
+}  // namespace detail::polygon
+
+/// The checked form with a polygon or a polyline: 0, error_shape or error_range. Edges of a polygon must not cross.
+///
+/// The error of two polygons' area is at most 128u g w, u = 2^-53: g is the greater of the two heights from the middle
+/// of the common box to the ends of both, and w the sum of the common widths of pairs of edges, for convex polygons
+/// four times the width of the common box. With a row of numbers it is at most 128u t l: t is the row's half width and
+/// height plus the greatest distance of the polygon from its centre, and l the length of the outline about the row plus
+/// the row's half width and height.
+template <template <class> class A, template <class> class B, class T>
+requires Path<A<T>> || Path<B<T>> std::int32_t area_or_error(const A<T>& a, const B<T>& b, T& out)
+noexcept {
+  using namespace detail::polygon;
+  if constexpr (!Path<A<T>>) {
+    return vesica::area_or_error(b, a, out);
+  } else {
+    PathShares shares;
+    std::int32_t error;
+    if constexpr (Path<B<T>>) {
+      error = detail::polygon::shares(Edges<T>(a), Edges<T>(b), shares);
+    } else {
+      error = detail::polygon::shares(Edges<T>(a), widen(b), shares);
+    }
+    return error != 0 ? error : detail::area::store(shares.shared, out);
+  }
+}
+
+}  // namespace vesica
