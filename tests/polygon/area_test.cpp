@@ -189,7 +189,7 @@ TEST(PolygonArea, OfBoxesAsPolygons) {
     } else {
       // Small integers have exact corners.
       box.number = {double(random.integer(-3, 3)), double(random.integer(-3, 3)), double(random.integer(-4, 4)), 1,
-                    random.integer(1, 4) / 8.0, random.integer(1, 4) / 8.0};
+                    random.integer(1, 4) / 8.0,    random.integer(1, 4) / 8.0};
     }
     if (random.chance(0.1)) other = box;
     const auto& n = box.number;

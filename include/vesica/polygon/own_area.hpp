@@ -80,19 +80,15 @@ Measure measure(const Edges<T>& edges, const Box& box, Senses<T>& senses) noexce
   const Scale scale(box);
   const Box scaled = scale(box);
   const double level = 0.5 * scaled.min_y + 0.5 * scaled.max_y;
-  double doubled = 0, widths = 0;
-  for (std::int64_t j = 0; j < edges.rings(); ++j) {
-    Sum sum;
-    edges.for_edges(edges.ring(j), [&](const Edge& stored, std::int64_t) {
-      const Edge e = scale(stored);
-      const double width = e.x1 - e.x0;
-      sum += width * ((e.y0 - level) + (e.y1 - level));
-      widths += lane::abs(width);
-      return false;
-    });
-    doubled += senses.of_ring(j) * sum.value();
-  }
-  const double area = 0.5 * lane::abs(doubled), error = 0x1p-50 * widths * (scaled.max_y - scaled.min_y);
+  Sum doubled;
+  double widths = 0;
+  senses.for_edges(edges.all(), [&](const Edge& stored, double sense) {
+    const Edge e = scale(stored);
+    const double width = e.x1 - e.x0;
+    doubled += (sense * width) * ((e.y0 - level) + (e.y1 - level));
+    widths += lane::abs(width);
+  });
+  const double area = 0.5 * lane::abs(doubled.value()), error = 0x1p-50 * widths * (scaled.max_y - scaled.min_y);
   if (area > error) [[likely]]
     return {area, scale.exponent};
   if (is_flat(edges)) return {0, 0};

@@ -20,11 +20,19 @@ ratio::Facts other_facts(const Edges<T>&, const PathShares& shares) noexcept {
   return facts(shares.box_b, shares.b);
 }
 template <template <class> class Shape>
-requires(!std::is_same_v<Shape<double>, Edges<double>>)
-ratio::Facts other_facts(const Shape<double>& s, const PathShares& shares) noexcept {
+requires(!std::is_same_v<Shape<double>, Edges<double>>) ratio::Facts
+    other_facts(const Shape<double>& s, const PathShares& shares)
+noexcept {
   ratio::Facts facts = ratio::facts(s, 1);
   facts.area = shares.b;
   return facts;
+}
+
+/// iou_of() without a change of units where all have one.
+inline double over_union(const PathShares& s) noexcept {
+  const double a = s.a.value, b = s.b.value, shared = s.shared.value;
+  const bool same = s.a.exponent == s.b.exponent && s.a.exponent == s.shared.exponent && shared >= 0x1p-500;
+  return same ? shared / (greater(a, b) + (lesser(a, b) - shared)) : iou_of(s.shared, s.a, s.b);
 }
 
 /// reversed: the ratio is b's with a.
@@ -38,10 +46,10 @@ std::int32_t ratio_or_error(Ratio which, const Edges<T>& a, const Other& b, bool
                     : ratio::over_area(found.shared, which, p, q, out);
   }
   if (found.a.value == 0 && found.b.value == 0) return error_argument;
-  const double over_union = iou_of(found.shared, found.a, found.b);
-  out = which == Ratio::over_union ? over_union
-                                   : ratio::less_than_union(over_union, which, facts(found.box_a, found.a),
-                                                            other_facts(b, found));
+  const double iou = over_union(found);
+  out = which == Ratio::over_union
+            ? iou
+            : ratio::less_than_union(iou, which, facts(found.box_a, found.a), other_facts(b, found));
   return 0;
 }
 

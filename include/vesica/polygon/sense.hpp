@@ -33,7 +33,10 @@ template <class T>
 class Senses {
  public:
   explicit Senses(const Edges<T>& edges) noexcept : edges_(edges), single_(edges.rings() == 1) {
-    if (single_) return;
+    if (single_) {
+      last_ = edges.all();
+      return;
+    }
     blocks_.emplace(edges, edges.all(), [](const Box&) { return true; });
     std::memset(known_, 0, sizeof known_);
   }
@@ -46,9 +49,24 @@ class Senses {
     if ((byte & bit) == 0) byte |= static_cast<std::uint8_t>(found(j) < 0 ? bit | negative : bit);
     return (byte & negative) != 0 ? -1 : 1;
   }
-  /// Of the ring that has vertex i.
+  /// Calls visit(edge, sense) for each edge of a polygon that begins in a range.
+  template <class Visit>
+  VESICA_INLINE void for_edges(const Range& range, const Visit& visit) noexcept {
+    for (std::int64_t i = range.first; i < range.last;) {
+      const double sense = of_vertex(i);
+      const std::int64_t last = std::min(range.last, last_.last);
+      Point<double> from = edges_.vertex(i);
+      for (; i < last; ++i) {
+        const Point<double> to = edges_.vertex(i + 1 == last_.last ? last_.first : i + 1);
+        visit(Edge{from.x, from.y, to.x, to.y}, sense);
+        from = to;
+      }
+    }
+  }
+
+ private:
+  /// Of the ring that has vertex i, which is the last one found.
   double of_vertex(std::int64_t i) noexcept {
-    if (single_) return 1;
     if (i < last_.first || i >= last_.last) {
       // The last ring that begins at or before the vertex.
       std::int64_t low = 0, high = edges_.rings();
@@ -62,7 +80,6 @@ class Senses {
     return sense_;
   }
 
- private:
   static constexpr std::int64_t kept = 32768;
 
   /// By the edges on the right of a point of the ring, of all rings: from an odd number on, the inside is there.
