@@ -45,6 +45,9 @@ int32_t view_sets(const CShapesOf<T>* sets, int32_t set_count, index::Sets& out,
   return worst;
 }
 
+/// Kinds that suppression takes: those with an area.
+inline bool may_be_suppressed(int32_t kind) noexcept { return has_area(kind) || kind == polygon_kind; }
+
 /// An index that a query may read: its header is looked at, the rest is vesica_index_check's.
 inline int32_t check_index(const void* index) noexcept {
   if (index == nullptr) return VESICA_E_NULL;

@@ -22,15 +22,11 @@ static_assert(is_code(Ratio::distance, VESICA_RATIO_DISTANCE) && is_code(Ratio::
 
 using vesica::is_ratio;
 
-constexpr bool is_core_or_path(int32_t kind) noexcept {
-  return vesica::is_row(kind) ? vesica::has_core(kind) : vesica::is_kind(kind);
-}
-
 template <class T>
 int32_t ratio_of(int32_t ratio, int32_t kind_a, const void* a, int32_t kind_b, const void* b, T* out) noexcept {
   VESICA_DEFAULT_ENVIRONMENT(ratio_of<T>, ratio, kind_a, a, kind_b, b, out);
   if (a == nullptr || b == nullptr || out == nullptr) return VESICA_E_NULL;
-  if (!is_core_or_path(kind_a) || !is_core_or_path(kind_b)) return VESICA_E_KIND;
+  if (!vesica::has_core_or_path(kind_a) || !vesica::has_core_or_path(kind_b)) return VESICA_E_KIND;
   if (!is_ratio(ratio)) return VESICA_E_ARGUMENT;
   if (!vesica::is_row(kind_a) || !vesica::is_row(kind_b)) {
     return vesica::ask<T>(queries::ratio(static_cast<Ratio>(ratio)), kind_a, a, kind_b, b, out);
@@ -46,7 +42,7 @@ int32_t ratio_of(int32_t ratio, int32_t kind_a, const void* a, int32_t kind_b, c
 /// The result for arrays if the ratio is none.
 template <class Shapes>
 int64_t not_a_ratio(const Shapes* a, const Shapes* b, const void* out) noexcept {
-  return first_error(check_call(a, b, out, anything(a, b), is_core_or_path), VESICA_E_ARGUMENT);
+  return first_error(check_call(a, b, out, anything(a, b), vesica::has_core_or_path), VESICA_E_ARGUMENT);
 }
 
 }  // namespace

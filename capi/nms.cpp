@@ -32,7 +32,7 @@ void exceeds(int32_t kind, const void* const* one, const void* const* others, in
              const index::Measured& measured, uint8_t* out) noexcept {
   const auto which = static_cast<vesica::Ratio>(measured.ratio);
   T ratio[index::chunk];
-  if (n <= few) {
+  if (n <= few && vesica::is_row(kind)) {
     for (int64_t i = 0; i < n; ++i) ratio[i] = ratio_at<T>(which, kind, one, others, i);
   } else {
     vesica::batch::query_matrix<T, T>(vesica::queries::ratio(which), vesica::kernels(), columns_of<T>(kind, one, 1),
@@ -62,7 +62,7 @@ int32_t suppress(const CShapesOf<T>* shapes, const T* scores, const Choice<T>& c
   if (shapes == nullptr || kept == nullptr) return VESICA_E_NULL;
   const bool anything = shapes->count != 0;
   if (anything && (scores == nullptr || scratch == nullptr || keep == nullptr)) return VESICA_E_NULL;
-  const int32_t error = check_array(*shapes, vesica::has_area);
+  const int32_t error = check_array(*shapes, may_be_suppressed);
   if (error != 0) return error;
   if (anything && has_null(*shapes)) return VESICA_E_NULL;
   const int64_t needed = vesica_nms_scratch(shapes->count);
@@ -73,7 +73,7 @@ int32_t suppress(const CShapesOf<T>* shapes, const T* scores, const Choice<T>& c
   }
   if (scratch_size < needed) return VESICA_E_ARGUMENT;
   index::Sets sets;
-  view_sets<T>(shapes, 1, sets);
+  view_sets<T>(shapes, 1, sets, may_be_suppressed);
   bool left_out = false;
   *kept = index::suppress<T>(
       {.kernels = index_kernels(),

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "index/boxes.hpp"
 #include "index/build.hpp"
 #include "index/frame.hpp"
 #include "join/decide.hpp"
@@ -213,17 +214,22 @@ class Suppressor {
   }
 
   [[gnu::noinline]] void set_extents(std::int64_t begin, int n) noexcept {
-    Fields fields;
     Boxes boxes;
+    if (!is_row(kind_)) {
+      find_boxes(asked_.kernels, asked_.sets, asked_.sets.set[0], 0, item_ + begin, n, boxes);
+      for (int i = 0; i < n; ++i) extent_[begin + i] = extent(boxes, i, __builtin_nan(""));
+      return;
+    }
+    Fields fields;
     for (std::int64_t ahead = begin + chunk; ahead < std::min(begin + 2 * chunk, placed_); ++ahead) {
       prefetch(asked_.sets.set[0], item_[ahead]);
     }
     gather(asked_.sets, asked_.sets.set[0], item_ + begin, n, fields);
     asked_.kernels.bounds(kind_, fields, n, boxes);
-    for (int i = 0; i < n; ++i) {
-      extent_[begin + i] = {{boxes.min_x[i], boxes.min_y[i], boxes.max_x[i], boxes.max_y[i]},
-                            area_of(kind_, fields, i)};
-    }
+    for (int i = 0; i < n; ++i) extent_[begin + i] = extent(boxes, i, area_of(kind_, fields, i));
+  }
+  static Extent extent(const Boxes& boxes, int i, double area) noexcept {
+    return {{boxes.min_x[i], boxes.min_y[i], boxes.max_x[i], boxes.max_y[i]}, area};
   }
 
   /// Settles a block's shapes, the best first: few then wait for one in another block.
