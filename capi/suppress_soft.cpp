@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Soft suppression.
 #include <vesica/check.hpp>
+#include <vesica/polygon/edges.hpp>
 
 #include "index_arguments.hpp"
 #include "join/soft.hpp"
+#include "polygon/areas.hpp"
 #include "queries.hpp"
 #include "queries/ratio.hpp"
 
@@ -12,19 +14,32 @@ namespace {
 using namespace vesica::capi;
 namespace index = vesica::index;
 
+template <class T>
 void ratios(int32_t ratio, int32_t kind, const double* const* one, const double* const* others, int64_t n,
             double* out) noexcept {
+  const auto which = static_cast<vesica::Ratio>(ratio);
+  if (!vesica::is_row(kind)) {
+    constexpr bool is_float = sizeof(T) == sizeof(float);
+    for (int64_t i = 0; i < n; ++i) {
+      out[i] = __builtin_nan("");
+      vesica::polygon::ratio_of_paths(which, {kind, is_float, one[0]},
+                                      {kind, is_float, others[0] + i * vesica::max_fields}, out[i]);
+    }
+    return;
+  }
   const void *first[vesica::max_fields], *second[vesica::max_fields];
   for (int k = 0; k < vesica::field_count(kind); ++k) {
     first[k] = one[k];
     second[k] = others[k];
   }
-  vesica::batch::query_matrix<double, double>(vesica::queries::ratio(static_cast<vesica::Ratio>(ratio)),
-                                              vesica::kernels(), columns_of<double>(kind, first, 1),
-                                              columns_of<double>(kind, second, n), out, static_cast<ptrdiff_t>(n));
+  vesica::batch::query_matrix<double, double>(vesica::queries::ratio(which), vesica::kernels(),
+                                              columns_of<double>(kind, first, 1), columns_of<double>(kind, second, n),
+                                              out, static_cast<ptrdiff_t>(n));
 }
 
+template <class T>
 bool is_valid(int32_t kind, const double* numbers) noexcept {
+  if (kind == vesica::polygon_kind) return check(vesica::load<vesica::Polygon<T>>(numbers)) == 0;
   return vesica::with_shape<double>(kind, numbers, [](const vesica::HasCore auto& shape) { return check(shape); }) == 0;
 }
 
@@ -43,7 +58,7 @@ int32_t suppress_soft(const CShapesOf<T>* shapes, const T* scores, const int32_t
   const bool anything = shapes->count != 0;
   const bool has_all = scores != nullptr && scratch != nullptr && keep != nullptr && decayed != nullptr;
   if (anything && !has_all) return VESICA_E_NULL;
-  const int32_t error = check_array(*shapes, vesica::has_area);
+  const int32_t error = check_array(*shapes, may_be_suppressed);
   if (error != 0) return error;
   if (anything && has_null(*shapes)) return VESICA_E_NULL;
   const int64_t needed = vesica_suppress_soft_scratch(shapes->count);
@@ -55,11 +70,11 @@ int32_t suppress_soft(const CShapesOf<T>* shapes, const T* scores, const int32_t
   }
   if (scratch_size < needed || reinterpret_cast<std::uintptr_t>(scratch) % 8 != 0) return VESICA_E_ARGUMENT;
   index::Sets sets;
-  view_sets<T>(shapes, 1, sets);
+  view_sets<T>(shapes, 1, sets, may_be_suppressed);
   bool left_out = false;
   *kept = index::suppress_softly<T>({.sets = sets,
-                                     .ratios = ratios,
-                                     .valid = is_valid,
+                                     .ratios = ratios<T>,
+                                     .valid = is_valid<T>,
                                      .ratio = ratio,
                                      .gaussian = decay == VESICA_DECAY_GAUSSIAN,
                                      .parameter = static_cast<double>(parameter),

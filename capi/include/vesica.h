@@ -87,6 +87,7 @@ extern "C" {
  *   signed_distance, within (where they overlap and their depth is asked for: if they are convex)
  *   cast, cast_first, sweep_bounds
  *   depth, if they are convex
+ *   shape_area, area, iou, ratio, suppression (polygons only)
  * the arrays of these, indexes, index_select, index_nearest, join_nearest, and joins.
  */
 #define VESICA_POINT 0   /**< x y */
@@ -312,6 +313,14 @@ VESICA_API int32_t vesica_depth_f64(int32_t kind_a, const void *a, int32_t kind_
  * said above holds at any ratio. With a capsule or a rounded rectangle the bound holds if neither shape is more than
  * 10^12 times as long as the other. If the other shape is an ellipse, it is not decided whether one contains the other:
  * such an area is right to the bound.
+ * Polygons: their edges must not cross. Rings have any order and direction. An area within its error bound of 0 is 0,
+ * and one within it of the smaller shape's area is that area. So it is exactly 0 if shapes only touch, and exactly the
+ * inner one's area if one contains the other; but insides that share less than the bound share 0, too. Of two polygons
+ * the bound is 128 u g w: g is the greatest height above or below the middle of the box that their boxes share, and w
+ * the sum of the widths that pairs of their edges share, for convex polygons 4 times the width of that box. With another
+ * shape it is 128 u t l: t is that shape's half width and half height and the polygon's greatest distance from its
+ * centre, and l the length of the outline in it and the same half lengths; in units of its half lengths if it is an
+ * ellipse. A polyline has no area.
  * Cost: six times vesica_overlap_f64 for boxes, fifty times for two ellipses; more if outlines nearly touch or
  * coincide, or if one shape is far larger.
  */
@@ -409,7 +418,8 @@ VESICA_API int32_t vesica_boundary_distance_f64(int32_t kind_a, const void *a, i
  * Accuracy: the double nearest to the true area; a tiny area becomes subnormal or 0. So a shape inside another never
  * has the greater area, and equal shapes have equal areas, whatever kinds and numbers describe them. Capsules and
  * rounded rectangles that have both a size and a radius are excepted: their area is computed with a relative error of
- * 2^-96 and rounded once, so it may rarely be the double beside the nearest.
+ * 2^-96 and rounded once, so it may rarely be the double beside the nearest. A polygon's edges must not cross; its area
+ * is right to 8 u times the height of its box times the sum of its edges' widths, and 0 only if each ring is flat.
  */
 VESICA_API int32_t vesica_shape_area_f64(int32_t kind, const void *shape, double *out);
 
@@ -804,13 +814,14 @@ VESICA_API int64_t vesica_nms_scratch(int64_t count);
  *
  * The lower index of equal scores comes first. Infinite scores are legal. At threshold 1 all shapes are kept.
  * Shapes without an area suppress none and are not suppressed.
- * Requires: shapes, of a kind from VESICA_CIRCLE to VESICA_ELLIPSE; scores, one for each; threshold from 0 to
+ * Requires: shapes, of a kind with an area; scores, one for each; threshold from 0 to
  * 1; scratch, of vesica_nms_scratch bytes or more, with any alignment and content; keep, with room for all indices.
  * Returns: 0, with *kept set to how many are kept. keep has their indices in the order of their scores; the rest of
  * keep is not written.
  * Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN: it is left out, and the result of the others is
  * written. Before anything is written: VESICA_E_NULL (with count 0 all but shapes and kept may be NULL), VESICA_E_KIND
- * (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f64, threshold, too little scratch).
+ * (points, segments and polylines too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f64, threshold, too little
+ * scratch).
  * Accuracy: the ratio that is compared is as of vesica_iou_f64; in float, the ratio rounded to float.
  * Cost: as vesica_iou_many_f64 for each pair of a shape and one that is kept near it.
  */

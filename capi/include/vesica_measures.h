@@ -47,7 +47,8 @@ extern "C" {
  * The first four ratios are from 0 to 1. Shared area over one shape's is 0 if no area is shared, and 1 if the other
  * shape contains it. The last three are at most the IoU, and at least -1 (CIoU: -2). The angle of a shape in CIoU is
  * the vector's (half length across its axis, half length along it); v is 0 if a shape has no size. Exchanging the
- * shapes exchanges OVER_FIRST and OVER_SECOND, and changes no bit of the others.
+ * shapes exchanges OVER_FIRST and OVER_SECOND, and changes no bit of the others. The centre, the width and the height
+ * of a polygon are those of its box.
  * Requires: ratio, one of VESICA_RATIO_OVER_UNION to VESICA_RATIO_COMPLETE.
  * Returns: 0.
  * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (ratio is no such constant; the area to

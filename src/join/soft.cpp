@@ -43,9 +43,13 @@ class Left {
   void take(const T* score, bool& left_out) noexcept {
     Fields fields;
     for (std::int64_t i = 0; i < items_; ++i) {
-      load(asked_.sets, asked_.sets.set[0], i, 1, fields);
       double numbers[max_fields];
-      for (int k = 0; k < field_count(kind_); ++k) numbers[k] = number_[k][count_] = fields.column[k][0];
+      if (is_row(kind_)) {
+        load(asked_.sets, asked_.sets.set[0], i, 1, fields);
+        for (int k = 0; k < field_count(kind_); ++k) numbers[k] = number_[k][count_] = fields.column[k][0];
+      } else {
+        copy_path(i, numbers);
+      }
       const auto s = static_cast<double>(score[i]);
       const bool usable = s == s && asked_.valid(kind_, numbers);
       left_out |= !usable;
@@ -70,12 +74,27 @@ class Left {
     const double* columns[max_fields];
     for (int k = 0; k < max_fields; ++k) columns[k] = &(one[k] = number_[k < field_count(kind_) ? k : 0][best]);
     const std::int64_t item = item_[best];
+    if (!is_row(kind_)) copy_path(item, one);
     remove(best);
     for (std::int64_t begin = 0; begin < count_;) begin = lower(columns, item, begin);
     drop_the_low();
   }
 
  private:
+  /// The struct of a polygon, in place of numbers.
+  void copy_path(std::int64_t item, double* out) const noexcept {
+    static_assert(max_fields * sizeof(double) >= sizeof(Polygon<double>) &&
+                  sizeof(Polygon<double>) == sizeof(Polygon<float>));
+    const PathArray paths = asked_.sets.set[0].paths();
+    if (asked_.sets.is_float) {
+      const auto path = path_at<float>(paths, item);
+      std::memcpy(out, &path, sizeof path);
+    } else {
+      const auto path = path_at<double>(paths, item);
+      std::memcpy(out, &path, sizeof path);
+    }
+  }
+
   /// Up to `chunk` shapes of one label with the item, from `begin` on; returns where they end.
   std::int64_t lower(const double* const* one, std::int64_t item, std::int64_t begin) noexcept {
     Fields like;
@@ -86,6 +105,7 @@ class Left {
       if (asked_.label != nullptr && asked_.label[item_[i]] != asked_.label[item]) continue;
       place[n] = i;
       for (int k = 0; k < field_count(kind_); ++k) like.column[k][n] = number_[k][i];
+      if (!is_row(kind_)) copy_path(item_[i], like.column[0] + n * max_fields);
       ++n;
     }
     if (n == 0) return i;

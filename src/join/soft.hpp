@@ -8,10 +8,11 @@
 
 namespace vesica::index {
 
-/// Ratios of one shape with n others, all in columns of doubles and of one kind; NaN where there is none.
+/// Ratios of one shape with n others, all in columns of doubles and of one kind; NaN where there is none. A polygon is
+/// its struct, in the room of max_fields doubles from the first column on.
 using Ratios = void (*)(std::int32_t ratio, std::int32_t kind, const double* const* one, const double* const* others,
                         std::int64_t n, double* out);
-/// True if a shape is valid.
+/// True if a shape is valid, given by its numbers or its struct.
 using Valid = bool (*)(std::int32_t kind, const double* numbers);
 
 struct SoftSuppression {

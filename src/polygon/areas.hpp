@@ -10,10 +10,15 @@
 namespace vesica::polygon {
 
 std::int32_t area(const Operand& a, const Operand& b, void* out) noexcept;
-std::int32_t ratio(Ratio which, const Operand& a, const Operand& b, void* out) noexcept;
+/// A double for either scalar. Returns 0, error_shape or error_argument.
+std::int32_t ratio_of_paths(Ratio which, const Operand& a, const Operand& b, double& out) noexcept;
 template <Ratio which>
 std::int32_t ratio(const Operand& a, const Operand& b, void* out) noexcept {
-  return ratio(which, a, b, out);
+  double result;
+  const std::int32_t error = ratio_of_paths(which, a, b, result);
+  if (error == 0 && a.is_float) *static_cast<float*>(out) = static_cast<float>(result);
+  if (error == 0 && !a.is_float) *static_cast<double*>(out) = result;
+  return error;
 }
 
 }  // namespace vesica::polygon

@@ -65,7 +65,7 @@ class Senses {
   }
 
  private:
-  /// Of the ring that has vertex i, which is the last one found.
+  /// Returns the sense of the ring that has vertex i, and remembers that ring.
   double of_vertex(std::int64_t i) noexcept {
     if (i < last_.first || i >= last_.last) {
       // The last ring that begins at or before the vertex.

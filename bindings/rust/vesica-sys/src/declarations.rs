@@ -516,8 +516,16 @@ extern "C" {
     /// 10^4, even if the outlines nearly touch or coincide and whatever the sizes are. Beyond 10^4 no bound is stated;
     /// what is said above holds at any ratio. With a capsule or a rounded rectangle the bound holds if neither shape is
     /// more than 10^12 times as long as the other. If the other shape is an ellipse, it is not decided whether one
-    /// contains the other: such an area is right to the bound. In bounds on errors u is 2^-53, half a unit in the last
-    /// place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
+    /// contains the other: such an area is right to the bound.
+    /// Polygons: their edges must not cross. Rings have any order and direction. An area within its error bound of 0 is
+    /// 0, and one within it of the smaller shape's area is that area. So it is exactly 0 if shapes only touch, and
+    /// exactly the inner one's area if one contains the other; but insides that share less than the bound share 0, too.
+    /// Of two polygons the bound is 128 u g w: g is the greatest height above or below the middle of the box that their
+    /// boxes share, and w the sum of the widths that pairs of their edges share, for convex polygons 4 times the width
+    /// of that box. With another shape it is 128 u t l: t is that shape's half width and half height and the polygon's
+    /// greatest distance from its centre, and l the length of the outline in it and the same half lengths; in units of
+    /// its half lengths if it is an ellipse. A polyline has no area. In bounds on errors u is 2^-53, half a unit in the
+    /// last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
     /// lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over
     /// shorter size.
     ///
@@ -638,7 +646,11 @@ extern "C" {
     /// Accuracy: the double nearest to the true area; a tiny area becomes subnormal or 0. So a shape inside another
     /// never has the greater area, and equal shapes have equal areas, whatever kinds and numbers describe them.
     /// Capsules and rounded rectangles that have both a size and a radius are excepted: their area is computed with a
-    /// relative error of 2^-96 and rounded once, so it may rarely be the double beside the nearest.
+    /// relative error of 2^-96 and rounded once, so it may rarely be the double beside the nearest. A polygon's edges
+    /// must not cross; its area is right to 8 u times the height of its box times the sum of its edges' widths, and 0
+    /// only if each ring is flat. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two
+    /// shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
+    /// means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
     /// Since: 0.1.
     pub fn vesica_shape_area_f64(kind: i32, shape: *const c_void, out: *mut f64) -> i32;
@@ -1462,16 +1474,16 @@ extern "C" {
     /// The lower index of equal scores comes first. Infinite scores are legal. At threshold 1 all shapes are kept.
     /// Shapes without an area suppress none and are not suppressed.
     ///
-    /// Requires: shapes, of a kind from VESICA_CIRCLE to VESICA_ELLIPSE; scores, one for each; threshold from 0 to 1;
-    /// scratch, of vesica_nms_scratch bytes or more, with any alignment and content; keep, with room for all indices.
+    /// Requires: shapes, of a kind with an area; scores, one for each; threshold from 0 to 1; scratch, of
+    /// vesica_nms_scratch bytes or more, with any alignment and content; keep, with room for all indices.
     ///
     /// Returns: 0, with \*kept set to how many are kept. keep has their indices in the order of their scores; the rest
     /// of keep is not written.
     ///
     /// Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN: it is left out, and the result of the others
     /// is written. Before anything is written: VESICA_E_NULL (with count 0 all but shapes and kept may be NULL),
-    /// VESICA_E_KIND (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f64, threshold, too
-    /// little scratch).
+    /// VESICA_E_KIND (points, segments and polylines too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f64,
+    /// threshold, too little scratch).
     ///
     /// Accuracy: the ratio that is compared is as of vesica_iou_f64; in float, the ratio rounded to float.
     ///
@@ -1718,8 +1730,12 @@ extern "C" {
     /// Accuracy: the double nearest to the true area; a tiny area becomes subnormal or 0. So a shape inside another
     /// never has the greater area, and equal shapes have equal areas, whatever kinds and numbers describe them.
     /// Capsules and rounded rectangles that have both a size and a radius are excepted: their area is computed with a
-    /// relative error of 2^-96 and rounded once, so it may rarely be the double beside the nearest. Each number is
-    /// computed in double, within these bounds, and then rounded to float once.
+    /// relative error of 2^-96 and rounded once, so it may rarely be the double beside the nearest. A polygon's edges
+    /// must not cross; its area is right to 8 u times the height of its box times the sum of its edges' widths, and 0
+    /// only if each ring is flat. Each number is computed in double, within these bounds, and then rounded to float
+    /// once. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest
+    /// of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at most
+    /// 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
     /// Since: 0.1.
     pub fn vesica_shape_area_f32(kind: i32, shape: *const c_void, out: *mut f32) -> i32;
@@ -1738,10 +1754,18 @@ extern "C" {
     /// 10^4, even if the outlines nearly touch or coincide and whatever the sizes are. Beyond 10^4 no bound is stated;
     /// what is said above holds at any ratio. With a capsule or a rounded rectangle the bound holds if neither shape is
     /// more than 10^12 times as long as the other. If the other shape is an ellipse, it is not decided whether one
-    /// contains the other: such an area is right to the bound. Each number is computed in double, within these bounds,
-    /// and then rounded to float once. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of
-    /// two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
-    /// means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
+    /// contains the other: such an area is right to the bound.
+    /// Polygons: their edges must not cross. Rings have any order and direction. An area within its error bound of 0 is
+    /// 0, and one within it of the smaller shape's area is that area. So it is exactly 0 if shapes only touch, and
+    /// exactly the inner one's area if one contains the other; but insides that share less than the bound share 0, too.
+    /// Of two polygons the bound is 128 u g w: g is the greatest height above or below the middle of the box that their
+    /// boxes share, and w the sum of the widths that pairs of their edges share, for convex polygons 4 times the width
+    /// of that box. With another shape it is 128 u t l: t is that shape's half width and half height and the polygon's
+    /// greatest distance from its centre, and l the length of the outline in it and the same half lengths; in units of
+    /// its half lengths if it is an ellipse. A polyline has no area. Each number is computed in double, within these
+    /// bounds, and then rounded to float once. In bounds on errors u is 2^-53, half a unit in the last place of 1. The
+    /// scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4
+    /// u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
     /// Cost: six times vesica_overlap_f32 for boxes, fifty times for two ellipses; more if outlines nearly touch or
     /// coincide, or if one shape is far larger.
@@ -2588,16 +2612,16 @@ extern "C" {
     /// The lower index of equal scores comes first. Infinite scores are legal. At threshold 1 all shapes are kept.
     /// Shapes without an area suppress none and are not suppressed.
     ///
-    /// Requires: shapes, of a kind from VESICA_CIRCLE to VESICA_ELLIPSE; scores, one for each; threshold from 0 to 1;
-    /// scratch, of vesica_nms_scratch bytes or more, with any alignment and content; keep, with room for all indices.
+    /// Requires: shapes, of a kind with an area; scores, one for each; threshold from 0 to 1; scratch, of
+    /// vesica_nms_scratch bytes or more, with any alignment and content; keep, with room for all indices.
     ///
     /// Returns: 0, with \*kept set to how many are kept. keep has their indices in the order of their scores; the rest
     /// of keep is not written.
     ///
     /// Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN: it is left out, and the result of the others
     /// is written. Before anything is written: VESICA_E_NULL (with count 0 all but shapes and kept may be NULL),
-    /// VESICA_E_KIND (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f32, threshold, too
-    /// little scratch).
+    /// VESICA_E_KIND (points, segments and polylines too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f32,
+    /// threshold, too little scratch).
     ///
     /// Accuracy: the ratio that is compared is as of vesica_iou_f32; in float, the ratio rounded to float.
     ///
@@ -3186,7 +3210,8 @@ extern "C" {
     /// The first four ratios are from 0 to 1. Shared area over one shape's is 0 if no area is shared, and 1 if the
     /// other shape contains it. The last three are at most the IoU, and at least -1 (CIoU: -2). The angle of a shape in
     /// CIoU is the vector's (half length across its axis, half length along it); v is 0 if a shape has no size.
-    /// Exchanging the shapes exchanges OVER_FIRST and OVER_SECOND, and changes no bit of the others.
+    /// Exchanging the shapes exchanges OVER_FIRST and OVER_SECOND, and changes no bit of the others. The centre, the
+    /// width and the height of a polygon are those of its box.
     ///
     /// Requires: ratio, one of VESICA_RATIO_OVER_UNION to VESICA_RATIO_COMPLETE.
     ///
@@ -3446,7 +3471,8 @@ extern "C" {
     /// The first four ratios are from 0 to 1. Shared area over one shape's is 0 if no area is shared, and 1 if the
     /// other shape contains it. The last three are at most the IoU, and at least -1 (CIoU: -2). The angle of a shape in
     /// CIoU is the vector's (half length across its axis, half length along it); v is 0 if a shape has no size.
-    /// Exchanging the shapes exchanges OVER_FIRST and OVER_SECOND, and changes no bit of the others.
+    /// Exchanging the shapes exchanges OVER_FIRST and OVER_SECOND, and changes no bit of the others. The centre, the
+    /// width and the height of a polygon are those of its box.
     ///
     /// Requires: ratio, one of VESICA_RATIO_OVER_UNION to VESICA_RATIO_COMPLETE.
     ///
