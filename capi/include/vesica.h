@@ -317,9 +317,9 @@ VESICA_API int32_t vesica_depth_f64(int32_t kind_a, const void *a, int32_t kind_
  * and one within it of the smaller shape's area is that area. So it is exactly 0 if shapes only touch, and exactly the
  * inner one's area if one contains the other; but insides that share less than the bound share 0, too. Of two polygons
  * the bound is 128 u g w: g is the greatest height above or below the middle of the box that their boxes share, and w
- * the sum of the widths that pairs of their edges share, for convex polygons 4 times the width of that box. With another
- * shape it is 128 u t l: t is that shape's half width and half height and the polygon's greatest distance from its
- * centre, and l the length of the outline in it and the same half lengths; in units of its half lengths if it is an
+ * the sum of the widths that pairs of their edges share, for convex polygons 4 times the width of that box. With
+ * another shape it is 128 u t l: t is that shape's half width and half height and the polygon's greatest distance from
+ * its centre, and l the length of the outline in it and the same half lengths; in units of its half lengths if it is an
  * ellipse. A polyline has no area.
  * Cost: six times vesica_overlap_f64 for boxes, fifty times for two ellipses; more if outlines nearly touch or
  * coincide, or if one shape is far larger.
