@@ -62,17 +62,29 @@ inline Path nested_path(int n, double cx, double cy, double radius, Random& rand
   return rewritten(path, random);
 }
 
+/// A star around its centre: if the centre were outside, edges might cross.
+inline Path simple_star(int n, double x, double y, Random& random) {
+  const double radius = random.between(0.3, 2), least = random.chance(0.5) ? 1 : 0.3;
+  for (;;) {
+    Path path;
+    path.add_ring(star(n, x, y, radius, least, random));
+    bool around = true;
+    for (std::size_t i = 0, m = path.xy.size(); i < m; i += 2) {
+      const double *const p = &path.xy[i], *const q = &path.xy[(i + 2) % m];
+      around &= (p[0] - x) * (q[1] - y) > (p[1] - y) * (q[0] - x);
+    }
+    if (around) return path;
+  }
+}
 inline Path some_path(double x, double y, Random& random) {
   if (random.chance(0.4)) return nested_path(random.integer(8, 40), x, y, random.between(0.3, 2), random);
-  Path path;
-  path.add_ring(star(random.integer(3, 20), x, y, random.between(0.3, 2), random.chance(0.5) ? 1 : 0.3, random));
-  return path;
+  return simple_star(random.integer(3, 20), x, y, random);
 }
 
 TEST(PolygonArea, AgreesWithSlabs) {
   Random random(159);
   int positive = 0, zero = 0;
-  const int pairs = 20000 * properties::repeat();
+  const int pairs = 5000 * properties::repeat();
   for (int i = 0; i < pairs; ++i) {
     const double shift = random.chance(0.3) ? 1000 : 0;
     const Path a = some_path(shift, 0, random),
@@ -213,7 +225,7 @@ TEST(PolygonArea, OfBoxesAsPolygons) {
     double own = 0;
     vesica_shape_area_f64(other.kind, other.number.data(), &own);
     if (expected == own) {
-      ASSERT_EQ(found, own) << i;
+      ASSERT_EQ(found, std::min(own, own_area(polygon))) << i;
     }
     positive += found > 0;
     whole += found > 0 && found == own;
@@ -330,10 +342,12 @@ TEST(PolygonArea, WithRows) {
   int positive = 0;
   const int pairs = 3000 * properties::repeat();
   for (int i = 0; i < pairs; ++i) {
-    const Path path = some_path(random.between(-1, 1), random.between(-1, 1), random);
     const inflated::Shape row = inflated::shape(random.integer(VESICA_CIRCLE, VESICA_ROUND_RECT), random);
+    const Path path =
+        some_path(row.number[0] + random.between(-1.5, 1.5), row.number[1] + random.between(-1.5, 1.5), random);
     const double found = area(path, row);
-    ASSERT_NEAR(found, area_by_integral(path, row, 2000), 2e-3) << i << ' ' << row.kind;
+    // Two upright edges, of at most 4, each half a strip away, which is at most 4 / 2000 wide.
+    ASSERT_NEAR(found, area_by_integral(path, row, 2000), 8e-3) << i << ' ' << row.kind;
     // The triangles of a point and each edge, with the sign of their turn; the first ring is to the left of its edges.
     if (path.ring_count() == 1) {
       double sum = 0;
