@@ -14,7 +14,8 @@ struct Fraction {
 };
 /// The sign of a - b.
 inline int compared(const Fraction& a, const Fraction& b) {
-  const auto left = static_cast<__int128>(a.over) * b.under, right = static_cast<__int128>(b.over) * a.under;
+  __extension__ using Wide = __int128;
+  const auto left = static_cast<Wide>(a.over) * b.under, right = static_cast<Wide>(b.over) * a.under;
   return (left > right) - (left < right);
 }
 
