@@ -8,7 +8,7 @@
 #include <vesica/each_shape.hpp>
 #include <vesica/form/form.hpp>
 #include <vesica/form/inflated.hpp>
-#include <vesica/polygon/edges.hpp>
+#include <vesica/polygon.hpp>
 #include <vesica/shapes.hpp>
 
 namespace vesica {

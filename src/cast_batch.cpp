@@ -40,7 +40,7 @@ Item item_at(const Shapes<T>& shapes, std::int64_t i) noexcept {
 
 bool is_valid(const Body& body) noexcept {
   return with_shape<double>(static_cast<std::int32_t>(body.kind), body.number,
-                            [](const auto& s) { return check(s); }) == 0;
+                            [](const HasCore auto& s) { return check(s); }) == 0;
 }
 
 /// After a block of which the kernels decide less than a sixteenth, this many blocks are answered as single pairs: the

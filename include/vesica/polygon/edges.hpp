@@ -7,6 +7,7 @@
 #include <limits>
 #include <vesica/check.hpp>
 #include <vesica/polygon.hpp>
+#include <vesica/two_doubles.hpp>
 
 namespace vesica::detail::polygon {
 
@@ -53,6 +54,7 @@ class Edges {
   Edges(const Polyline<T>& p) noexcept : Edges(p, false) {}  // NOLINT(google-explicit-constructor)
 
   bool closed() const noexcept { return closed_; }
+  bool has_null() const noexcept { return x_ == nullptr || y_ == nullptr; }
   std::int64_t rings() const noexcept { return rings_ == nullptr ? 1 : count_; }
   /// Vertices of ring j.
   Range ring(std::int64_t j) const noexcept {
@@ -75,7 +77,7 @@ class Edges {
   /// 0, error_null, error_not_finite, or error_rings for no vertex or offsets that are negative or decrease. The box
   /// holds all vertices where it is 0.
   int check(Box& box) const noexcept {
-    if (x_ == nullptr || y_ == nullptr) return error_null;
+    if (has_null()) return error_null;
     if (count_ < 1) return error_rings;
     if (rings_ != nullptr) {
       std::int32_t before = 0;
@@ -86,33 +88,15 @@ class Edges {
     }
     const Range vertices = all();
     if (vertices.length() == 0) return error_rings;
-    box = no_box;
-    double zero = 0;  // NaN if a number is not finite
-    for (std::int64_t i = vertices.first; i < vertices.last; ++i) {
-      const auto [x, y] = vertex(i);
-      extend(box, x, y);
-      zero += 0 * x + 0 * y;
-    }
-    return zero == 0 ? 0 : error_not_finite;
+    return find_box(vertices, box) ? 0 : error_not_finite;
   }
 
   /// Calls visit(edge, i) for each edge that begins in a range, until it returns true; returns whether it did.
   template <class Visit>
   bool for_edges(const Range& range, Visit visit) const noexcept {
-    if (range.first >= range.last) return false;
-    if (rings_ == nullptr) return for_edges_of_ring({0, count_}, range, visit);
-    // The ring of the first vertex: the last one that begins at or before it.
-    std::int64_t low = 0, high = count_;
-    while (high - low > 1) {
-      const std::int64_t middle = low + (high - low) / 2;
-      (offset(middle) <= range.first ? low : high) = middle;
-    }
-    for (std::int64_t j = low; j < count_; ++j) {
-      const Range vertices = ring(j);
-      if (vertices.first >= range.last) break;
-      if (for_edges_of_ring(vertices, range, visit)) return true;
-    }
-    return false;
+    return for_rings(range, [&](const Range& vertices, std::int64_t first, std::int64_t last) {
+      return for_edges_of_ring(vertices, first, last, visit);
+    });
   }
   /// For all edges.
   template <class Visit>
@@ -123,9 +107,13 @@ class Edges {
   /// The box of the edges of a range.
   Box box_of_range(const Range& range) const noexcept {
     Box box = no_box;
-    for_edges(range, [&](const Edge& e, std::int64_t) {
-      extend(box, e.x0, e.y0);
-      extend(box, e.x1, e.y1);
+    for_rings(range, [&](const Range& vertices, std::int64_t first, std::int64_t last) {
+      Box part;
+      find_box({first, std::min(last + 1, vertices.last)}, part);
+      const Point<double> start = vertex(last == vertices.last && closed_ ? vertices.first : first);
+      extend(part, start.x, start.y);
+      extend(box, part.min_x, part.min_y);
+      extend(box, part.max_x, part.max_y);
       return false;
     });
     return box;
@@ -143,11 +131,65 @@ class Edges {
 
   std::int32_t offset(std::int64_t j) const noexcept { return rings_[j]; }
 
+  /// Calls visit(ring, first, last) for the part of each ring within a range, until it returns true.
+  template <class Visit>
+  bool for_rings(const Range& range, Visit visit) const noexcept {
+    if (range.first >= range.last) return false;
+    if (rings_ == nullptr) return visit(Range{0, count_}, range.first, range.last);
+    // The ring of the first vertex: the last one that begins at or before it.
+    std::int64_t low = 0, high = count_;
+    while (high - low > 1) {
+      const std::int64_t middle = low + (high - low) / 2;
+      (offset(middle) <= range.first ? low : high) = middle;
+    }
+    for (std::int64_t j = low; j < count_; ++j) {
+      const Range vertices = ring(j);
+      if (vertices.first >= range.last) break;
+      const std::int64_t first = std::max(vertices.first, range.first), last = std::min(vertices.last, range.last);
+      if (first < last && visit(vertices, first, last)) return true;
+    }
+    return false;
+  }
+
+  /// The box of vertices. Returns false if a number is not finite.
+  bool find_box(const Range& range, Box& box) const noexcept {
+#ifdef VESICA_HAS_TWO_DOUBLES
+    // Both coordinates in one register, and two vertices at a time, so that no operation waits for the one before.
+    using lane::TwoDoubles;
+    TwoDoubles low[2]{TwoDoubles(infinite), TwoDoubles(infinite)},
+        high[2]{TwoDoubles(-infinite), TwoDoubles(-infinite)};
+    TwoDoubles zero[2]{TwoDoubles(0.0), TwoDoubles(0.0)};  // NaN if a number is not finite
+    const auto take = [&](std::int64_t i, int k) {
+      const Point<double> v = vertex(i);
+      const TwoDoubles p(v.x, v.y);
+      low[k] = min(p, low[k]);
+      high[k] = max(p, high[k]);
+      zero[k] = zero[k] + (p - p);
+    };
+    std::int64_t i = range.first;
+    for (; i + 2 <= range.last; i += 2) {
+      take(i, 0);
+      take(i + 1, 1);
+    }
+    if (i < range.last) take(i, 0);
+    const TwoDoubles least = min(low[0], low[1]), most = max(high[0], high[1]), sum = zero[0] + zero[1];
+    box = {least.first(), least.second(), most.first(), most.second()};
+    return sum.first() == 0 && sum.second() == 0;
+#else
+    box = no_box;
+    double zero = 0;
+    for (std::int64_t i = range.first; i < range.last; ++i) {
+      const Point<double> v = vertex(i);
+      extend(box, v.x, v.y);
+      zero += (v.x - v.x) + (v.y - v.y);
+    }
+    return zero == 0;
+#endif
+  }
+
   /// The same for one ring.
   template <class Visit>
-  bool for_edges_of_ring(const Range& vertices, const Range& range, Visit& visit) const noexcept {
-    const std::int64_t first = std::max(vertices.first, range.first), last = std::min(vertices.last, range.last);
-    if (first >= last) return false;
+  bool for_edges_of_ring(const Range& vertices, std::int64_t first, std::int64_t last, Visit& visit) const noexcept {
     Point<double> from = vertex(first);
     const std::int64_t inner = std::min(last, vertices.last - 1);
     for (std::int64_t i = first; i < inner; ++i) {

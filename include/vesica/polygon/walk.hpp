@@ -22,7 +22,7 @@ constexpr double squared_gap(const Box& a, const Box& b) noexcept {
 constexpr double squared_limit(double distance) noexcept { return distance * distance * (1 + 0x1p-50) + 0x1p-1070; }
 
 /// Ranges of at most this many edges are compared edge by edge.
-inline constexpr std::int64_t few_edges = 32;
+inline constexpr std::int64_t few_edges = 16;
 
 /// A range cut into blocks of equal length, with the box of each.
 struct Blocks {
