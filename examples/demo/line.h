@@ -11,7 +11,9 @@ enum { line_limit = 4095 };
 struct line {
   long number;        ///< from 1
   const char* fault;  ///< why the line cannot be used, or NULL
-  char text[line_limit + 2];
+  char* text;         ///< memory of line_limit + 2 bytes; if it grows, NULL or memory of malloc, which the caller frees
+  int grows;          ///< lines may be longer than line_limit
+  size_t room;        ///< the bytes of text, if it grows
 };
 
 /// Reads the next line into `line`, whose number must be 0 before the first. Returns 1, or 0 at the end of the file

@@ -52,7 +52,8 @@ static int fail_file(const char* path, const char* verb) {
 }
 
 static int answer_file(const char* path, struct picture* picture, struct report* report) {
-  static struct line line;
+  static char text[line_limit + 2];
+  struct line line = {.text = text};
   FILE* file = fopen(path, "rb");
   int failed;
   if (!file) return fail_file(path, "read");

@@ -22,6 +22,7 @@ static int64_t call(struct join* join, const struct step* step, int64_t* first, 
                                         vesica_join_scratch(), first, second, first ? room : 0, state);
   join->seconds += seconds() - begin;
   if (found > 0) join->pairs += found;
+  if (found < 0) join->error = (int32_t)found;
   return found;
 }
 

@@ -13,6 +13,7 @@ struct join {
   FILE* out;                    ///< NULL to count alone
   int64_t pairs;                ///< found
   double seconds;               ///< spent in finding them
+  int32_t error;                ///< of the library, or 0
 };
 
 /// Finds all pairs and writes each as a line of the two numbers in the files. Of one operand, of pairs that have no

@@ -19,8 +19,8 @@ static const char usage[] =
     "usage: join [OPTION...] A [B] >pairs.csv\n"
     "\n"
     "Pairs of shapes that overlap, one of each file, or two of A alone. A file has a shape a line, as\n"
-    "`rect 0 0 0.8 0.6 2 1`, or POINT, LINESTRING and POLYGON as far as they are points, segments and boxes; or is\n"
-    "an array of numpy's (.npy) with the shape's numbers as fields or columns. Numbers of shapes begin with 0.\n"
+    "`rect 0 0 0.8 0.6 2 1`, or as POINT, LINESTRING, POLYGON, MULTILINESTRING or MULTIPOLYGON; or is an array of\n"
+    "numpy's (.npy) with the shape's numbers as fields or columns. Numbers of shapes begin with 0.\n"
     "\n"
     "  --contains   pairs of which the first contains the second\n"
     "  --inside     pairs of which the second contains the first\n"
@@ -103,7 +103,7 @@ static void summarise(const struct join* join, double reading, double building) 
 
 static int join_sources(const struct options* options, const struct source sources[2], double reading) {
   struct operand operands[2] = {{.items = 0}, {.items = 0}};
-  struct join join = {&operands[0], &operands[options->files - 1], options->query, stdout, 0, 0};
+  struct join join = {&operands[0], &operands[options->files - 1], options->query, stdout, 0, 0, 0};
   const double begin = seconds();
   double building;
   int good = 1;
@@ -115,6 +115,7 @@ static int join_sources(const struct options* options, const struct source sourc
   if (good && options->count) printf("%lld\n", (long long)join.pairs);
   for (int i = 0; i < options->files; i++) free_operand(&operands[i]);
   if (fflush(stdout) != 0 || ferror(stdout)) return complain("cannot write the pairs");
+  if (join.error != 0) return complain(vesica_strerror(join.error));
   if (!good) return complain("out of memory, or more than 2147483647 shapes");
   summarise(&join, reading, building);
   return 0;

@@ -19,7 +19,7 @@ static int refuse_file(const struct source* source) {
 }
 
 int take_shape(struct source* source, const char* where, const struct shape* shape, const struct fault* fault) {
-  if (shape) return add_shape(&source->shapes, shape) || refuse_source(source, "out of memory");
+  if (shape) return add_shape(&source->shapes, shape, &source->vertices) || refuse_source(source, "out of memory");
   source->shapes.count++;
   if (source->faults++ < most_complaints) {
     end_progress();
@@ -52,6 +52,7 @@ int read_source(struct source* source) {
   good = is_npy(source->file) ? read_npy(source) : read_text(source);
   if (good && ferror(source->file)) good = refuse_file(source);
   fclose(source->file);
+  free_vertices(&source->vertices);
   end_progress();
   if (source->faults > most_complaints) {
     fprintf(stderr, "%s: and %lld more like these\n", source->path, (long long)(source->faults - most_complaints));

@@ -17,13 +17,14 @@ struct source {
   int64_t bytes;   ///< of the file, or 0 where it has no length
   int64_t faults;  ///< bad shapes; the first most_complaints are named on standard error
   struct shapes shapes;
+  struct vertices vertices;  ///< the vertices of the shape that is being read
 };
 
 /// Reads the file at source->path. Returns 1, or 0 after saying why it cannot be used: what is not a shape is not a
 /// reason, but counted.
 int read_source(struct source* source);
 
-/// For readers: the next shape, at that line or row ("shapes.csv:3"), or the reason why it is none. Returns 1, or 0
+/// For readers: the next shape, its vertices in source->vertices if it has some, at that line or row ("shapes.csv:3"), or the reason why it is none. Returns 1, or 0
 /// where memory is short, which is said.
 int take_shape(struct source* source, const char* where, const struct shape* shape, const struct fault* fault);
 

@@ -8,7 +8,7 @@
 
 #include "fields.h"
 
-enum { box_positions = 5, most_positions = 5 };
+enum { box_positions = 5 };
 
 static int take_mark(const char** text, char mark) {
   *text += strspn(*text, " \t");
@@ -25,33 +25,47 @@ static int take_number(const char** text, double* out) {
   return 1;
 }
 
-// How many positions stand between parentheses, or 0 where that is not so or they are too many.
-static int take_positions(const char** text, double out[most_positions][2]) {
-  int count = 0;
-  if (!take_mark(text, '(')) return 0;
+// Positions between parentheses, as a ring.
+static int take_ring(const char** text, struct vertices* vertices, struct fault* fault) {
+  static const char wanted[] = "not positions of two numbers in parentheses";
+  if (!take_mark(text, '(')) return fail(fault, wanted);
   do {
-    if (count == most_positions || !take_number(text, &out[count][0]) || !take_number(text, &out[count][1])) return 0;
-    count++;
+    double x, y;
+    if (!take_number(text, &x) || !take_number(text, &y)) return fail(fault, wanted);
+    if (!add_vertex(vertices, x, y)) return fail(fault, "too many positions");
   } while (take_mark(text, ','));
-  return take_mark(text, ')') ? count : 0;
+  if (!take_mark(text, ')')) return fail(fault, wanted);
+  return end_ring(vertices) || fail(fault, "too many rings");
 }
 
-static int same(const double a[2], const double b[2], int axis) { return a[axis] == b[axis]; }
+// Rings, or parts with rings, between as many parentheses around each ring.
+static int take_rings(const char** text, int depth, struct vertices* vertices, struct fault* fault) {
+  if (depth == 0) return take_ring(text, vertices, fault);
+  if (!take_mark(text, '(')) return fail(fault, "'(' is missing");
+  do {
+    if (!take_rings(text, depth - 1, vertices, fault)) return 0;
+  } while (take_mark(text, ','));
+  return take_mark(text, ')') || fail(fault, "')' is missing");
+}
+
+static int same(const double* p, int a, int b, int axis) { return p[2 * a + axis] == p[2 * b + axis]; }
 
 // Its sides take turns in lying along the one axis and the other, beginning with `axis`.
-static int turns(double p[most_positions][2], int axis) {
+static int turns(const double* p, int axis) {
   for (int i = 0; i + 1 < box_positions; i++) {
-    if (!same(p[i], p[i + 1], (axis + i + 1) % 2)) return 0;
+    if (!same(p, i, i + 1, (axis + i + 1) % 2)) return 0;
   }
   return 1;
 }
 
-static int box_of(double p[most_positions][2], int count, struct shape* shape) {
-  if (count != box_positions || !same(p[0], p[4], 0) || !same(p[0], p[4], 1)) return 0;
+static int take_box(const struct vertices* vertices, struct shape* shape) {
+  const double* p = vertices->xy;
+  if (vertices->ring_count != 1 || vertices->count != box_positions || !same(p, 0, 4, 0) || !same(p, 0, 4, 1)) return 0;
   if (!turns(p, 0) && !turns(p, 1)) return 0;
+  shape->kind = VESICA_AABB;
   for (int axis = 0; axis < 2; axis++) {
-    shape->numbers[axis] = fmin(p[0][axis], p[2][axis]);
-    shape->numbers[axis + 2] = fmax(p[0][axis], p[2][axis]);
+    shape->numbers[axis] = fmin(p[axis], p[4 + axis]);
+    shape->numbers[axis + 2] = fmax(p[axis], p[4 + axis]);
   }
   return 1;
 }
@@ -63,32 +77,32 @@ static int take_name(const char** text, const char* name) {
   return 1;
 }
 
-static int parse_polygon(const char* text, struct shape* shape, struct fault* fault) {
-  double p[most_positions][2];
-  int count;
-  shape->kind = VESICA_AABB;
-  if (!take_mark(&text, '(')) return fail(fault, "'(' is missing");
-  count = take_positions(&text, p);
-  if (!box_of(p, count, shape)) return fail(fault, "a POLYGON here is a box along the axes, one ring of 5 positions");
-  return (take_mark(&text, ')') && !*text) || fail(fault, "'%.40s' after the ring of a box", text);
-}
+static const struct {
+  const char* name;
+  int32_t kind;
+  int depth;  // parentheses around each ring
+} forms[] = {{"POINT", VESICA_POINT, 0},
+             {"LINESTRING", VESICA_POLYLINE, 0},
+             {"MULTILINESTRING", VESICA_POLYLINE, 1},
+             {"POLYGON", VESICA_POLYGON, 1},
+             {"MULTIPOLYGON", VESICA_POLYGON, 2}};
 
-int parse_wkt(const char* text, struct shape* shape, struct fault* fault) {
-  double p[most_positions][2];
-  int wanted;
-  if (take_name(&text, "POLYGON")) return parse_polygon(text, shape, fault);
-  if (take_name(&text, "POINT")) {
-    shape->kind = VESICA_POINT;
-  } else if (take_name(&text, "LINESTRING")) {
-    shape->kind = VESICA_SEGMENT;
-  } else {
-    return fail(fault, "'%.40s' is no POINT, LINESTRING or POLYGON", text);
+int parse_wkt(const char* text, struct shape* shape, struct vertices* vertices, struct fault* fault) {
+  size_t form = 0;
+  const char* rest = text;
+  vertices->count = vertices->ring_count = 0;
+  while (form < sizeof forms / sizeof *forms && !take_name(&rest, forms[form].name)) form++;
+  if (form == sizeof forms / sizeof *forms) return fail(fault, "'%.40s' is no POINT, LINESTRING or POLYGON", text);
+  if (!take_rings(&rest, forms[form].depth, vertices, fault)) return 0;
+  rest += strspn(rest, " \t");
+  if (*rest) return fail(fault, "'%.40s' after the shape", rest);
+  shape->kind = forms[form].kind;
+  if (shape->kind == VESICA_POINT && vertices->count != 1)
+    return fail(fault, "not 1 position of two numbers in parentheses");
+  if (shape->kind == VESICA_POLYGON) take_box(vertices, shape);
+  if (shape->kind == VESICA_POLYLINE && vertices->ring_count == 1 && vertices->count == 2) shape->kind = VESICA_SEGMENT;
+  if (shape->kind == VESICA_POINT || shape->kind == VESICA_SEGMENT) {
+    memcpy(shape->numbers, vertices->xy, 2 * sizeof(double) * (size_t)vertices->count);
   }
-  wanted = shape->kind == VESICA_POINT ? 1 : 2;
-  if (take_positions(&text, p) != wanted)
-    return fail(fault, "not %d position%s of two numbers in parentheses", wanted, wanted == 1 ? "" : "s");
-  text += strspn(text, " \t");
-  if (*text) return fail(fault, "'%.40s' after the shape", text);
-  memcpy(shape->numbers, p, sizeof p[0] * (size_t)wanted);
   return 1;
 }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Well-known text, as far as its shapes are this library's.
+/// Well-known text: POINT, LINESTRING, POLYGON, and the last two with MULTI.
 #ifndef WKT_H
 #define WKT_H
 
-#include "scene.h"
+#include "shapes.h"
 
-/// POINT, LINESTRING of two positions, POLYGON of one ring that is a box. Returns 1, or 0 with the reason in `fault`.
-int parse_wkt(const char* text, struct shape* shape, struct fault* fault);
+/// Two positions of a line are a segment, and a polygon that is a box along the axes is an AABB; the vertices of all others
+/// are in `vertices`. Returns 1, or 0 with the reason in `fault`.
+int parse_wkt(const char* text, struct shape* shape, struct vertices* vertices, struct fault* fault);
 
 #endif
