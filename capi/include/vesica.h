@@ -79,7 +79,7 @@ extern "C" {
 
 /*
  * Kinds of shapes, and the order of their numbers. Capsules and rounded rectangles are taken as the kinds before them,
- * but with an ellipse boundary_distance, de9im and crossings return VESICA_E_KIND.
+ * but with an ellipse boundary_distance and crossings return VESICA_E_KIND.
  * Polygons and polylines are taken by:
  *   check, bounds
  *   overlap, interiors_overlap, relation, contains

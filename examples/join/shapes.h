@@ -31,15 +31,15 @@ struct shapes {
 /// True for polygons and polylines.
 int has_vertices(int32_t kind);
 
-/// Adds a vertex; end_ring() ends the ring that it is of. Returns 1, or 0 where memory is short or offsets are too large.
+/// Adds a vertex; end_ring() ends its ring. Returns 1, or 0 where memory is short or offsets are too large.
 int add_vertex(struct vertices* vertices, double x, double y);
 int end_ring(struct vertices* vertices);
 
 /// Their struct.
 vesica_polygon_f64 view_vertices(const struct vertices* vertices);
 
-/// Takes in a valid shape as the next of the file; `vertices` has the vertices of one that has some. Returns 1, or 0 where
-/// memory is short.
+/// Takes in a valid shape as the next of the file; `vertices` are those of one that has some. Returns 1, or 0 where memory
+/// is short.
 int add_shape(struct shapes* shapes, const struct shape* shape, const struct vertices* vertices);
 
 /// How many good ones there are.

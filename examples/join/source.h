@@ -24,8 +24,8 @@ struct source {
 /// reason, but counted.
 int read_source(struct source* source);
 
-/// For readers: the next shape, its vertices in source->vertices if it has some, at that line or row ("shapes.csv:3"), or the reason why it is none. Returns 1, or 0
-/// where memory is short, which is said.
+/// For readers: the next shape, at that line or row ("shapes.csv:3"), or the reason why it is none. If it has vertices,
+/// they are in source->vertices. Returns 1, or 0 where memory is short, which is said.
 int take_shape(struct source* source, const char* where, const struct shape* shape, const struct fault* fault);
 
 /// For readers: says why the file cannot be used, and returns 0.

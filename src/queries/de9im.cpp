@@ -10,9 +10,6 @@ namespace {
 
 struct De9imOfPair {
   static constexpr Reversal reversal = Reversal::unknown;  // its result is no list of numbers
-  /// Pairs in order whose relation is known: not yet an ellipse and a core with a radius.
-  template <class A, class B>
-  static constexpr bool answers = HasCore<A>&& HasCore<B> && (HasForm<B> || ShapeTraits<A>::kind != Kind::ellipse);
   template <class T>
   using Result = NineIntersections;
   template <class A, class B, class Result>
