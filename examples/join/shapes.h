@@ -38,8 +38,8 @@ int end_ring(struct vertices* vertices);
 /// Their struct.
 vesica_polygon_f64 view_vertices(const struct vertices* vertices);
 
-/// Takes in a valid shape as the next of the file; `vertices` are those of one that has some. Returns 1, or 0 where memory
-/// is short.
+/// Takes in a valid shape as the next of the file; `vertices` are those of one that has some. Returns 1, or 0 where
+/// memory is short.
 int add_shape(struct shapes* shapes, const struct shape* shape, const struct vertices* vertices);
 
 /// How many good ones there are.
