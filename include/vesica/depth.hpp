@@ -177,6 +177,17 @@ VESICA_CALLED std::int32_t depth_in_order(const A& a, const B& b, std::int32_t o
   return 0;
 }
 
+/// The direction for cores that are so close that their connection has none: the one of their depth as if they touched.
+template <class A, class B>
+void direction_of_touching(const A& a, const B& b, Penetration<double>& out) noexcept {
+  Penetration<double> found;
+  if constexpr (in_order<A, B>) {
+    if (depth_of_overlapping(a, b, Overlap::some, found) == 0) out = {out.depth, found.x, found.y};
+  } else {
+    if (depth_of_overlapping(b, a, Overlap::some, found) == 0) out = {out.depth, 0 - found.x, 0 - found.y};
+  }
+}
+
 /// With a core and a radius (form/inflated.hpp). The points of b less those of a are the cores' with a disc of both
 /// radii added, so the radii add to the depth of cores that overlap. Where the cores are apart, the shortest move is
 /// along their connection.
@@ -202,6 +213,8 @@ VESICA_CALLED std::int32_t depth_in_order(const A& a, const B& b, std::int32_t o
     const bool is_positive = depth > surely_positive * arithmetic::scale_far(c.size, c.exponent) ||
                              decide_undecided(a, b, Common::insides) == 1;
     found = {is_positive ? above_zero(depth) : 0, c.nx + 0.0, c.ny + 0.0};  // no -0
+    constexpr double rounding = 0x1p-49;
+    if (nearest::rounded(c.distance) <= rounding * c.size) direction_of_touching(p.core, q.core, found);
   }
   if (!all_finite(found.depth)) return error_range;
   out = found;
