@@ -37,9 +37,10 @@ struct Pair {
 /// Vertices at ascending angles; convex at radius 1, a star at radii from 0.3 on.
 Ring draw(int n, bool convex, double near, Random& random) {
   const double cx = random.between(-near, near), cy = random.between(-near, near);
-  std::vector<double> angles(static_cast<std::size_t>(n));
-  for (double& angle : angles) angle = random.between(0, 6.283185307179586);
-  std::sort(angles.begin(), angles.end());
+  std::vector<double> angles;
+  const double turn = random.between(0, 1);
+  // Gaps of less than half a turn: else edges might cross.
+  for (int i = 0; i < n; ++i) angles.push_back(6.283185307179586 * (i + turn + random.between(0, 0.9)) / n);
   Ring ring;
   for (const double angle : angles) {
     const double r = convex ? 1 : random.between(0.3, 1);
