@@ -19,6 +19,7 @@
 /// first.
 #pragma once
 
+#include <initializer_list>
 #include <vesica/support_minimum/arc_bound.hpp>
 #include <vesica/support_minimum/support.hpp>
 
