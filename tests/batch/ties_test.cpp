@@ -24,8 +24,8 @@ using properties::Random;
 /// By the exact stage alone, or error_shape.
 template <class T>
 std::int32_t exact_answer(int kind_a, const Numbers<T>& a, int kind_b, const Numbers<T>& b) {
-  return vesica::with_shape(kind_a, a.data(), [&](const auto& first) {
-    return vesica::with_shape(kind_b, b.data(), [&](const auto& second) -> std::int32_t {
+  return vesica::with_shape<T>(kind_a, a.data(), [&](const vesica::HasCore auto& first) {
+    return vesica::with_shape<T>(kind_b, b.data(), [&](const vesica::HasCore auto& second) -> std::int32_t {
       if (vesica::check(first) != 0 || vesica::check(second) != 0) return vesica::error_shape;
       using First = std::remove_cvref_t<decltype(vesica::widen(first))>;
       using Second = std::remove_cvref_t<decltype(vesica::widen(second))>;

@@ -54,8 +54,8 @@ TEST(UnknownPairs, AreToldApart) {
 
 TEST(UnknownPairs, OfOneShapeToo) {
   const auto radius = [](const Circle<double>& disc) { return static_cast<std::int32_t>(disc.r); };
-  EXPECT_EQ(with_shape(static_cast<std::int32_t>(Kind::circle), numbers, radius), 5);
-  EXPECT_EQ(with_shape(static_cast<std::int32_t>(Kind::rect), numbers, radius), error_kind);
+  EXPECT_EQ(with_shape<double>(static_cast<std::int32_t>(Kind::circle), numbers, radius), 5);
+  EXPECT_EQ(with_shape<double>(static_cast<std::int32_t>(Kind::rect), numbers, radius), error_kind);
 }
 
 }  // namespace
