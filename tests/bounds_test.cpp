@@ -94,7 +94,7 @@ TYPED_TEST(Bounds, Errors) {
   this->expect_error(17, nullptr, VESICA_E_NULL);
   EXPECT_EQ(TypeParam::bounds(VESICA_CIRCLE, circle, nullptr), VESICA_E_NULL);
   this->expect_error(-1, circle, VESICA_E_KIND);
-  this->expect_error(8, circle, VESICA_E_KIND);
+  this->expect_error(VESICA_POLYLINE + 1, circle, VESICA_E_KIND);
   this->expect_error(VESICA_CIRCLE, not_finite, VESICA_E_SHAPE);
   this->expect_error(VESICA_POINT, not_finite, VESICA_E_SHAPE);
   this->expect_error(VESICA_CIRCLE, unbounded, VESICA_E_SHAPE);

@@ -300,7 +300,8 @@ TEST(AreaErrors, OfTwoShapes) {
     EXPECT_EQ(query(VESICA_RECT, good, VESICA_RECT, good, nullptr), VESICA_E_NULL);
     expect_untouched(VESICA_E_NULL, [&](double* out) { return query(VESICA_RECT, nullptr, VESICA_RECT, good, out); });
     expect_untouched(VESICA_E_NULL, [&](double* out) { return query(99, good, VESICA_RECT, nullptr, out); });
-    expect_untouched(VESICA_E_KIND, [&](double* out) { return query(8, good, VESICA_RECT, bad, out); });
+    expect_untouched(VESICA_E_KIND,
+                     [&](double* out) { return query(VESICA_POLYLINE + 1, good, VESICA_RECT, bad, out); });
     expect_untouched(VESICA_E_KIND, [&](double* out) { return query(VESICA_RECT, bad, -1, good, out); });
     expect_untouched(VESICA_E_SHAPE, [&](double* out) { return query(VESICA_RECT, bad, VESICA_RECT, good, out); });
     expect_untouched(VESICA_E_SHAPE, [&](double* out) { return query(VESICA_RECT, good, VESICA_ELLIPSE, bad, out); });
@@ -346,7 +347,7 @@ TEST(AreaErrors, OfOneShape) {
   const double bad[6] = {0, 0, 0, 0, 1, 1};
   EXPECT_EQ(vesica_shape_area_f64(VESICA_RECT, bad, nullptr), VESICA_E_NULL);
   expect_untouched(VESICA_E_NULL, [](double* out) { return vesica_shape_area_f64(VESICA_RECT, nullptr, out); });
-  expect_untouched(VESICA_E_KIND, [&](double* out) { return vesica_shape_area_f64(8, bad, out); });
+  expect_untouched(VESICA_E_KIND, [&](double* out) { return vesica_shape_area_f64(VESICA_POLYLINE + 1, bad, out); });
   expect_untouched(VESICA_E_SHAPE, [&](double* out) { return vesica_shape_area_f64(VESICA_RECT, bad, out); });
 }
 

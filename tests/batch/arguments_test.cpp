@@ -376,7 +376,7 @@ TYPED_TEST(BatchArguments, RecordsThatCannotBeAreRefused) {
   EXPECT_EQ(TestFixture::Face::from_records(VESICA_RECT, 1, nullptr, 48, &shapes), VESICA_E_NULL);
   EXPECT_EQ(TestFixture::Face::from_records(9, 1, nullptr, 48, &shapes), VESICA_E_NULL);
   EXPECT_EQ(TestFixture::Face::from_records(-1, 1, record.data(), 48, &shapes), VESICA_E_KIND);
-  EXPECT_EQ(TestFixture::Face::from_records(8, 1, record.data(), 48, &shapes), VESICA_E_KIND);
+  EXPECT_EQ(TestFixture::Face::from_records(VESICA_POLYLINE + 1, 1, record.data(), 48, &shapes), VESICA_E_KIND);
   EXPECT_EQ(TestFixture::Face::from_records(VESICA_RECT, -1, record.data(), 48, &shapes), VESICA_E_ARGUMENT);
   EXPECT_EQ(std::memcmp(&shapes, &before, sizeof shapes), 0);
   EXPECT_EQ(TestFixture::Face::from_records(VESICA_RECT, 0, nullptr, 48, &shapes), 0);

@@ -240,7 +240,7 @@ void expect_errors(Ask ask_for) {
   EXPECT_EQ(ask_for(9, nullptr, VESICA_RECT, good.data(), &out), VESICA_E_NULL);
   EXPECT_EQ(ask_for(VESICA_RECT, good.data(), 9, nullptr, &out), VESICA_E_NULL);
   EXPECT_EQ(ask_for(9, good.data(), VESICA_RECT, good.data(), nullptr), VESICA_E_NULL);
-  EXPECT_EQ(ask_for(9, good.data(), VESICA_RECT, bad.data(), &out), VESICA_E_KIND);
+  EXPECT_EQ(ask_for(VESICA_POLYLINE + 1, good.data(), VESICA_RECT, bad.data(), &out), VESICA_E_KIND);
   EXPECT_EQ(ask_for(VESICA_RECT, bad.data(), -1, good.data(), &out), VESICA_E_KIND);
   for (int kind = VESICA_POINT; kind <= VESICA_ELLIPSE; ++kind) {
     EXPECT_EQ(ask_for(VESICA_RECT, bad.data(), kind, good.data(), &out), VESICA_E_SHAPE);

@@ -264,7 +264,7 @@ TEST(Known, Refused) {
   EXPECT_EQ(code(boxes, {0, infinity, 1}), VESICA_E_ARGUMENT);
   EXPECT_EQ(code(boxes, {1, 0, -1}), VESICA_E_ARGUMENT);
   EXPECT_EQ(code(boxes, {1, 0, nan}), VESICA_E_ARGUMENT);
-  EXPECT_EQ(code({VESICA_AABB, 9, {}, {}}, {1, 0, 1}), VESICA_E_KIND);
+  EXPECT_EQ(code({VESICA_AABB, VESICA_POLYLINE + 1, {}, {}}, {1, 0, 1}), VESICA_E_KIND);
   EXPECT_EQ(code({VESICA_CIRCLE, VESICA_POINT, {0, 0, -1}, {5, 0}}, {1, 0, 1}), VESICA_E_SHAPE);
   EXPECT_EQ(code({VESICA_CIRCLE, VESICA_POINT, {0, 0, -1}, {5, 0}}, {0, 0, 1}), VESICA_E_SHAPE);
   EXPECT_EQ(code({VESICA_CIRCLE, VESICA_POINT, {0, 0, 1}, {nan, 0}}, {1, 0, 1}), VESICA_E_SHAPE);
@@ -273,7 +273,7 @@ TEST(Known, Refused) {
   vesica_impact_f64 out{7, 7, 7, 7, 7};
   EXPECT_EQ(vesica_cast_f64(0, nullptr, 0, boxes.b.data(), 1, 0, 1, &out), VESICA_E_NULL);
   EXPECT_EQ(vesica_cast_f64(0, boxes.a.data(), 0, boxes.b.data(), 1, 0, 1, nullptr), VESICA_E_NULL);
-  EXPECT_EQ(vesica_cast_f64(2, boxes.a.data(), 9, boxes.b.data(), nan, 0, 1, &out), VESICA_E_KIND);
+  EXPECT_EQ(vesica_cast_f64(2, boxes.a.data(), VESICA_POLYLINE + 1, boxes.b.data(), nan, 0, 1, &out), VESICA_E_KIND);
   EXPECT_EQ(out.t, 7);
 }
 
@@ -324,7 +324,7 @@ TEST(Known, SweptBounds) {
   EXPECT_EQ(vesica_sweep_bounds_f64(VESICA_CIRCLE, disc, 1, 0, infinity, &box), VESICA_E_RANGE);
   EXPECT_EQ(vesica_sweep_bounds_f64(VESICA_CIRCLE, disc, nan, 0, 1, &box), VESICA_E_ARGUMENT);
   EXPECT_EQ(vesica_sweep_bounds_f64(VESICA_CIRCLE, disc, 1, 0, -1, &box), VESICA_E_ARGUMENT);
-  EXPECT_EQ(vesica_sweep_bounds_f64(9, disc, 1, 0, 1, &box), VESICA_E_KIND);
+  EXPECT_EQ(vesica_sweep_bounds_f64(VESICA_POLYLINE + 1, disc, 1, 0, 1, &box), VESICA_E_KIND);
   EXPECT_EQ(vesica_sweep_bounds_f64(VESICA_CIRCLE, disc, 1, 0, 1, nullptr), VESICA_E_NULL);
 }
 

@@ -44,7 +44,7 @@ class Refusals : public testing::Test {
     one_ = shapes_of(VESICA_RECT, 1);
     none_ = shapes_of(VESICA_RECT, 0);
     other_kind_ = one_;
-    other_kind_.kind = 9;
+    other_kind_.kind = VESICA_POLYLINE + 1;
     invalid_ = one_;
     invalid_.field[4] = &minus_one_;
   }

@@ -115,7 +115,7 @@ TEST(Interiors, InvalidShapes) {
   EXPECT_EQ(asked(VESICA_AABB, good, VESICA_CIRCLE, negative), VESICA_E_SHAPE);
   EXPECT_EQ(asked(VESICA_AABB, good, VESICA_POINT, nan), VESICA_E_SHAPE);
   EXPECT_EQ(vesica_interiors_overlap_f64(VESICA_AABB, nullptr, VESICA_AABB, &good), VESICA_E_NULL);
-  EXPECT_EQ(vesica_interiors_overlap_f64(VESICA_AABB, &good, 8, &good), VESICA_E_KIND);
+  EXPECT_EQ(vesica_interiors_overlap_f64(VESICA_AABB, &good, VESICA_POLYLINE + 1, &good), VESICA_E_KIND);
 }
 
 int dimension(int kind, const Numbers& n) {

@@ -206,7 +206,7 @@ TEST_F(Ratios, Errors) {
   for (int which = 0; which < ratios; ++which) {
     EXPECT_EQ(ratio(which, boxes({1, 0, 0, 1}, {0, 0, 1, 1})), (Answer{VESICA_E_SHAPE, 7}));
     EXPECT_EQ(ratio(which, boxes({0, 0, 1, 1}, {0, 0, 1, NAN})), (Answer{VESICA_E_SHAPE, 7}));
-    EXPECT_EQ(ratio(which, {8, VESICA_AABB, {}, {}}), (Answer{VESICA_E_KIND, 7}));
+    EXPECT_EQ(ratio(which, {VESICA_POLYLINE + 1, VESICA_AABB, {}, {}}), (Answer{VESICA_E_KIND, 7}));
     double out = 0;
     EXPECT_EQ(vesica_ratio_f64(which, VESICA_AABB, nullptr, VESICA_AABB, fine.b.data(), &out), VESICA_E_NULL);
     EXPECT_EQ(vesica_ratio_f64(which, VESICA_AABB, fine.a.data(), VESICA_AABB, fine.b.data(), nullptr), VESICA_E_NULL);

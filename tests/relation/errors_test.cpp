@@ -102,7 +102,7 @@ TYPED_TEST(RelationErrors, NullThenKindThenShape) {
       const Numbers<T> good = valid_shapes<T>(kind)[0];
       EXPECT_EQ(query(kind, nullptr, kind, good.data()), VESICA_E_NULL);
       EXPECT_EQ(query(kind, good.data(), kind, nullptr), VESICA_E_NULL);
-      for (const std::int32_t unknown : {-1, 8, INT32_MIN, INT32_MAX, 256, 65537}) {
+      for (const std::int32_t unknown : {-1, VESICA_POLYLINE + 1, INT32_MIN, INT32_MAX, 256, 65537}) {
         EXPECT_EQ(query(unknown, nullptr, kind, good.data()), VESICA_E_NULL);
         EXPECT_EQ(query(unknown, good.data(), kind, nullptr), VESICA_E_NULL);
         EXPECT_EQ(query(unknown, good.data(), kind, good.data()), VESICA_E_KIND);

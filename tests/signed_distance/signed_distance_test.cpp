@@ -149,7 +149,7 @@ TEST(SignedDistanceKnown, Literals) {
   EXPECT_EQ(vesica_signed_distance_f64(VESICA_CIRCLE, a, VESICA_CIRCLE, d, &out), 0);
   EXPECT_EQ(out, -0.5);
   EXPECT_EQ(vesica_signed_distance_f64(VESICA_CIRCLE, a, VESICA_CIRCLE, bad, &out), VESICA_E_SHAPE);
-  EXPECT_EQ(vesica_signed_distance_f64(VESICA_CIRCLE, a, 8, bad, &out), VESICA_E_KIND);
+  EXPECT_EQ(vesica_signed_distance_f64(VESICA_CIRCLE, a, VESICA_POLYLINE + 1, bad, &out), VESICA_E_KIND);
   EXPECT_EQ(vesica_signed_distance_f64(VESICA_CIRCLE, a, VESICA_CIRCLE, b, nullptr), VESICA_E_NULL);
   EXPECT_EQ(out, -0.5);
 }

@@ -179,7 +179,7 @@ TEST(KnownWithin, Errors) {
     return vesica_within_f64(kind_a, a, kind_b, b, d);
   };
   EXPECT_EQ(ask(VESICA_POINT, nullptr, 9, point, nan), VESICA_E_NULL);
-  EXPECT_EQ(ask(VESICA_POINT, point, 9, point, nan), VESICA_E_KIND);
+  EXPECT_EQ(ask(VESICA_POINT, point, VESICA_POLYLINE + 1, point, nan), VESICA_E_KIND);
   EXPECT_EQ(ask(VESICA_POINT, point, VESICA_CIRCLE, bad, nan), VESICA_E_ARGUMENT);
   EXPECT_EQ(ask(VESICA_POINT, point, VESICA_CIRCLE, circle, nan), VESICA_E_ARGUMENT);
   EXPECT_EQ(ask(VESICA_POINT, point, VESICA_CIRCLE, circle, -0.0), 1);
