@@ -158,7 +158,7 @@ void errors(const char* what) {
   line(what, VESICA_E_SHAPE, point, {VESICA_AABB, {1, 0, -1, 0}});
   line(what, VESICA_E_SHAPE, {VESICA_RECT, {0, 0, 0, 0, 1, 1}}, point);
   line(what, VESICA_E_SHAPE, point, {VESICA_ELLIPSE, {0, 0, 1, 0, 1, -infinity}});
-  line(what, VESICA_E_KIND, {VESICA_ROUND_RECT + 1, {}}, point);
+  line(what, VESICA_E_KIND, {VESICA_POLYLINE + 1, {}}, point);
   line(what, VESICA_E_KIND, point, {-1, {}});
 }
 
