@@ -15,7 +15,7 @@ index::Near near(int32_t kind_a, int32_t kind_b) noexcept { return vesica::queri
 
 template <class T>
 int32_t check_side(const void* from, const CShapesOf<T>* sets, int32_t set_count, index::Sets& view) noexcept {
-  const int32_t error = first_error(check_index(from), view_sets<T>(sets, set_count, view));
+  const int32_t error = first_error(check_index(from), view_sets<T>(sets, set_count, view, vesica::has_core_or_path));
   if (error != 0) return error;
   return view.items == index::View(from).items() ? 0 : VESICA_E_ARGUMENT;
 }
@@ -33,8 +33,8 @@ int64_t join_within(const void* index_a, const CShapesOf<T>* sets_a, int32_t set
       first_error(check_side<T>(index_a, sets_a, set_count_a, a), check_side<T>(index_b, sets_b, set_count_b, b));
   if (error != 0) return error;
   if (std::isnan(distance) || parts < 1 || part < 0 || part >= parts || capacity < 0) return VESICA_E_ARGUMENT;
-  const index::JoinWithin join{
-      index_kernels(), index_a, index_b, a, b, static_cast<double>(distance), near, part, parts};
+  const index::JoinWithin join{index_kernels(),         index_a, index_b, a, b, static_cast<double>(distance), near,
+                               vesica::polygon::within, part,    parts};
   if (capacity == 0) return index::count_within(join);
   if (!index::within_state_is_sound(join, state)) return VESICA_E_ARGUMENT;
   return index::write_within(join, out_a, out_b, capacity, state);

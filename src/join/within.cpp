@@ -95,12 +95,36 @@ class Room {
   bool is_of_shapes_ = false;
 };
 
-/// A shape as doubles.
-struct Shape {
+/// An item's numbers as doubles, or its polygon.
+class Item {
+ public:
+  Item(const Sets& sets, std::uint32_t item) noexcept : is_float_(sets.is_float) {
+    const Set& set = sets.set[sets.of(item)];
+    kind = set.kind;
+    if (is_row(kind)) {
+      read_item(sets, item, number);
+    } else if (is_float_) {
+      narrow_path_ = path_at<float>(set.paths(), item - set.first);
+    } else {
+      path_ = path_at<double>(set.paths(), item - set.first);
+    }
+  }
+
+  /// In its sets' scalar.
+  Operand operand() noexcept {
+    if (!is_row(kind)) return {kind, is_float_, is_float_ ? static_cast<const void*>(&narrow_path_) : &path_};
+    for (int k = 0; k < field_count(kind); ++k) narrow_[k] = static_cast<float>(number[k]);
+    return {kind, is_float_, is_float_ ? static_cast<const void*>(narrow_) : number};
+  }
+
   std::int32_t kind;
   double number[max_fields];
 
-  Shape(const Sets& sets, std::uint32_t item) noexcept { kind = read_item(sets, item, number); }
+ private:
+  bool is_float_;
+  float narrow_[max_fields];
+  Polygon<double> path_;
+  Polygon<float> narrow_path_;
 };
 
 class Walk {
@@ -135,7 +159,7 @@ class Walk {
     double box[4];
     bounds_of_item(join_.kernels, join_.a, item, box);
     room_.widen(around_, box);
-    const Shape shape(join_.a, item);
+    Item shape(join_.a, item);
     std::int64_t list[block_list];
     for (std::int32_t listed = block_list; listed == block_list;) {
       listed = join_.kernels.meeting_blocks(b_, box, from, block_list, list);
@@ -148,14 +172,17 @@ class Walk {
   }
 
   template <class Found>
-  bool pairs_in_block(std::int64_t place, std::uint32_t item, const Shape& shape, std::int64_t number,
-                      const double (&box)[4], const Found& found) noexcept {
+  bool pairs_in_block(std::int64_t place, std::uint32_t item, Item& shape, std::int64_t number, const double (&box)[4],
+                      const Found& found) noexcept {
     const Block& block = b_.block(number);
     const std::int32_t n = join_.kernels.in_window(block, to_columns(block.frame, box), candidate_);
     for (std::int32_t i = 0; i < n; ++i) {
       if (self_ && candidate_[i] <= item) continue;
-      const Shape other(join_.b, candidate_[i]);
-      if (join_.near(shape.kind, other.kind)(shape.number, other.number, join_.distance) <= 0) continue;
+      Item other(join_.b, candidate_[i]);
+      const bool rows = is_row(shape.kind) && is_row(other.kind);
+      const std::int32_t answer = rows ? join_.near(shape.kind, other.kind)(shape.number, other.number, join_.distance)
+                                       : join_.near_path(shape.operand(), other.operand(), join_.distance);
+      if (answer <= 0) continue;
       if (!found(place, number, item, candidate_[i])) return false;
     }
     return true;

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "index/kernels.hpp"
+#include "polygon/answers.hpp"
 
 namespace vesica::index {
 
@@ -19,6 +20,8 @@ struct JoinWithin {
   const Sets &a, &b;
   double distance;
   Near (*near)(std::int32_t kind_a, std::int32_t kind_b);
+  /// The same with a polygon or a polyline.
+  std::int32_t (*near_path)(const Operand& a, const Operand& b, double distance);
   std::int64_t part, parts;
 };
 

@@ -20,8 +20,8 @@ void expect_uncertain_within_bound(Function function, const std::function<Pair(c
     const std::int32_t n = i % 9;
     Pair pair = properties::draw(properties::Workload::random, VESICA_ELLIPSE, VESICA_ELLIPSE, Scalar::f64, random);
     pair = moved_near_contact(change(pair, random), Scalar::f64, random.unit() * std::pow(4.0, -n), random);
-    const auto& [ax, ay, ux, uy, a0, a1] = pair.a;
-    const auto& [bx, by, wx, wy, b0, b1] = pair.b;
+    const auto& [ax, ay, ux, uy, a0, a1, radius_a] = pair.a;
+    const auto& [bx, by, wx, wy, b0, b1, radius_b] = pair.b;
     const vesica_ellipse_f64 a{ax, ay, ux, uy, a0, a1}, b{bx, by, wx, wy, b0, b1};
     vesica_approximation_f64 out;
     if (function(&a, &b, n, &out) != VESICA_UNCERTAIN) continue;

@@ -81,7 +81,7 @@ long double largest_error(std::int32_t (*corners)(const Rect*, T*), Scalar scala
   constexpr int signs[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
   long double largest = 0;
   for (int i = 0; i < 50000 * properties::repeat(); ++i) {
-    const auto [cx, cy, ux, uy, hx, hy] = stream.next().a;
+    const auto [cx, cy, ux, uy, hx, hy, radius] = stream.next().a;
     const Rect rect{static_cast<T>(cx), static_cast<T>(cy), static_cast<T>(ux),
                     static_cast<T>(uy), static_cast<T>(hx), static_cast<T>(hy)};
     T out[8];

@@ -20,8 +20,8 @@ enum class Typo { as_printed, mended };
 
 /// The printed test, in units in which both axes have length 1; `as_printed`, the corner has the first extent twice.
 bool printed(const Pair& pair, Typo typo) {
-  const auto& [cx, cy, ux, uy, e0, e1] = pair.a;
-  const auto& [kx, ky, vx, vy, a0, a1] = pair.b;
+  const auto& [cx, cy, ux, uy, e0, e1, radius_a] = pair.a;
+  const auto& [kx, ky, vx, vy, a0, a1, radius_b] = pair.b;
   const double x = ux * (kx - cx) + uy * (ky - cy), y = ux * (ky - cy) - uy * (kx - cx);
   // The ellipse's axes in the rectangle's frame: (c, s) and (-s, c). M and its inverse.
   const double c = ux * vx + uy * vy, s = ux * vy - uy * vx;

@@ -153,8 +153,8 @@ TEST(RectRectSamplePoints, MissedOverlaps) {
     const Pair pair = stream.next();
     const bool counts = truth(Scalar::f64, pair) == 1 && keeps_printed_condition(pair, k);
     if (!counts || within_gap(pair, decided_gap(Scalar::f64))) continue;
-    const auto& [cx, cy, ux, uy, hx, hy] = pair.a;
-    const auto& [kx, ky, wx, wy, gx, gy] = pair.b;
+    const auto& [cx, cy, ux, uy, hx, hy, radius_a] = pair.a;
+    const auto& [kx, ky, wx, wy, gx, gy, radius_b] = pair.b;
     ++overlaps;
     one_way += !holds_a_sample(sample_frame(kx - cx, ky - cy, ux, uy, hx, hy, wx, wy, gx, gy), hx, hy, k);
     both_ways += answer({cx, cy, ux, uy, hx, hy}, {kx, ky, wx, wy, gx, gy}, k) != VESICA_YES;

@@ -2,6 +2,7 @@
 // Indexes and joins of polygons and polylines, in each layout and mixed with other kinds, against every pair asked.
 #include <gtest/gtest.h>
 #include <vesica_index.h>
+#include <vesica_measures.h>
 
 #include <cstdint>
 #include <cstdlib>
@@ -73,6 +74,12 @@ struct Sets {
     single(i, a);
     single(j, b);
     return vesica_overlap_f64(a.kind, a.shape, b.kind, b.shape);
+  }
+  std::int32_t within(std::int64_t i, std::int64_t j, double distance) const {
+    Single a, b;
+    single(i, a);
+    single(j, b);
+    return vesica_within_f64(a.kind, a.shape, b.kind, b.shape, distance);
   }
 
  private:
@@ -195,6 +202,32 @@ TEST(PolygonIndex, SelectsAsEveryItemAsked) {
     selected += found.size();
   }
   EXPECT_GT(selected, 500U);
+}
+
+TEST(PolygonIndex, JoinsWithinADistance) {
+  Random random(properties::seed());
+  const Sets sets(random);
+  const Room index = index_of(sets);
+  const double distance = 0.2;
+  std::set<std::pair<std::int64_t, std::int64_t>> expected, found;
+  for (std::int64_t i = 0; i < sets.items(); ++i) {
+    for (std::int64_t j = i + 1; j < sets.items(); ++j) {
+      if (sets.within(i, j, distance) > 0) expected.insert({i, j});
+    }
+  }
+  constexpr std::int64_t room = 900;  // a few calls
+  std::vector<std::int64_t> a(room), b(room);
+  std::int64_t state[4] = {};
+  const auto count = static_cast<std::int32_t>(sets.sets.size());
+  while (state[0] != -1) {
+    const std::int64_t n =
+        vesica_join_within_f64(index.memory.get(), sets.sets.data(), count, index.memory.get(), sets.sets.data(), count,
+                               distance, 0, 1, a.data(), b.data(), room, state);
+    ASSERT_GE(n, 0);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) found.insert({a[i], b[i]});
+  }
+  EXPECT_GT(expected.size(), 1000U);
+  EXPECT_EQ(found, expected);
 }
 
 TEST(PolygonIndex, LeavesOutABadPolygon) {
