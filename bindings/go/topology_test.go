@@ -108,7 +108,10 @@ func TestCapsulesAndRoundedRectangles(t *testing.T) {
 	if shared, err := Area(bars[0], rounded); shared != 0 || err != nil {
 		t.Error(shared, err)
 	}
-	if _, err := Contains(rounded, Ellipse[float64]{10, 0, 1, 0, 1, 1}); err != ErrKind {
+	if holds, err := Contains(rounded, Ellipse[float64]{10, 0, 1, 0, 1, 1}); !holds || err != nil {
+		t.Error(holds, err)
+	}
+	if _, err := BoundaryDistance(rounded, Ellipse[float64]{10, 0, 1, 0, 1, 1}); err != ErrKind {
 		t.Error(err)
 	}
 }

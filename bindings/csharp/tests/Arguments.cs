@@ -420,7 +420,9 @@ internal static unsafe class Arguments
             Check(index.Nearest(any, 1, 9)[0].Distance == 2.5, "the nearest capsule");
         }
         Check(Query.Area(bar, rounded) == 0, "the area that two share");
-        Refused<VesicaException>("kind", () => Query.Contains(rounded, new Ellipse(10, 0, 1, 0, 1, 1)));
+        var disc = new Ellipse(10, 0, 1, 0, 1, 1);
+        Check(Query.Contains(rounded, disc), "an ellipse in a rounded rectangle");
+        Refused<VesicaException>("kind", () => Query.BoundaryDistance(rounded, disc));
     }
 
     private static void Layouts()

@@ -74,8 +74,8 @@ class Index(unittest.TestCase):
         self.assertEqual(set(zip(*index_a.join(index_b))), self.pairs_by_matrix(vesica.overlap_matrix, a, b))
         near = self.pairs_by_matrix(lambda x, y: vesica.within_matrix(x, y, 0.5), a, b)
         self.assertEqual(set(zip(*index_a.join_within(0.5, index_b))), near)
-        with self.assertRaisesRegex(vesica.VesicaError, "not for this kind of shape"):
-            index_a.join(index_b, "contains")
+        contained = self.pairs_by_matrix(vesica.contains_matrix, a, b)
+        self.assertEqual(set(zip(*index_a.join(index_b, "contains"))), contained)
 
     def test_more_pairs_than_a_call_gives(self):
         same = vesica.circles(numpy.ones((500, 3)))

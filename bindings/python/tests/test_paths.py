@@ -87,6 +87,23 @@ class Forms(unittest.TestCase):
         a, b = index.join()
         self.assertEqual(sorted(zip(a.tolist(), b.tolist())), [(0, 4), (1, 3)])
 
+    def test_questions(self):
+        shapes = vesica.polygons(SQUARES)
+        twice = vesica.polygons(SQUARES + [0.5, 0])
+        numpy.testing.assert_allclose(vesica.area(shapes, twice), 0.5)
+        numpy.testing.assert_allclose(vesica.iou_matrix(shapes, twice).diagonal(), 1 / 3)
+        self.assertEqual(vesica.shape_area(shapes).tolist(), [1, 1, 1])
+        self.assertEqual(vesica.nms(vesica.polygons(SQUARES[[0, 0, 1]]), [0.9, 0.8, 0.1]).tolist(), [0, 2])
+        self.assertEqual(vesica.nearest(shapes[0], shapes[1]).distance, 1)
+        self.assertEqual(vesica.depth(shapes[0], twice[0]).depth, 0.5)
+        self.assertEqual(vesica.signed_distance(shapes, twice).tolist(), [-0.5] * 3)
+        self.assertIs(vesica.relation(shapes[1], DISC), vesica.Relation.CONTAINS)
+        self.assertEqual(vesica.within(shapes[0], DISC, 1.25), vesica.Within.YES)
+        hit, impact = vesica.cast(shapes[0], DISC, (-1, 0))
+        self.assertEqual((hit, impact.t), (vesica.Cast.HIT, 1.25))
+        with self.assertRaises(vesica.VesicaError):
+            vesica.crossings(shapes[0], shapes[1])
+
     def test_bad_vertices(self):
         array = SQUARES.copy()
         array[2, 1, 0] = numpy.nan

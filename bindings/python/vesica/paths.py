@@ -5,7 +5,7 @@ import ctypes
 import numpy
 
 from . import _declarations
-from .shapes import CHECK, VIEWS, Kind, Shapes, _floats, new_shapes
+from .shapes import VIEWS, Kind, Shapes, _floats, new_shapes
 
 # The C struct of a polygon, as numbers of the size of a pointer: x, y, stride, rings, count.
 _STRUCT = numpy.dtype(
@@ -70,10 +70,8 @@ class Paths(Shapes):
         rings = [[ring.astype(dtype) for ring in each] for each in self.rings]
         return _of_rings(self.kind, rings, dtype, self.single)
 
-    def invalid(self):
-        """The numbers of the invalid shapes: NaN or infinity, or no vertex."""
-        check, start, step = CHECK[self.letter], self.columns[0].ctypes.data, _STRUCT.itemsize
-        return numpy.array([i for i in range(len(self.columns[0])) if check(self.kind, start + i * step) < 0], "i8")
+    def structs(self):
+        return self.columns[0]
 
 
 def _paths_of(kind, dtype, structs, kept, single=False):

@@ -402,7 +402,7 @@ def crossings(a, b):
 def shape_area(shape):
     """The area of a single shape, or of each of an array."""
     function = _SHAPE_AREA[the_shapes(shape, "shape").letter]
-    rows = numpy.atleast_2d(numpy.ascontiguousarray(shape.numbers))
+    rows = shape.structs()
     out = numpy.empty(len(rows), shape.dtype)
     row_from, row_to = rows.ctypes.data, out.ctypes.data
     for i in range(len(rows)):

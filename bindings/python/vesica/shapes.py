@@ -117,6 +117,10 @@ class Shapes:
         """A copy of the numbers: a row a shape, a column a number; of a single shape its numbers."""
         return numpy.stack([column[0] if self.single else column for column in self.columns], axis=-1)
 
+    def structs(self):
+        """The structs of the C library, one after the other."""
+        return numpy.atleast_2d(numpy.ascontiguousarray(self.numbers))
+
     def astype(self, dtype):
         """The same shapes with float64 or float32 numbers, which are rounded to float32."""
         dtype = numpy.dtype(dtype)
@@ -125,10 +129,11 @@ class Shapes:
         return shapes(self.kind, self.numbers.astype(dtype))
 
     def invalid(self):
-        """The numbers of the invalid shapes: NaN or infinity, a negative size, a zero axis, or min above max."""
-        rows = numpy.atleast_2d(numpy.ascontiguousarray(self.numbers))
-        check, start, step = CHECK[self.letter], rows.ctypes.data, rows.shape[1] * self.dtype.itemsize
-        return numpy.array([i for i in range(len(rows)) if check(self.kind, start + i * step) < 0], numpy.int64)
+        """The numbers of the invalid shapes: NaN or infinity, a negative size, a zero axis, min above max, no vertex."""
+        rows = self.structs()
+        check, start, step = CHECK[self.letter], rows.ctypes.data, rows.strides[0]
+        codes = numpy.array([check(self.kind, start + i * step) for i in range(len(rows))], numpy.int64)
+        return numpy.flatnonzero((codes < 0) & (codes != _declarations.E_NOT_SIMPLE))
 
 
 def _shapes_of(kind, columns, single=False):

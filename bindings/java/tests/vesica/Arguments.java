@@ -202,7 +202,9 @@ final class Arguments {
     check(new Index(bars).join(new Index(end), JoinQuery.OVERLAP)[0].length == 1, "an index of capsules");
     check(new Index(bars).joinWithin(new Index(two), 2.5)[0].length == 2, "pairs within a distance");
     check(Vesica.area(bar, rounded) == 0, "the area that two share");
-    refused(VesicaException.class, "kind", () -> Vesica.contains(rounded, new Ellipse(10, 0, 1, 0, 1, 1)));
+    Ellipse disc = new Ellipse(10, 0, 1, 0, 1, 1);
+    check(Vesica.contains(rounded, disc), "an ellipse in a rounded rectangle");
+    refused(VesicaException.class, "kind", () -> Vesica.boundaryDistance(rounded, disc));
   }
 
   private static DoubleBuffer direct(double... numbers) {
