@@ -7,7 +7,7 @@
 #if defined(VESICA_ONE_PAIR)
 #define VESICA_ASKED_PAIRS(X) X(rect, Rect, ellipse, Ellipse)
 #else
-#define VESICA_ASKED_PAIRS(X) VESICA_EACH_PAIR_OF_FORMS(X)
+#define VESICA_ASKED_PAIRS(X) VESICA_EACH_PAIR(X)
 #endif
 
 namespace vesica::bench {

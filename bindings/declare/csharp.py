@@ -124,7 +124,7 @@ def called(description):
 def files(description):
     functions = called(description)
     version = next(entry for entry in description.constants if entry.short == "VERSION")
-    structs = [entry for entry in description.structs if entry.stem != "shapes"]
+    structs = [entry for entry in description.structs if not entry.has_pointers]
     native = (
         f"{OPENING}using System;\nusing System.Runtime.InteropServices;\n\nnamespace Vesica\n{{\n"
         "    /// <summary>The functions of the C library, with their texts.</summary>\n"

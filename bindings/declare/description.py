@@ -80,6 +80,11 @@ class Entry:
         return self.name[-3:] if self.name.endswith(("_f64", "_f32")) else None
 
     @property
+    def has_pointers(self):
+        """True if a struct leads to other memory."""
+        return any(field.is_pointer for field in self.fields)
+
+    @property
     def stem(self):
         """The name that the forms in double and in float share."""
         return self.short[:-4] if self.scalar else self.short

@@ -200,7 +200,7 @@ def files(description):
         + '\npackage vesica\n\n// #include "declarations.h"\nimport "C"\n\nimport "unsafe"\n\n'
         + f"// Version {version.comment}.\nconst Version = {version.value}\n\n"
         + "".join(constants(description, group) for group in GROUPS)
-        + "".join(struct(entry) for entry in description.in_double("structs") if entry.stem != "shapes")
+        + "".join(struct(entry) for entry in description.in_double("structs") if not entry.has_pointers)
         + "".join(map(function_in_go, functions)).rstrip("\n")
         + "\n",
     }

@@ -235,7 +235,7 @@ def called(description):
 def files(description):
     functions = called(description)
     version = next(entry for entry in description.constants if entry.short == "VERSION")
-    records = [entry for entry in description.in_double("structs") if entry.stem != "shapes"]
+    records = [entry for entry in description.in_double("structs") if not entry.has_pointers]
     native = (
         PACKAGE
         + "/** The functions of the C library, with their texts. Object is an array or a direct buffer. */\n"

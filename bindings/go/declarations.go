@@ -309,32 +309,6 @@ func RoundRects[T Float](shapes []RoundRect[T]) Array[T] {
 	return arrayOf[T](KindRoundRect, first(shapes), len(shapes))
 }
 
-// Polygon: A polygon, or a polyline: vertices in the caller's memory, which are read and not kept.
-//
-// A polygon is the points on an edge, and those around which its rings cross an odd number of times. So a ring inside
-// another one is a hole, and rings need no order and no direction. Each ring's last vertex is joined to its first,
-// which may also be repeated at the end. A ring of one vertex is a point, one of two a segment.
-// A polyline is the points on an edge of its chains, which are not closed. It has no inside.
-// Vertex i is at x + i * stride bytes and y + i * stride bytes. stride is 16 for x y x y ..., 8 for two columns.
-// rings has count + 1 offsets: ring j has the vertices rings[j] to rings[j + 1] - 1. If rings is NULL there is one ring
-// of `count` vertices. At least one vertex is needed; empty rings are allowed.
-type Polygon[T Float] struct {
-	X      T
-	Y      T
-	Stride ptrdiff
-	Rings  int32
-	Count  int64
-}
-
-// Polyline: A polyline. Its members are laid out as those of vesica_polygon_f64, with chains for rings.
-type Polyline[T Float] struct {
-	X      T
-	Y      T
-	Stride ptrdiff
-	Rings  int32
-	Count  int64
-}
-
 // ClosestPoints: A distance, and two points that are that far apart: (ax, ay) of shape a and (bx, by) of shape b.
 type ClosestPoints[T Float] struct {
 	Distance T

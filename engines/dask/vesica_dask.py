@@ -192,7 +192,7 @@ def _index(piece, first, path):
     """Writes a piece kind by kind; its index goes on as bytes."""
     parts = piece if isinstance(piece, list) else [piece]
     records = numpy.concatenate([numpy.empty(0, _NUMBERED), *(_records(part, first) for part in parts)])
-    known = records[(records["kind"] >= 0) & (records["kind"] < len(vesica.Kind))]
+    known = records[(records["kind"] >= 0) & (records["kind"] < len(vesica.FIELDS))]
     known = known[numpy.argsort(known["kind"], kind="stable")]
     index = vesica.Index(*_sets(known))
     indexed = len(index.order())
@@ -206,9 +206,9 @@ def _about(index):
 
 
 def _sets(records):
-    ends = numpy.searchsorted(records["kind"], numpy.arange(len(vesica.Kind) + 1))
+    ends = numpy.searchsorted(records["kind"], numpy.arange(len(vesica.FIELDS) + 1))
     numbers = records["numbers"]
-    return [vesica.shapes(kind, numbers[ends[kind] : ends[kind + 1], : len(vesica.FIELDS[kind])]) for kind in vesica.Kind]
+    return [vesica.shapes(kind, numbers[ends[kind] : ends[kind + 1], : len(vesica.FIELDS[kind])]) for kind in vesica.FIELDS]
 
 
 def _meet(a, b):

@@ -28,5 +28,6 @@ for query in overlap nearest; do
     exit 0
   fi
 done
+"$compiler" "${flags[@]}" -I"$root/include" -I"$root/src" -c "$root/tests/flags/no_polygons.cpp" -o "$folder/no_polygons.o"
 "$compiler" -shared "$folder"/*.o -o "$folder/core.so"
 "$program" "$folder/core.so" "$expected"
