@@ -59,7 +59,9 @@ struct Query {
   const Query& asked() const noexcept { return asked_instead == nullptr ? *this : *asked_instead; }
   /// True if the query knows these kinds; both are kinds.
   bool answers(std::int32_t kind_a, std::int32_t kind_b) const noexcept {
-    if (!is_row(kind_a) || !is_row(kind_b)) return paths != nullptr;
+    if (!is_row(kind_a) || !is_row(kind_b)) {
+      return paths != nullptr && has_core_or_path(kind_a) && has_core_or_path(kind_b);
+    }
     return asked().doubles.of[kind_a][kind_b] != unknown_pair;
   }
   const PairTable& pairs(double) const noexcept { return doubles; }
@@ -80,7 +82,7 @@ VESICA_INLINE std::int32_t ask(const Query& query, std::int32_t kind_a, const vo
                                const void* b, void* out) noexcept {
   if (a == nullptr || b == nullptr) return error_null;
   if (!is_row(kind_a) || !is_row(kind_b)) [[unlikely]] {
-    if (query.paths == nullptr || !is_kind(kind_a) || !is_kind(kind_b)) return error_kind;
+    if (query.paths == nullptr || !has_core_or_path(kind_a) || !has_core_or_path(kind_b)) return error_kind;
     return query.paths({kind_a, std::is_same_v<T, float>, a}, {kind_b, std::is_same_v<T, float>, b}, out);
   }
   return query.pairs(T{}).of[kind_a][kind_b](a, b, out);

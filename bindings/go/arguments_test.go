@@ -45,7 +45,7 @@ func TestArguments(t *testing.T) {
 	refused(t, err, ErrArgument, "one shape has float64 numbers and one float32")
 	_, err = Packed(KindCircle, []float64{1, 2})
 	refused(t, err, ErrArgument, "2 numbers are no records of 3")
-	_, err = Packed(Kind(9), []float64{1, 2})
+	_, err = Packed(Kind(10), []float64{1, 2})
 	refused(t, err, ErrKind, "kind")
 	_, err = Overlap(Any[float64]{Kind: 9}, disc(0, 1))
 	refused(t, err, ErrKind, "kind")

@@ -46,7 +46,13 @@ type Any[T Float] struct {
 	Numbers [mostFields]T
 }
 
-func (s Any[T]) one() one { return oneOf[T](s.Kind, unsafe.Pointer(&s.Numbers)) }
+func (s Any[T]) one() one {
+	kind := s.Kind
+	if kind.Fields() == 0 { // also of polygons, which are no numbers
+		kind = -1
+	}
+	return oneOf[T](kind, unsafe.Pointer(&s.Numbers))
+}
 
 // one is a shape as C takes it.
 type one struct {

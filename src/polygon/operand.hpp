@@ -24,7 +24,7 @@ template <class Action>
 auto with_shape(const AnyShape& s, Action action) noexcept {
   decltype(action(Point<double>{})) result{};
   with_name(s.kind, [&]<template <class> class Shape>(Named<Shape>) -> std::int32_t {
-    result = action(load<Shape<double>>(s.number));
+    if constexpr (HasCore<Shape<double>>) result = action(load<Shape<double>>(s.number));
     return 0;
   });
   return result;

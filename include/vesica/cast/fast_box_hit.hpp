@@ -101,7 +101,8 @@ struct RayBox {
 template <class Products, class Shape>
 VESICA_INLINE EarlyOut arc_hit(const Shape& box, double x, double y, const Vector& d, const Motion& v,
                                Impact<double>& out) noexcept {
-  const auto fu = box.template factor<Products>(box.u), fv = plain_factor<Products>(v.vx, v.vy);
+  const auto fu = box.template factor<Products>(box.u);
+  const auto fv = plain_factor<Products>(v.vx, v.vy);
   const auto fx = Products::factor(x), fy = Products::factor(y);
   const Twofold<double> c = arithmetic::renormalised(dot(fu, fv)), k = arithmetic::renormalised(cross(fu, fv));
   Twofold<double> w = arithmetic::renormalised(cross(fv, Products::factor(d))), of_x = fx * Products::factor(k);
