@@ -202,7 +202,7 @@ bool take_bounds(const double* const* columns, int32_t i, float* to) noexcept {
 template <class T>
 int64_t bounds_many(const CShapesOf<T>* shapes, T* out) noexcept {
   VESICA_DEFAULT_ENVIRONMENT(bounds_many<T>, shapes, out);
-  const int32_t error = check_shapes<T>(shapes, out, vesica::is_kind);
+  const int32_t error = check_shapes<T>(shapes, out, vesica::has_core_or_path);
   if (error != 0) return error;
   const auto v = view<T>(*shapes);
   const auto bounds_of = [&](int64_t i, T(&numbers)[4]) {
