@@ -17,7 +17,7 @@ block() {
 block "$readme" c >"$work/demo.c"
 [ "$(wc -l <"$work/demo.c")" -gt 10 ]
 "$CC" -std=c11 -Wall -Wextra -Wpedantic -Werror -o "$work/demo" "$work/demo.c" "${flags[@]}"
-says=$(sed -n 's/^It prints `\([^`]*\)`.*/\1/p' "$readme")
+says=$(sed -n 's/^It prints `\([^`]*\)`.*/\1/p' "$readme" | head -n 1)
 [ -n "$says" ]
 [ "$("$work/demo")" = "$says" ]
 
@@ -32,7 +32,7 @@ line=$(sed -n 's/^    \(cc demo\.c .*\)/\1/p' "$readme")
   printf '#include <stdio.h>\n#include <vesica.h>\nint main(void) {\n'
   printf 'struct record { int id; vesica_rect_f32 box; } records[2] = {{1, {0, 0, 1, 0, 1, 1}}, {2, {9, 9, 1, 0, 1, 1}}};\n'
   printf 'vesica_ellipse_f32 ellipse = {1, 1, 1, 0, 2, 1};\nenum { n = 2 };\nuint8_t out[n];\n'
-  block "$guide" c
+  block "$guide" c 2
   printf 'printf("%%d %%d %%d\\n", (int)hits, out[0], out[1]);\nreturn 0;\n}\n'
 } >"$work/many.c"
 "$CC" -std=c99 -Wall -Wextra -Werror -o "$work/many" "$work/many.c" "${flags[@]}"
@@ -54,16 +54,24 @@ block "$guide" cpp 3 >"$work/constant.cpp"
 grep -q static_assert "$work/constant.cpp"
 "$CXX" -std=c++20 -Wall -Wextra -Werror -fsyntax-only "$work/constant.cpp" "${flags[@]}"
 
-# Each recipe is a block of its own; what it prints is in the line below it.
+# Each recipe is a block of its own; what it prints is in the line below it. So are the polygons of the other two pages.
+fragments() {
+  printf '#include <stdio.h>\n#include <vesica.h>\nint main(void) {\n'
+  cat
+  printf 'return 0;\n}\n'
+}
 recipes=$root/docs/recipes.md
 {
-  printf '#include <stdio.h>\n#include <vesica.h>\nint main(void) {\n'
   awk '$0 == "```c" { inside = 1; print "{"; next } $0 == "```" { if (inside) print "}"; inside = 0 } inside' "$recipes"
-  printf 'return 0;\n}\n'
-} >"$work/recipes.c"
+  printf '{\n%s\n}\n{\n%s\n}\n' "$(block "$readme" c 2)" "$(block "$guide" c)"
+} | fragments >"$work/recipes.c"
 "$CC" -std=c11 -Wall -Wextra -Wpedantic -Werror -o "$work/recipes" "$work/recipes.c" "${flags[@]}"
-grep '^It prints' "$recipes" | grep -o '`[^`]*`' | tr -d '`' >"$work/recipes.expected"
-[ -s "$work/recipes.expected" ]
+{
+  grep -h '^It prints' "$recipes"
+  grep '^It prints' "$readme" | tail -n 1
+  grep '^It prints' "$guide"
+} | grep -o '`[^`]*`' | tr -d '`' >"$work/recipes.expected"
+[ "$(wc -l <"$work/recipes.expected")" -gt 8 ]
 "$work/recipes" | diff "$work/recipes.expected" -
 
 [ "$(wc -l <"$readme")" -le 120 ]
