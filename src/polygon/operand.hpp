@@ -77,9 +77,6 @@ inline CoreForm core_form(const AnyShape& s) noexcept {
 VESICA_COLD inline exact::Box exact_core(const AnyShape& s) noexcept {
   return with_shape(s, [](const auto& shape) { return polygon::exact_core(shape); });
 }
-inline bool edge_enters(const Edge& e, const AnyShape& s) noexcept {
-  return ask_edge(queries::relation, e, s, nullptr) > static_cast<std::int32_t>(Relation::touch);
-}
 /// A core's numbers are the first ones of the shape.
 inline bool core_meets(const Edge& e, const AnyShape& s) noexcept {
   AnyShape core = s;

@@ -100,8 +100,27 @@ inline void add_ring(Figure& figure, const Grid& grid, const std::vector<int>& r
   figure.path.add_ring(xy);
 }
 
+/// Adds rings without area: points, and edges there and back.
+inline void add_flat_rings(Figure& figure, const Grid& grid, Random& random) {
+  for (int count = random.below(4); count > 0; --count) {
+    const int at = random.below(static_cast<int>(grid.vertices()));
+    const auto& ways = grid.neighbours[static_cast<std::size_t>(at)];
+    if (ways.empty()) continue;
+    figure.vertex[static_cast<std::size_t>(at)] = on;
+    const int to = ways[static_cast<std::size_t>(random.below(static_cast<int>(ways.size())))];
+    CellPart& edge = figure.edge.try_emplace({std::min(at, to), std::max(at, to)}, out).first->second;
+    if (random.chance(0.5) || edge == on) {
+      figure.path.add_ring({grid.x(at), grid.y(at)});
+      continue;
+    }
+    edge = on;
+    figure.vertex[static_cast<std::size_t>(to)] = on;
+    figure.path.add_ring({grid.x(at), grid.y(at), grid.x(to), grid.y(to)});
+  }
+}
+
 /// The union of the triangles that are `in`; there must be one.
-inline void trace(Figure& figure, const Grid& grid, double keeps, Random& random) {
+inline void trace(Figure& figure, const Grid& grid, double keeps, Random& random, double flat_rings = 0) {
   std::map<int, std::vector<int>> next;
   std::vector<int> count(grid.vertices()), inner(grid.vertices());
   for (std::size_t t = 0; t < grid.triangles.size(); ++t) {
@@ -138,6 +157,7 @@ inline void trace(Figure& figure, const Grid& grid, double keeps, Random& random
     }
     add_ring(figure, grid, ring, keeps, random);
   }
+  if (random.chance(flat_rings)) add_flat_rings(figure, grid, random);
   figure.path = rewritten(figure.path, random);
 }
 
@@ -152,7 +172,7 @@ inline Figure region(const Grid& grid, double density, Random& random) {
     }
   }
   figure.triangle[static_cast<std::size_t>(random.below(static_cast<int>(grid.triangles.size())))] = in;
-  trace(figure, grid, random.chance(0.3) ? 1 : random.chance(0.5) ? 0 : 0.5, random);
+  trace(figure, grid, random.chance(0.3) ? 1 : random.chance(0.5) ? 0 : 0.5, random, 0.2);
   return figure;
 }
 
@@ -170,7 +190,7 @@ inline Figure neighbour(const Figure& other, const Grid& grid, Random& random) {
     part = part == in ? out : subset ? part : in;
   }
   figure.triangle[static_cast<std::size_t>(random.below(static_cast<int>(grid.triangles.size())))] = in;
-  trace(figure, grid, random.chance(0.3) ? 1 : random.chance(0.5) ? 0 : 0.5, random);
+  trace(figure, grid, random.chance(0.3) ? 1 : random.chance(0.5) ? 0 : 0.5, random, 0.2);
   return figure;
 }
 
@@ -187,7 +207,8 @@ inline Figure lines(const Grid& grid, int most, Random& random) {
     int at = grid.triangles[t][static_cast<std::size_t>(random.below(3))];
     chain.push_back(at);
     ends.push_back(at);
-    const int steps = random.integer(1, most);
+    figure.vertex[static_cast<std::size_t>(at)] = in;
+    const int steps = random.chance(0.1) ? 0 : random.integer(1, most);
     int dx = 0, dy = 0;
     for (int i = 0; i < steps; ++i) {
       const auto& ways = grid.neighbours[static_cast<std::size_t>(at)];

@@ -127,6 +127,59 @@ TEST(PolygonDepth, IsTheLeastReach) {
   EXPECT_GT(deep, pairs / 20);
 }
 
+/// Vertices at integers, of which hulls are made, in contact with ellipses exactly, often. A ring that is closed by its
+/// first vertex, or repeats vertices, had a depth where it touches from outside.
+TEST(PolygonDepth, OfAClosedRingThatTouchesAnEllipse) {
+  const std::vector<vesica_ellipse_f64> ellipses{{-3, 3, 0, 1, 2, 2}, {3, -2, 1, 1, 1, 1}, {1, -2, 1, 0, 1, 0.5}};
+  const std::vector<std::vector<double>> rings{
+      {-3, 1, -1, -1, 1, 0, -1, 1}, {-1, -2, 2, -1, 2, 0}, {-3, -2, 0, -3, 0, -2}};
+  for (std::size_t i = 0; i < ellipses.size(); ++i) {
+    const std::vector<double>& xy = rings[i];
+    std::vector<double> closed = xy, doubled;
+    closed.insert(closed.end(), {xy[0], xy[1]});
+    for (std::size_t k = 0; k < xy.size(); k += 2) doubled.insert(doubled.end(), {xy[k], xy[k + 1], xy[k], xy[k + 1]});
+    for (const std::vector<double>& ring : {xy, closed, doubled}) {
+      Path path;
+      path.add_ring(ring);
+      const auto view = path.view();
+      const Answer answer = depth(VESICA_POLYGON, &view, VESICA_ELLIPSE, &ellipses[i]);
+      ASSERT_EQ(answer.code, 0) << i;
+      EXPECT_EQ(answer.at.depth, 0) << i;
+      EXPECT_NEAR(std::hypot(answer.at.x, answer.at.y), 1, 1e-15) << i;
+      EXPECT_EQ(vesica_interiors_overlap_f64(VESICA_POLYGON, &view, VESICA_ELLIPSE, &ellipses[i]), 0) << i;
+    }
+  }
+}
+
+/// Disjoint shapes have no depth and no direction; shapes that touch have no depth and a direction; others have both.
+TEST(PolygonDepth, DisjointIsNoOverlap) {
+  Random random(602);
+  std::array<int, 3> seen{};
+  const int pairs = 20000 * properties::repeat();
+  for (int i = 0; i < pairs; ++i) {
+    inflated::Shape other = inflated::any_shape(random);
+    for (double& number : other.number) number = std::round(2 * number) / 2;
+    if (vesica_check_f64(other.kind, other.number.data()) != 0) continue;
+    const double x = random.integer(-3, 2), y = random.integer(-3, 2);
+    const double wide = random.integer(1, 3), high = random.integer(1, 3);
+    Path path;
+    path.add_ring(random.chance(0.5) ? std::vector<double>{x, y, x + wide, y, x + wide, y + high, x, y + high}
+                                     : std::vector<double>{x, y, x + wide, y, x + wide, y, x, y + high});
+    path = rewritten(path, random);
+    const auto view = path.view();
+    const std::int32_t relation = vesica_relation_f64(VESICA_POLYGON, &view, other.kind, other.number.data());
+    const bool met = vesica_overlap_f64(VESICA_POLYGON, &view, other.kind, other.number.data()) == 1;
+    const bool insides = vesica_interiors_overlap_f64(VESICA_POLYGON, &view, other.kind, other.number.data()) == 1;
+    const Answer answer = depth(VESICA_POLYGON, &view, other.kind, other.number.data());
+    ASSERT_EQ(answer.code, 0) << i;
+    ASSERT_EQ(relation != VESICA_DISJOINT, met) << i;
+    ASSERT_EQ(answer.at.x != 0 || answer.at.y != 0, met) << i;
+    ASSERT_EQ(answer.at.depth > 0, insides) << i;
+    ++seen[met ? insides ? 2 : 1 : 0];
+  }
+  for (const int count : seen) EXPECT_GT(count, pairs / 100);
+}
+
 TEST(PolygonDepth, OfTwoPolygons) {
   Random random(601);
   int deep = 0;

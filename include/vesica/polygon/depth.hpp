@@ -8,7 +8,7 @@
 #include <vesica/polygon/convex.hpp>
 #include <vesica/polygon/least.hpp>
 #include <vesica/polygon/overlap.hpp>
-#include <vesica/relation.hpp>
+#include <vesica/polygon/relation.hpp>
 
 namespace vesica {
 
@@ -309,12 +309,6 @@ template <template <class> class Shape>
 VESICA_COLD exact::Box exact_core(const Shape<double>& s) noexcept {
   return exact_box(exact::form(form::inflated(s).core));
 }
-/// Does an edge pass through the inside of an ellipse, or of another shape with area and without a radius?
-template <template <class> class Shape>
-bool edge_enters(const Edge& e, const Shape<double>& s) noexcept {
-  if constexpr (requires { vesica::relation(e, s); }) return vesica::relation(e, s) > Relation::touch;
-  return false;
-}
 template <template <class> class Shape>
 bool core_meets(const Edge& e, const Shape<double>& s) noexcept {
   return vesica::overlap(e, form::inflated(s).core);
@@ -365,7 +359,7 @@ std::int32_t depth_of_overlapping(const Edges<T>& a, const Box& box, const Conve
   const PlacedForm form(core.form, unit);
   const auto has_no_depth = [&] {
     if (!form.curved()) return is_separated(ring, form, exact_core(b));
-    return !any_edge([&](const Edge& e) { return edge_enters(e, b); }) && !inside(a, stored_point(b));
+    return !insides_meet_valid(a, box, b);
   };
   return settled_depth(least_reach(ring, form), unit, core.radius, has_no_depth, out);
 }

@@ -147,19 +147,15 @@ class Locator {
   /// 1 inside, 0 on an edge, -1 outside.
   template <class Place>
   int locate(const Place& place) const noexcept {
-    Ray<Place> ray(place);
-    for (int i = 0; i < blocks_.count; ++i) {
-      const Box& box = blocks_.box[i];
-      if (place.order_y(box.max_y) < 0 || place.order_y(box.min_y) > 0 || place.order_x(box.max_x) < 0) continue;
-      edges_.for_edges(blocks_.range(i), [&](const Edge& e, std::int64_t) {
-        ray.add(e);
-        return false;
-      });
-    }
+    const Ray<Place> ray = ray_from(place);
     if (ray.on_edge()) return 0;
     return ray.odd() && edges_.closed() ? 1 : -1;
   }
-
+  /// Is there a point inside a polygon as near as need be, if no edge of a length passes through the place?
+  template <class Place>
+  bool is_odd(const Place& place) const noexcept {
+    return ray_from(place).odd();
+  }
   /// Calls visit(edge, i) for the edges whose box meets a box.
   template <class Visit>
   void for_edges_near(const Box& about, Visit visit) const noexcept {
@@ -173,6 +169,20 @@ class Locator {
   }
 
  private:
+  template <class Place>
+  Ray<Place> ray_from(const Place& place) const noexcept {
+    Ray<Place> ray(place);
+    for (int i = 0; i < blocks_.count; ++i) {
+      const Box& box = blocks_.box[i];
+      if (place.order_y(box.max_y) < 0 || place.order_y(box.min_y) > 0 || place.order_x(box.max_x) < 0) continue;
+      edges_.for_edges(blocks_.range(i), [&](const Edge& e, std::int64_t) {
+        ray.add(e);
+        return false;
+      });
+    }
+    return ray;
+  }
+
   const Edges<T>& edges_;
   Blocks blocks_;
 };

@@ -103,19 +103,21 @@ class RowParts {
  private:
   bool may_meet(const Edge& e) const noexcept { return polygon::meet(box_of(e), about_); }
 
-  /// Notes a piece of a's edges that is inside b (1) or outside (-1).
-  void note_piece(int place) noexcept {
+  /// Notes a piece of a's edge i that is inside b (1) or outside (-1).
+  void note_piece(std::int64_t i, int place) noexcept {
     const Part part = place > 0 ? inside_part : outside_part;
-    parts_.note(a_.part_of_edges(), part, 1);
+    const int dimension = a_.ring_dimension(i);
+    parts_.note(a_.part_of_edges(), part, dimension == 0 ? 0 : 1);
     if (!a_.has_area()) return;
+    if (dimension < 2) return parts_.note(a_.part_beside(i, true), part, 2);
     parts_.note(inside_part, part, 2);
     if (place > 0) parts_.note(outside_part, part, 2);
   }
 
   void find_area() noexcept {
     if (!a_.has_area()) parts_.note(outside_part, inside_part, 2);
-    const bool settled = a_.edges.for_edges([&](const Edge& e, std::int64_t) {
-      ask_edge_of_area(e);
+    const bool settled = a_.edges.for_edges([&](const Edge& e, std::int64_t i) {
+      ask_edge_of_area(e, i);
       return parts_.settled(asked_);
     });
     if (settled || !a_.has_area() || parts_.meet(outline_part, inside_part)) return;
@@ -123,14 +125,14 @@ class RowParts {
     if (place != 0) parts_.note(place > 0 ? inside_part : outside_part, inside_part, 2);
   }
 
-  void ask_edge_of_area(const Edge& e) noexcept {
+  void ask_edge_of_area(const Edge& e, std::int64_t i) noexcept {
     const Relation r = may_meet(e) ? edge_relation(e, b_) : Relation::disjoint;
     const bool within = r == Relation::inside || r == Relation::inside_touch;
-    if (!within) note_piece(-1);
+    if (!within) note_piece(i, -1);
     if (r == Relation::disjoint) return;
     if (r != Relation::inside) parts_.note(a_.part_of_edges(), outline_part, 0);
     if (r == Relation::cross || r == Relation::inside || (r == Relation::inside_touch && edge_insides_meet(e, b_))) {
-      note_piece(1);
+      note_piece(i, 1);
     }
   }
 
@@ -140,8 +142,8 @@ class RowParts {
   }
 
   void find_thin() noexcept {
-    const bool settled = a_.edges.for_edges([&](const Edge& e, std::int64_t) {
-      ask_edge_of_thin(e);
+    const bool settled = a_.edges.for_edges([&](const Edge& e, std::int64_t i) {
+      ask_edge_of_thin(e, i);
       return parts_.settled(asked_);
     });
     if (!settled) ask_pieces_of_thin();
@@ -170,10 +172,10 @@ class RowParts {
     return r == Relation::cross ? vertex_met : r != Relation::disjoint && r != Relation::touch;
   }
 
-  void ask_edge_of_thin(const Edge& e) noexcept {
+  void ask_edge_of_thin(const Edge& e, std::int64_t i) noexcept {
     const Relation r = may_meet(e) ? edge_relation(e, b_) : Relation::disjoint;
     const bool within = r == Relation::inside || r == Relation::inside_touch || r == Relation::equal;
-    if (!within && !a_.has_area()) note_piece(-1);
+    if (!within && !a_.has_area()) note_piece(i, -1);
     if (r == Relation::disjoint) return;
     bool vertex_met = false;
     for (const Point<double>& v : {start_of(e), end_of(e)}) {
@@ -184,7 +186,9 @@ class RowParts {
     if (!has_length(e)) return;
     if (r == Relation::cross && !vertex_met) {
       parts_.note(a_.part_of_edges(), inside_part, 0);
-      if (is_alone(e)) {
+      if (a_.has_area() && a_.ring_dimension(i) < 2) {
+        note_piece_of_b(a_.part_beside(i, true) == inside_part ? 1 : -1);
+      } else if (is_alone(e)) {
         if (a_.has_area()) note_piece_of_b(1);
         note_piece_of_b(-1);
       }

@@ -76,13 +76,21 @@ class Outline {
     return odd ? outline_part : inside_part;
   }
 
-  /// Is the inside on the left of edge i? All edges of a ring have it on the same side.
-  bool inside_is_left(const Edge& e, std::int64_t i) noexcept {
-    if (i < side_known_.first || i >= side_known_.last) {
-      side_known_ = ring_of(edges, i);
-      inside_is_left_ = locate(Beside(e)) > 0;
+  /// 0 if the ring of vertex i is one place, 1 if it is a chain or a segment there and back, otherwise 2.
+  int ring_dimension(std::int64_t i) noexcept {
+    if (i < ring_.first || i >= ring_.last) find_ring(i);
+    return ring_dimension_;
+  }
+  /// The part of a polygon beside edge i, on its left or its right. All edges of a ring have the inside on the same
+  /// side; those of a ring without area have the same on both sides.
+  Part part_beside(std::int64_t i, bool left) noexcept {
+    const int dimension = ring_dimension(i);
+    if (!side_is_known_) {
+      const Edge e = first_edge(ring_);
+      left_is_inside_ = dimension == 0 ? locator().is_odd(Stored{start_of(e)}) : locate(Beside(e)) > 0;
+      side_is_known_ = true;
     }
-    return inside_is_left_;
+    return (left || dimension < 2) == left_is_inside_ ? inside_part : outside_part;
   }
 
   /// The point of e nearest to v, between v and `to`, that is a vertex here; `to` if there is none.
@@ -100,6 +108,13 @@ class Outline {
     locator().for_edges_near(about, visit);
   }
 
+  /// From a ring's first vertex to the next one elsewhere.
+  Edge first_edge(const Range& ring) const noexcept {
+    const Point<double> v = edges.vertex(ring.first);
+    Point<double> w = v;
+    for (std::int64_t k = ring.first + 1; k < ring.last && same(v, w); ++k) w = edges.vertex(k);
+    return {v.x, v.y, w.x, w.y};
+  }
   /// The vertex before vertex i on its ring; i's own if there is none.
   Point<double> vertex_before(std::int64_t i) const noexcept {
     const Range ring = ring_of(edges, i);
@@ -113,9 +128,24 @@ class Outline {
     return *locator_;
   }
 
+  void find_ring(std::int64_t i) noexcept {
+    ring_ = ring_of(edges, i);
+    side_is_known_ = false;
+    const Point<double> first = edges.vertex(ring_.first);
+    Point<double> second = first;
+    ring_dimension_ = 0;
+    for (std::int64_t k = ring_.first; k < ring_.last && ring_dimension_ < (has_area() ? 2 : 1); ++k) {
+      const Point<double> p = edges.vertex(k);
+      if (same(p, first) || same(p, second)) continue;
+      second = p;
+      ++ring_dimension_;
+    }
+  }
+
   std::optional<Locator<T>> locator_;
-  Range side_known_{0, 0};
-  bool inside_is_left_ = false;
+  Range ring_{0, 0};  // the last one asked for
+  int ring_dimension_ = 0;
+  bool side_is_known_ = false, left_is_inside_ = false;
 };
 
 /// Finds how the parts of two paths meet, from their edges.
@@ -152,12 +182,14 @@ class PathParts {
   void note(bool exchanged, Part p, Part q, int dimension) noexcept {
     exchanged ? parts_.note(q, p, dimension) : parts_.note(p, q, dimension);
   }
-  /// Notes a piece of p's edges that is inside q (1) or outside (-1).
-  void note_piece(bool exchanged, const Outline<T>& p, int place) noexcept {
+  /// Notes a piece of p's edge i that is inside q (1) or outside (-1).
+  void note_piece(bool exchanged, Outline<T>& p, std::int64_t i, int place) noexcept {
     if (place == 0) return;
     const Part part = place > 0 ? inside_part : outside_part;
-    note(exchanged, p.part_of_edges(), part, 1);
+    const int dimension = p.ring_dimension(i);
+    note(exchanged, p.part_of_edges(), part, dimension == 0 ? 0 : 1);
     if (!p.has_area()) return;
+    if (dimension < 2) return note(exchanged, p.part_beside(i, true), part, 2);
     // Beside an edge are points inside and points outside.
     note(exchanged, inside_part, part, 2);
     if (place > 0) note(exchanged, outside_part, part, 2);
@@ -180,7 +212,7 @@ class PathParts {
     if (on_one_line && (common.min_x < common.max_x || common.min_y < common.max_y)) {
       note_stretch(e, i, f, j);
     } else if (s0 * s1 < 0 && t0 * t1 < 0) {
-      note_crossing(e, f, common);
+      note_crossing(e, i, f, j, common);
       return parts_.settled(asked_);
     } else {
       note_point(s0 == 0 && holds(box_e, start_of(f))   ? start_of(f)
@@ -189,19 +221,22 @@ class PathParts {
                                                         : end_of(e));
     }
     if (parts_.settled(asked_)) return true;
-    if (asks_pieces(a_, b_)) ask_pieces(false, a_, e, b_, f, j, s0, s1, t0, t1);
-    if (asks_pieces(b_, a_)) ask_pieces(true, b_, f, a_, e, i, t0, t1, s0, s1);
+    if (asks_pieces(a_, b_)) ask_pieces(false, a_, e, i, b_, f, j, s0, s1, t0, t1);
+    if (asks_pieces(b_, a_)) ask_pieces(true, b_, f, j, a_, e, i, t0, t1, s0, s1);
     return parts_.settled(asked_);
   }
 
-  void note_crossing(const Edge& e, const Edge& f, const Box& common) noexcept {
+  void note_crossing(const Edge& e, std::int64_t i, const Edge& f, std::int64_t j, const Box& common) noexcept {
     parts_.note(a_.part_of_edges(), b_.part_of_edges(), 0);
-    if (is_alone(f, b_, e, common)) note_both_pieces(false, a_, b_);
-    if (is_alone(e, a_, f, common)) note_both_pieces(true, b_, a_);
+    if (is_alone(f, b_, e, common)) note_both_pieces(false, a_, i, b_, j);
+    if (is_alone(e, a_, f, common)) note_both_pieces(true, b_, j, a_, i);
   }
-  void note_both_pieces(bool exchanged, const Outline<T>& p, const Outline<T>& q) noexcept {
-    if (q.has_area()) note_piece(exchanged, p, 1);
-    note_piece(exchanged, p, -1);
+  /// The pieces of p's edge i on both sides of q's edge j.
+  void note_both_pieces(bool exchanged, Outline<T>& p, std::int64_t i, Outline<T>& q, std::int64_t j) noexcept {
+    const bool differ = q.has_area() && q.ring_dimension(j) == 2;
+    const bool enters = differ || (q.has_area() && q.part_beside(j, true) == inside_part);
+    if (enters) note_piece(exchanged, p, i, 1);
+    if (differ || !enters) note_piece(exchanged, p, i, -1);
   }
   /// Does edge f alone decide where e's points beside their crossing lie in q? Not if q has a vertex there, which other
   /// pairs of edges ask for, or another edge that lies along e.
@@ -228,28 +263,25 @@ class PathParts {
     parts_.note(a_.part_of_edges(), b_.part_of_edges(), 1);
     if (!a_.has_area() || !b_.has_area()) return note_ends(e, f);
     const bool one_way = e.x0 != e.x1 ? (e.x0 < e.x1) == (f.x0 < f.x1) : (e.y0 < e.y1) == (f.y0 < f.y1);
-    if ((a_.inside_is_left(e, i) == b_.inside_is_left(f, j)) == one_way) {
-      parts_.note(inside_part, inside_part, 2);
-    } else {
-      parts_.note(inside_part, outside_part, 2);
-      parts_.note(outside_part, inside_part, 2);
+    for (const bool left : {true, false}) {
+      parts_.note(a_.part_beside(i, left), b_.part_beside(j, left == one_way), 2);
     }
   }
 
   /// Asks where the pieces of p's edge e lie that end where e meets q's edge f. A vertex of q is asked for at the edge
   /// that begins there.
-  void ask_pieces(bool exchanged, const Outline<T>& p, const Edge& e, Outline<T>& q, const Edge& f, std::int64_t j,
-                  int s0, int s1, int t0, int t1) noexcept {
+  void ask_pieces(bool exchanged, Outline<T>& p, const Edge& e, std::int64_t i, Outline<T>& q, const Edge& f,
+                  std::int64_t j, int s0, int s1, int t0, int t1) noexcept {
     const Box box = box_of(e);
     if (s0 == 0 && holds(box, start_of(f))) {
-      ask_both_ways(exchanged, p, e, q, start_of(f), end_of(f), q.vertex_before(j));
+      ask_both_ways(exchanged, p, e, i, q, start_of(f), end_of(f), q.vertex_before(j));
     }
     if (s1 == 0 && !q.edges.closed() && holds(box, end_of(f))) {
-      ask_both_ways(exchanged, p, e, q, end_of(f), start_of(f), start_of(f));
+      ask_both_ways(exchanged, p, e, i, q, end_of(f), start_of(f), start_of(f));
     }
     if (s0 == 0 || s1 == 0) return;
-    if (t0 == 0) ask_piece(exchanged, p, e, q, start_of(e), end_of(e));
-    if (t1 == 0) ask_piece(exchanged, p, e, q, end_of(e), start_of(e));
+    if (t0 == 0) ask_piece(exchanged, p, e, i, q, start_of(e), end_of(e));
+    if (t1 == 0) ask_piece(exchanged, p, e, i, q, end_of(e), start_of(e));
   }
 
   /// Does an edge from v to w lie along e towards `to`?
@@ -259,31 +291,34 @@ class PathParts {
   }
 
   /// The pieces at v, where q's edges lead to two neighbours: pieces along these are no news.
-  void ask_both_ways(bool exchanged, const Outline<T>& p, const Edge& e, Outline<T>& q, const Point<double>& v,
-                     const Point<double>& next, const Point<double>& before) noexcept {
+  void ask_both_ways(bool exchanged, Outline<T>& p, const Edge& e, std::int64_t i, Outline<T>& q,
+                     const Point<double>& v, const Point<double>& next, const Point<double>& before) noexcept {
     for (const Point<double>& to : {start_of(e), end_of(e)}) {
       if (same(v, to) || lies_along(e, v, to, next) || lies_along(e, v, to, before)) continue;
-      ask_piece(exchanged, p, e, q, v, to);
+      ask_piece(exchanged, p, e, i, q, v, to);
     }
   }
 
-  void ask_piece(bool exchanged, const Outline<T>& p, const Edge& e, Outline<T>& q, const Point<double>& v,
+  void ask_piece(bool exchanged, Outline<T>& p, const Edge& e, std::int64_t i, Outline<T>& q, const Point<double>& v,
                  const Point<double>& to) noexcept {
-    note_piece(exchanged, p, q.locate(Middle(v, q.next_cut(e, v, to))));
+    note_piece(exchanged, p, i, q.locate(Middle(v, q.next_cut(e, v, to))));
   }
 
-  /// Returns true once all is known.
+  /// Returns true once all is known. No edge meets a ring of one place, so it is always asked for.
   bool ask_rings(Outline<T>& p, Outline<T>& q, bool exchanged) noexcept {
-    if (!asks_pieces(p, q)) return false;
+    const bool all = asks_pieces(p, q);
     for (std::int64_t j = 0; j < p.edges.rings(); ++j) {
       const Range ring = p.edges.ring(j);
-      if (ring.length() == 0) continue;
+      if (ring.length() == 0 || !(all || p.ring_dimension(ring.first) == 0)) continue;
       const Point<double> v = p.edges.vertex(ring.first);
       const int place = q.locate(v);
       if (place == 0) {
         note_point(v);
+        // No edge passes through a point: the piece behind it is asked for here.
+        const Edge e = p.first_edge(ring);
+        if (has_length(e)) ask_piece(exchanged, p, e, ring.first, q, v, end_of(e));
       } else {
-        note_piece(exchanged, p, place);
+        note_piece(exchanged, p, ring.first, place);
       }
       if (parts_.settled(asked_)) return true;
     }
