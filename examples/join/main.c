@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Writes all pairs of shapes that overlap, of two files or of one with itself. Start with operand.c and join.c: they
-/// have the calls of the library. source.c reads text, well-known text and arrays of numpy's.
+/// have the calls of the library. source.c reads text, well-known text, GeoJSON and arrays of numpy's.
 ///
 /// join [OPTION...] A [B] >pairs.csv; without arguments it prints the options. A shape's number is its place among the
 /// shapes of its file, from 0; a bad one keeps its number.
@@ -18,9 +18,14 @@
 static const char usage[] =
     "usage: join [OPTION...] A [B] >pairs.csv\n"
     "\n"
-    "Pairs of shapes that overlap, one of each file, or two of A alone. A file has a shape a line, as\n"
-    "`rect 0 0 0.8 0.6 2 1`, or as POINT, LINESTRING, POLYGON, MULTILINESTRING or MULTIPOLYGON; or is an array of\n"
-    "numpy's (.npy) with the shape's numbers as fields or columns. Numbers of shapes begin with 0.\n"
+    "Pairs of shapes that overlap, one of each file, or two of A alone. Numbers of shapes begin with 0. A file\n"
+    "is one of\n"
+    "  lines of text: `rect 0 0 0.8 0.6 2 1`, `polygon 0 0 4 0 2 3` (x y of each vertex, one ring), or well-known\n"
+    "    text, POINT, LINESTRING, POLYGON, MULTIPOINT, MULTILINESTRING or MULTIPOLYGON\n"
+    "  GeoJSON: a collection, or geometries and features one after the other\n"
+    "  an array of numpy's (.npy): numbers of shapes as fields or columns; or polygons of k vertices each, (n, k, 2)\n"
+    "  vertices (n, 2) and offsets, VERTICES.npy,RINGS.npy[,POLYGONS.npy]: where rings begin among the vertices, and\n"
+    "    polygons among the rings, each with its end: as GeoArrow and shapely.to_ragged_array have them\n"
     "\n"
     "  --contains   pairs of which the first contains the second\n"
     "  --inside     pairs of which the second contains the first\n"
@@ -28,13 +33,13 @@ static const char usage[] =
     "  --bounds     pairs whose bounding boxes meet, and a few more\n"
     "  --count      how many there are, and no pairs\n"
     "  --kind KIND  what all shapes are (point segment circle aabb rect ellipse capsule\n"
-    "               round_rect), where lines have numbers alone\n"
+    "               round_rect polygon polyline), where lines or arrays have numbers alone\n"
     "  --skip-bad   go on without lines that hold no valid shape\n";
 
 struct options {
   int32_t query, kind;
   int count, skip_bad, files;
-  const char* paths[2];
+  char* paths[2];
 };
 
 static int read_option(const char* text, struct options* options) {
@@ -58,7 +63,8 @@ static int read_option(const char* text, struct options* options) {
 static int read_arguments(int count, char** arguments, struct options* options) {
   for (int i = 1; i < count; i++) {
     if (strcmp(arguments[i], "--kind") == 0 && i + 1 < count) {
-      options->kind = find_kind(arguments[++i]);
+      options->kind = path_kind(arguments[++i]);
+      if (options->kind < 0) options->kind = find_kind(arguments[i]);
       if (options->kind < 0) return 0;
     } else if (strncmp(arguments[i], "--", 2) == 0) {
       if (!read_option(arguments[i], options)) return 0;

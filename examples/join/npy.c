@@ -6,38 +6,25 @@
 #include "npy_header.h"
 #include "source.h"
 
-static double number_at(const unsigned char* row, const struct npy_number* number) {
-  uint64_t bits = 0;
-  uint32_t narrow;
-  double wide;
-  float single;
-  for (int i = 0; i < number->bytes; i++) {
-    bits = bits << 8 | row[number->offset + (size_t)(number->big ? i : number->bytes - 1 - i)];
-  }
-  memcpy(&wide, &bits, sizeof wide);
-  if (number->bytes == sizeof wide) return wide;
-  narrow = (uint32_t)bits;
-  memcpy(&single, &narrow, sizeof single);
-  return single;
-}
-
 static int take_row(struct source* source, const struct npy_header* header, const unsigned char* row, int64_t at) {
   char where[4096];
   struct shape shape;
   struct fault fault;
   int good;
   shape.kind = header->kind;
-  for (int i = 0; i < vesica_field_count(shape.kind); i++) shape.numbers[i] = number_at(row, &header->numbers[i]);
+  for (int i = 0; i < vesica_field_count(shape.kind); i++) shape.numbers[i] = npy_number(row, &header->numbers[i]);
   good = check_shape(&shape, source->name, &fault);
   if (!good) snprintf(where, sizeof where, "%s: row %lld", source->path, (long long)at);
   return take_shape(source, where, good ? &shape : NULL, &fault);
 }
 
-int read_npy(struct source* source) {
+int read_npy(struct source* source, char* offsets) {
   static unsigned char row[most_row_bytes];
   struct npy_header header;
   struct fault fault;
-  if (!read_npy_header(source->file, source->kind, &header, &fault)) return refuse_source(source, fault.text);
+  const int32_t kind = offsets ? VESICA_POLYGON : source->kind;
+  if (!read_npy_header(source->file, kind, &header, &fault)) return refuse_source(source, fault.text);
+  if (header.each > 0 || has_vertices(kind)) return read_paths(source, &header, offsets);
   for (int64_t at = 0; at < header.rows; at++) {
     if (at % 1024 == 0) show_reading(source);
     if (fread(row, 1, header.row_bytes, source->file) != header.row_bytes) {

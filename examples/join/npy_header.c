@@ -8,11 +8,12 @@
 #include "fields.h"
 #include "shapes.h"
 
-enum { most_fields = 64, most_header = 65535, most_name = 32 };
+enum { most_extents = 3, most_fields = 64, most_header = 65535, most_name = 32 };
 
 struct field {
   char name[most_name];  // empty in an array of plain numbers
   int is_number;         // a float or double
+  int is_integer;        // of 4 or 8 bytes
   struct npy_number number;
 };
 
@@ -76,6 +77,8 @@ static int take_type(const char** text, struct record* record, struct field* fie
   if (end == type + 2 || size < 1 || size > most_row_bytes) return 0;
   if (type[1] == 'U') size *= 4;
   field->is_number = type[1] == 'f' && (size == 4 || size == 8) && (type[0] == '<' || type[0] == '>');
+  field->is_integer = (type[1] == 'i' || type[1] == 'u') && (size == 4 || size == 8) && type[0] != '|';
+  field->number.is_unsigned = type[1] == 'u';
   field->number.big = type[0] == '>';
   field->number.bytes = (int)size;
   field->number.offset = record->bytes;
@@ -98,10 +101,10 @@ static int take_fields(const char** text, struct record* record) {
   return **text == ']';
 }
 
-// (rows,) or (rows, columns)
-static int parse_extents(const char* text, int64_t extents[2]) {
+// (rows,), (rows, columns) or (rows, positions, 2)
+static int parse_extents(const char* text, int64_t extents[most_extents]) {
   int count = 0;
-  while (count < 2) {
+  while (count < most_extents) {
     char* end;
     text += strspn(text, "(, ");
     if (*text < '0' || *text > '9') break;
@@ -168,12 +171,63 @@ static int locate_in_row(const struct field* field, int64_t columns, struct npy_
   return 1;
 }
 
+static uint64_t bits_at(const unsigned char* row, const struct npy_number* number) {
+  uint64_t bits = 0;
+  for (int i = 0; i < number->bytes; i++) {
+    bits = bits << 8 | row[number->offset + (size_t)(number->big ? i : number->bytes - 1 - i)];
+  }
+  return bits;
+}
+
+double npy_number(const unsigned char* row, const struct npy_number* number) {
+  const uint64_t bits = bits_at(row, number);
+  const uint32_t narrow = (uint32_t)bits;
+  double wide;
+  float single;
+  memcpy(&wide, &bits, sizeof wide);
+  memcpy(&single, &narrow, sizeof single);
+  return number->bytes == sizeof wide ? wide : single;
+}
+
+int64_t npy_integer(const unsigned char* row, const struct npy_number* number) {
+  const uint64_t bits = bits_at(row, number);
+  return number->bytes == 4 && !number->is_unsigned ? (int32_t)bits : (int64_t)bits;
+}
+
+// Polygons or polylines of as many vertices each.
+static int spread_positions(const int64_t shape[most_extents], struct npy_header* header, struct fault* fault) {
+  if (shape[2] != 2 || shape[1] < 1 || shape[1] > INT32_MAX || shape[0] > INT64_MAX / shape[1]) {
+    return fail(fault, "of three dimensions the last must be 2, and the middle one the number of vertices");
+  }
+  header->each = shape[1];
+  header->rows = shape[0] * shape[1];
+  return 1;
+}
+
+int read_npy_integers_header(FILE* file, struct npy_header* header, struct fault* fault) {
+  static char dictionary[most_header + 1];
+  struct record record = {.count = 0};
+  const char *type, *extents;
+  int64_t shape[most_extents];
+  if (!read_dictionary(file, dictionary, fault)) return 0;
+  type = find_value(dictionary, "'descr':");
+  extents = find_value(dictionary, "'shape':");
+  if (!type || !extents || !take_type(&type, &record, &record.fields[0]) || !record.fields[0].is_integer ||
+      parse_extents(extents, shape) != 1) {
+    return fail(fault, "not an array of offsets, int32 or int64, of one dimension");
+  }
+  header->rows = shape[0];
+  header->numbers[0] = record.fields[0].number;
+  header->row_bytes = record.bytes;
+  return 1;
+}
+
 int read_npy_header(FILE* file, int32_t kind, struct npy_header* header, struct fault* fault) {
   static char dictionary[most_header + 1];
   static struct record record;
   const char *type, *order, *extents;
-  int64_t shape[2];
-  int is_record;
+  int64_t shape[most_extents];
+  int is_record, count;
   memset(&record, 0, sizeof record);
   if (!read_dictionary(file, dictionary, fault)) return 0;
   type = find_value(dictionary, "'descr':");
@@ -184,12 +238,15 @@ int read_npy_header(FILE* file, int32_t kind, struct npy_header* header, struct 
   if (!(is_record ? take_fields(&type, &record) : take_type(&type, &record, &record.fields[0]))) {
     return fail(fault, "a type of elements that cannot be read here");
   }
-  if (parse_extents(extents, shape) != (is_record ? 1 : 2)) {
+  count = parse_extents(extents, shape);
+  if (is_record ? count != 1 : count != 2 && (count != 3 || (kind >= 0 && !has_vertices(kind)))) {
     return fail(fault, "not an array of %s", is_record ? "records in one row" : "two dimensions");
   }
-  header->kind = kind;
+  header->kind = count == 3 || has_vertices(kind) ? VESICA_POINT : kind;
   header->rows = shape[0];
+  header->each = 0;
+  if (count == 3 && !spread_positions(shape, header, fault)) return 0;
   if (!is_record && *order == 'T') return fail(fault, "its columns lie one after the other: save it row by row");
   return is_record ? locate_in_record(&record, header, fault)
-                   : locate_in_row(&record.fields[0], shape[1], header, fault);
+                   : locate_in_row(&record.fields[0], shape[count - 1], header, fault);
 }

@@ -4,48 +4,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+int32_t path_kind(const char* name) {
+  for (int32_t kind = VESICA_POLYGON; kind <= VESICA_POLYLINE; kind++) {
+    if (strcmp(name, vesica_kind_name(kind)) == 0) return kind;
+  }
+  return VESICA_E_KIND;
+}
+
 int has_vertices(int32_t kind) { return kind == VESICA_POLYGON || kind == VESICA_POLYLINE; }
-
-// Doubles the room of an array of `size` bytes each until it holds `wanted`.
-static int grow(void* array, int64_t* room, int64_t wanted, size_t size) {
-  void** const at = array;
-  int64_t larger = *room < 64 ? 64 : *room;
-  void* grown;
-  while (larger < wanted) larger *= 2;
-  if (*room == larger) return 1;
-  grown = realloc(*at, (size_t)larger * size);
-  if (!grown) return 0;
-  *at = grown;
-  *room = larger;
-  return 1;
-}
-
-int add_vertex(struct vertices* vertices, double x, double y) {
-  void* xy = vertices->xy;
-  if (vertices->count == INT32_MAX || !grow(&xy, &vertices->room, vertices->count + 1, 2 * sizeof(double))) return 0;
-  vertices->xy = xy;
-  vertices->xy[2 * vertices->count] = x;
-  vertices->xy[2 * vertices->count + 1] = y;
-  vertices->count++;
-  return 1;
-}
-
-int end_ring(struct vertices* vertices) {
-  void* rings = vertices->rings;
-  if (vertices->ring_count == INT32_MAX ||
-      !grow(&rings, &vertices->ring_room, vertices->ring_count + 2, sizeof(int32_t)))
-    return 0;
-  vertices->rings = rings;
-  vertices->rings[0] = 0;
-  vertices->rings[++vertices->ring_count] = (int32_t)vertices->count;
-  return 1;
-}
-
-vesica_polygon_f64 view_vertices(const struct vertices* vertices) {
-  const vesica_polygon_f64 polygon = {vertices->xy, vertices->xy + 1, 2 * sizeof(double), vertices->rings,
-                                      vertices->ring_count};
-  return polygon;
-}
 
 static int add_vertices(struct shapes* shapes, int32_t kind, const struct vertices* vertices) {
   struct vertices* all = &shapes->vertices[kind];
@@ -126,11 +92,6 @@ int32_t view_shapes(const struct shapes* shapes, vesica_shapes_f64 sets[kind_cou
     places += used;
   }
   return count;
-}
-
-void free_vertices(struct vertices* vertices) {
-  free(vertices->xy);
-  free(vertices->rings);
 }
 
 void free_shapes(struct shapes* shapes) {

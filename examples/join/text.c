@@ -12,29 +12,41 @@ enum meaning { no_shape, good_shape, bad_shape };
 
 // Names of columns, which a table may begin with.
 static int is_header(const char* text, int32_t kind) {
-  static const char* const first[] = {"x", "x0", "cx", "min_x", "cx", "cx", "x0", "cx"};
+  static const char* const first[] = {"x", "x0", "cx", "min_x", "cx", "cx", "x0", "cx", "x", "x"};
   const char* name = kind == any_kind ? "kind" : first[kind];
   const size_t length = strcspn(text, " \t,");
   return length == strlen(name) && strncmp(text, name, length) == 0;
 }
 
-static int parse_words(char** rest, const struct source* source, struct shape* shape, struct fault* fault) {
-  const char* junk;
-  if (source->kind == any_kind) {
-    if (!parse_shape(take_word(rest), rest, source->name, shape, fault)) return 0;
-  } else {
-    shape->kind = source->kind;
-    if (!parse_numbers(rest, source->name, shape, fault)) return 0;
+// x y x y ..., one ring.
+static int parse_vertices(char** rest, struct vertices* vertices, struct fault* fault) {
+  const char* word;
+  clear_vertices(vertices);
+  while ((word = take_word(rest))) {
+    double x, y;
+    if (!parse_number(word, "x", &x, fault)) return 0;
+    word = take_word(rest);
+    if (!parse_number(word ? word : "", "y", &y, fault)) return 0;
+    if (!add_vertex(vertices, x, y)) return fail(fault, "too many vertices");
   }
+  if (vertices->count == 0) return fail(fault, "no vertices");
+  return end_ring(vertices) || fail(fault, "too many vertices");
+}
+
+static int parse_words(char** rest, struct source* source, struct shape* shape, struct fault* fault) {
+  const char *word = source->kind == any_kind ? take_word(rest) : NULL, *junk;
+  shape->kind = word ? path_kind(word) : source->kind;
+  if (has_vertices(shape->kind)) return parse_vertices(rest, &source->vertices, fault);
+  if (!(source->kind == any_kind ? parse_shape(word, rest, source->name, shape, fault)
+                                 : parse_numbers(rest, source->name, shape, fault)))
+    return 0;
   junk = take_word(rest);
   return !junk || fail(fault, "'%.40s' after the shape", junk);
 }
 
-static int is_valid(const struct source* source, const struct shape* shape, struct fault* fault) {
-  if (!has_vertices(shape->kind)) return check_shape(shape, source->name, fault);
-  const vesica_polygon_f64 polygon = view_vertices(&source->vertices);
-  const int32_t error = vesica_check_f64(shape->kind, &polygon);
-  return error == 0 || fail(fault, "shape %c: %s", source->name, vesica_strerror(error));
+static int parse_geometry(const char* text, struct source* source, struct shape* shape, struct fault* fault) {
+  char reason[geometry_fault_room];
+  return parse_wkt(text, &source->vertices, &shape->kind, shape->numbers, reason) || fail(fault, "%s", reason);
 }
 
 static enum meaning parse_text(struct line* line, struct source* source, struct shape* shape, struct fault* fault) {
@@ -47,8 +59,7 @@ static enum meaning parse_text(struct line* line, struct source* source, struct 
   }
   text = take_field(&rest, '#');
   if (!*text || (line->number == 1 && is_header(text, source->kind))) return no_shape;
-  parsed =
-      strchr(text, '(') ? parse_wkt(text, shape, &source->vertices, fault) : parse_words(&text, source, shape, fault);
+  parsed = strchr(text, '(') ? parse_geometry(text, source, shape, fault) : parse_words(&text, source, shape, fault);
   return parsed && is_valid(source, shape, fault) ? good_shape : bad_shape;
 }
 

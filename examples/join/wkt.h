@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Well-known text: POINT, LINESTRING, POLYGON, and the last two with MULTI.
+/// Well-known text: POINT, LINESTRING, POLYGON, and these with MULTI. Z and M are read over.
 #ifndef WKT_H
 #define WKT_H
 
-#include "shapes.h"
+#include "geometry.h"
 
-/// Two positions of a line are a segment, and a polygon that is a box along the axes is an AABB. All others have their
-/// positions in `vertices`. Returns 1, or 0 with the reason in `fault`.
-int parse_wkt(const char* text, struct shape* shape, struct vertices* vertices, struct fault* fault);
+/// Reads a geometry, and takes it as settle_geometry() does. Numbers follow the locale. Returns 1, or 0 with the reason
+/// in `fault`.
+int parse_wkt(const char* text, struct vertices* vertices, int32_t* kind, double numbers[4],
+              char fault[geometry_fault_room]);
 
 #endif

@@ -2,6 +2,7 @@
 """join_test.py JOIN: what it answers for files good and bad, in the folder it is called in."""
 import contextlib
 import ctypes
+import json
 import os
 import pty
 import random
@@ -135,12 +136,20 @@ zones = write(
     "MULTILINESTRING ((9 9, 9 10), (11 11, 12 12, 13 11))\n",
 )
 spots = write("spots.txt", "point 1 1\npoint 4 3.5\npoint 2.5 2.5\npoint 20.25 0.25\ncircle 12 12 0.5\npoint 4 0\n")
+known_spots = write("spots.wkt", "POINT (1 1)\nPOINT (4 3.5)\nPOINT (2.5 2.5)\nPOINT (20.25 0.25)\nPOINT (12 12)\nPOINT (4 0)\n")
 of_zones = [(0, 0), (0, 5), (1, 1), (1, 3), (2, 1), (2, 5), (3, 4)]
 check("zones", of_zones, pairs("zones", zones, spots))
 check("zones among themselves", [(0, 2), (1, 2)], pairs("zones among themselves", zones))
 coast = ", ".join(f"{i} {i % 2}" for i in range(20000))
 long = write("long.wkt", f"POLYGON (({coast}, 19999 9, 0 9, 0 0))\n")
 check("a line longer than any buffer", [(0, 0), (0, 1), (0, 2), (0, 3), (0, 5)], pairs("long", long, spots))
+more = write(
+    "more.wkt",
+    "MULTIPOINT (1 1, 4 4)\nMULTIPOINT ((2.5 2.5), (7 7))\nMultiPoint Z ((4 0 9))\n"
+    "polygon 0 0 8 0 8 8\npolyline 0 -1, 4 -1, 4 4\n",
+)
+check("points, and vertices in words", [(0, 0), (1, 2), (2, 5), (3, 0), (3, 1), (3, 2), (3, 5), (4, 1), (4, 5)], pairs("more", more, spots))
+check("vertices alone", [(0, 0), (0, 2)], pairs("vertices alone", write("alone.txt", "0 0 1 1 3 3\n"), known_spots, "--kind", "polyline"))
 boxes = [draw("aabb", rng) for _ in range(80)]
 alone = write("alone.csv", "min_x,min_y,max_x,max_y\n" + "".join(",".join(map(str, n)) + "\n" for _, n in boxes))
 check("numbers alone", all_pairs(boxes), pairs("numbers alone", "--kind", "aabb", alone))
@@ -164,6 +173,84 @@ numpy.save("tenth.npy", numpy.array([[0.1, 0.1]], "f4"))
 wide = write("wide.txt", f"point {float(numpy.float32(0.1))!r} {float(numpy.float32(0.1))!r}\npoint 0.1 0.1\n")
 check("floats", [], pairs("floats", "tenth.npy", write("narrow.txt", "0.1 0.1"), "--kind", "point"))
 check("floats, wide", [(0, 0)], pairs("wide", "tenth.npy", write("wide.csv", open(wide).read().replace("point ", "")), "--kind", "point"))
+
+# Polygons in arrays: quads, and vertices with offsets.
+quads = numpy.array([[[0, 0], [8, 0], [8, 8], [0, 8]], [[20, 0], [21, 0], [21, 1], [20, 1]], [[9, 9], [9, 9], [9, 9], [9, 9]]], "f4")
+numpy.save("quads.npy", quads)
+of_quads = [(0, 0), (0, 1), (0, 2), (0, 5), (1, 3)]
+check("quads", of_quads, pairs("quads", "quads.npy", spots))
+check("open quads", [(0, 5)], pairs("open quads", "quads.npy", known_spots, "--kind", "polyline"))
+# The zones above, with a vertex before and behind them that no ring has.
+numpy.save(
+    "vertices.npy",
+    [[9, 9], [0, 0], [8, 0], [8, 8], [0, 8], [2, 2], [6, 2], [6, 6], [2, 6], [20, 0], [21, 0], [20, 1], [3, 3], [5, 3], [4, 5], [9, 9.0]],
+)
+for dtype in ("<i4", "<i8", ">i4", "<u4"):
+    numpy.save("rings.npy", numpy.array([1, 5, 9, 12, 15], dtype))
+    numpy.save("parts.npy", numpy.array([0, 2, 3, 4], dtype))
+    numpy.save("zones.npy", numpy.array([0, 1, 3], dtype))
+    numpy.save("sole.npy", numpy.array([0, 2, 4], dtype))
+    check(f"rings of {dtype}", [(0, 0), (0, 1), (0, 2), (0, 5), (1, 1), (1, 2), (2, 3), (3, 1)], pairs("rings", "vertices.npy,rings.npy", spots))
+    check(f"zones of {dtype}", of_zones[:4], pairs("two arrays", "vertices.npy,rings.npy,sole.npy", spots))
+    check(f"three arrays of {dtype}", of_zones[:4], pairs("three", "vertices.npy,rings.npy,parts.npy,zones.npy", spots))
+check("lines by offsets", [(0, 5)], pairs("lines by offsets", "vertices.npy,rings.npy", known_spots, "--kind", "polyline"))
+
+# ---- GeoJSON ------------------------------------------------------------------------------------------------------
+geometries = [
+    {"type": "Polygon", "coordinates": [[[0, 0], [8, 0], [8, 8], [0, 8], [0, 0]], [[2, 2], [6, 2], [6, 6], [2, 6], [2, 2]]]},
+    {"type": "MultiPolygon", "coordinates": [[[[20, 0], [21, 0], [20, 1], [20, 0]]], [[[3, 3], [5, 3], [4, 5], [3, 3]]]]},
+    {"coordinates": [[0, -1], [4, -1], [4, 4]], "type": "LineString"},
+    {"type": "MultiLineString", "coordinates": [[[9, 9, 5], [9, 10, 5]], [[11, 11], [12, 12], [13, 11]]]},
+]
+misleading = {"type": "Point", "coordinates": [1, 1], "features": [{"a}": '"]}\\'}], "n": None, "t": [True, 1e3, -2.5]}
+features = [{"type": "Feature", "properties": misleading, "geometry": g, "id": 7} for g in geometries]
+for what, document in (
+    ("a collection", json.dumps({"name": "\u00fc", "features": features, "type": "FeatureCollection", "bbox": [0, 0, 1, 1]}, indent=1)),
+    ("geometries", json.dumps({"type": "GeometryCollection", "geometries": geometries})),
+    ("a line each", "\n".join(map(json.dumps, features))),
+    ("a sequence", "".join("\x1e" + json.dumps(g) + "\n" for g in geometries)),
+    ("collections", json.dumps({"type": "Feature", "properties": None, "geometry": {"type": "GeometryCollection", "geometries": geometries}})),
+):
+    check(what, of_zones, pairs(what, write("zones.geojson", document), spots))
+whole = json.dumps({"type": "FeatureCollection", "features": features})
+for length in range(1, len(whole), 3):
+    status, out, err = run(write("cut.json", whole[:length]), spots)
+    check(f"{length} bytes of GeoJSON", (2, "", "cut.json: line 1: "), (status, out, err[:18]))
+unplaced = [{"type": "Feature", "geometry": None}, {"type": "Feature", "geometry": {"type": "Point", "coordinates": []}}]
+numbered = write("numbered.json", json.dumps({"type": "FeatureCollection", "features": [*unplaced, *features]}))
+check("shapes without a place keep a number", [(i + 2, j) for i, j in of_zones], pairs("unplaced", numbered, spots))
+points = write("points.json", '{"type":"MultiPoint","coordinates":[[1,1],[4,4]]}{"type":"Point","coordinates":[4,0,7]}')
+check("points of GeoJSON", [(0, 0), (1, 5)], pairs("points of GeoJSON", points, spots))
+for geometry, complaint in (
+    ('{"type":"Polygon","coordinates":[[0,0],[1,0],[1,1]]}', "coordinates of no Polygon"),
+    ('{"type":"Point","coordinates":[[0,0]]}', "coordinates of no Point"),
+    ('{"type":"Point","coordinates":[0]}', "not positions of two numbers"),
+    ('{"type":"Point","coordinates":["a",0]}', "coordinates are not numbers"),
+    ('{"type":"Point","coordinates":{"a":[0,0]}}', "coordinates are not numbers"),
+    ('{"type":"Point","coordinates":[0,null]}', "coordinates are not numbers"),
+    ('{"type":"Point","coordinates":[1e999,0]}', "shape A (point) is invalid: a number is NaN or infinite"),
+    ('{"type":"LineString","coordinates":[[0,0],[[1,1]]]}', "positions at unlike depths"),
+    ('{"type":"Polygon","coordinates":[[[0,0],[2,2],[2,0],[0,2]]]}', "shape A (polygon) is invalid: edges of a polygon cross or overlap"),
+    ('{"type":"Circle","coordinates":[0,0]}', "'Circle' is no Point, LineString or Polygon"),
+    ('{"type":"Point"}', "a Point without coordinates"),
+    ('{"type":"Point","coordinates":[0,0],"geometries":[]}', "coordinates beside other geometries"),
+    ("{}", "'' is no Point, LineString or Polygon"),
+):
+    feature = '{"type":"Feature","geometry":\n%s}' % geometry
+    collection = write("bad.json", '{"type":"FeatureCollection","features":[\n{"type":"Feature","geometry":null},%s]}' % feature)
+    refused(geometry, f"bad.json:3: feature 1: {complaint}\njoin: nothing is written: --skip-bad goes on without bad shapes\n", collection)
+    check(f"{geometry}, skipped", [], pairs(geometry, "--skip-bad", collection))
+for document, complaint in (
+    ('{"type":"Point","coordinates":[0,0]} [1]', "line 1: '{' is missing"),
+    ('{"type" "Point"}', "line 1: ':' is missing"),
+    ('{"type":"Feature",\n"geometry":null "id":1}', "line 2: ',' or '}' is missing"),
+    ('{"features":[{} {}]}', "line 1: ',' or ']' is missing"),
+    ('{"features":{}}', "line 1: '[' is missing"),
+    ('{"a":}', "line 1: a value is missing"),
+    ('{"type":"GeometryCollection","geometries":[' * 65 + "]}" * 65, "line 1: objects in more than 64 objects"),
+):
+    status, out, err = run(write("bad.json", document), "--skip-bad")
+    check(document[:50], (2, "", f"bad.json: {complaint}\n"), (status, out, "".join(line for line in err.splitlines(True) if ": line " in line)))
 
 # ---- Files with nothing in them -----------------------------------------------------------------------------------
 numpy.save("none.npy", numpy.zeros((0, 3)))
@@ -193,12 +280,15 @@ for line, complaint in (
     ("POINT 1 2)", "unknown kind 'POINT'"),
     ("POINT (1)", "not positions of two numbers in parentheses"),
     ("POINT (1 2) x", "'x' after the shape"),
-    ("POINT (1 2, 3 4)", "not 1 position of two numbers in parentheses"),
+    ("POINT (1 2, 3 4)", "a point with 2 positions"),
     ("LINESTRING (1 2, 3)", "not positions of two numbers in parentheses"),
     ("LINESTRING EMPTY", "unknown kind 'LINESTRING'"),
     ("POLYGON (0 0, 1 1, 0 1)", "not positions of two numbers in parentheses"),
     ("POLYGON ((0 0, 1 0, 1 1, 0 1)", "')' is missing"),
-    ("POLYGON ((0 0, 1 nan, 1 1))", "shape A: a number is NaN or infinite"),
+    ("POLYGON ((0 0, 1 nan, 1 1))", "shape A (polygon) is invalid: a number is NaN or infinite"),
+    ("POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))", "shape A (polygon) is invalid: edges of a polygon cross or overlap"),
+    ("polygon 0 0 1 0 1", "y is missing"),
+    ("polygon", "no vertices"),
     ("CURVE (0 0)", "'CURVE (0 0)' is no POINT, LINESTRING or POLYGON"),
 ):
     status, out, err = run(write("one.txt", "point 0 0\n" + line + "\n"))
@@ -228,6 +318,24 @@ unusable("no fields", "its fields are those of no kind: --kind tells which", num
 unusable("another kind's", "no field 'r'", numpy.zeros(2, [("cx", "f8"), ("cy", "f8")]), "--kind", "circle")
 unusable("field of integers", "field 'x' is not of float64 or float32", numpy.zeros(2, [("x", "i8"), ("y", "f8")]))
 unusable("nested", "a type of elements that cannot be read here", numpy.zeros(2, [("x", "f8", 2), ("y", "f8")]))
+unusable("vertices alone", "an array of vertices: offsets tell which are of one shape (--help)", numpy.zeros((2, 2)), "--kind", "polygon")
+unusable("positions of three", "of three dimensions the last must be 2, and the middle one the number of vertices", numpy.zeros((2, 4, 3)))
+unusable("rows of circles", "not an array of two dimensions", numpy.zeros((2, 4, 2)), "--kind", "circle")
+for what, path, complaint, array in (
+    ("offsets that decrease", "offsets.npy", "offset 2 is negative or less than the one before", numpy.array([0, 4, 3])),
+    ("a negative offset", "offsets.npy", "offset 0 is negative or less than the one before", numpy.array([-1, 4])),
+    ("offsets beyond the vertices", "vertices.npy", "has fewer vertices than offsets say", numpy.array([0, 17])),
+    ("no offset", "offsets.npy", "no offset: there is one more than there are shapes", numpy.array([], int)),
+    ("offsets of two dimensions", "offsets.npy", "not an array of offsets, int32 or int64, of one dimension", numpy.zeros((2, 2), int)),
+    ("offsets of floats", "offsets.npy", "not an array of offsets, int32 or int64, of one dimension", numpy.zeros(2)),
+):
+    numpy.save("offsets.npy", array)
+    refused(what, f"{path}: {complaint}\n", "vertices.npy,offsets.npy")
+numpy.save("offsets.npy", numpy.array([0, 5]))
+refused("rings beyond the rings", "offsets.npy: an offset is beyond the array before it\n", "vertices.npy,rings.npy,offsets.npy")
+refused("no file of offsets", "nowhere.npy: cannot read\n", "vertices.npy,nowhere.npy")
+numpy.save("offsets.npy", numpy.array([0, 3, 3, 6]))
+refused("an empty polygon", "vertices.npy: shape 1: shape A (polygon) is invalid: a polygon has no vertex, or its offsets are negative or decrease\n" + skipping, "vertices.npy,offsets.npy")
 numpy.save("whole.npy", numpy.arange(12.0).reshape(4, 3))
 whole = open("whole.npy", "rb").read()
 for length in range(1, len(whole)):
