@@ -11,11 +11,14 @@ DESCRIPTION = REPOSITORY / "capi" / "vesica.json"
 LIBRARY = "libvesica.so"
 HEAD = "SPDX-License-Identifier: Apache-2.0", "Written by bindings/declare from capi/vesica.json: not to be edited."
 GROUPS = {
-    "KINDS": ("POINT", "SEGMENT", "CIRCLE", "AABB", "RECT", "ELLIPSE", "CAPSULE", "ROUND_RECT"),
+    "KINDS": (
+        *("POINT", "SEGMENT", "CIRCLE", "AABB", "RECT", "ELLIPSE", "CAPSULE", "ROUND_RECT"),
+        *("POLYGON", "POLYLINE"),
+    ),
     "RELATIONS": ("DISJOINT", "TOUCH", "CROSS", "INSIDE", "INSIDE_TOUCH", "CONTAINS", "CONTAINS_TOUCH", "EQUAL"),
 }
-#: The stems of the structs of one shape.
-SHAPES = tuple(kind.lower() for kind in GROUPS["KINDS"])
+#: The stems of the structs of one shape that are numbers.
+SHAPES = tuple(kind.lower() for kind in GROUPS["KINDS"] if not kind.startswith("POLY"))
 PREFIXES = {
     "ANGLE_": "ANGLES",
     "CAST_": "CASTS",

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The module for Go: constants and structs with their texts, and the C functions by one name for both scalars.
 
-Go memory that holds pointers to Go memory must not be passed to C. So views of arrays and the numbers of one shape go
+Go memory that holds pointers to Go memory must not be passed to C. So views of arrays, and one shape, go
 by value, to functions of a header that is written too. There addresses are of char: of void, Go would look for such
 pointers in the whole object about them, and refuse slices inside one that has any.
 """
@@ -43,10 +43,37 @@ typedef struct {
     vesica_go_view set[64];
 } vesica_go_sets;
 
-/* The numbers of one shape, in double or float. */
+/* vesica_polygon_f64 and vesica_polygon_f32. Polylines have the same members. */
 typedef struct {
-    double number[7];
-} vesica_go_numbers;
+    const char *x, *y;
+    ptrdiff_t stride;
+    const int32_t *rings;
+    int64_t count;
+} vesica_go_path;
+
+/* One shape: its numbers, in double or float, or the path of a polygon or a polyline. */
+typedef struct {
+    double numbers[7];
+    vesica_go_path path;
+} vesica_go_shape;
+
+'''
+# The struct of one shape of any kind, for each scalar.
+READ = '''\
+typedef union {
+    %(base)s numbers[7];
+    vesica_polygon_%(suffix)s path;
+} vesica_go_%(suffix)s;
+
+static inline vesica_go_%(suffix)s go_read_%(suffix)s(int32_t kind, const vesica_go_shape *shape) {
+    vesica_go_%(suffix)s read;
+    if (kind < VESICA_POLYGON) {
+        memcpy(&read.numbers, &shape->numbers, sizeof read.numbers);
+    } else {
+        memcpy(&read.path, &shape->path, sizeof read.path);
+    }
+    return read;
+}
 
 '''
 
@@ -103,7 +130,7 @@ def in_c(declaration):
     if declaration.is_shapes:
         return "vesica_go_view"
     if declaration.is_shape:
-        return "vesica_go_numbers"
+        return "vesica_go_shape"
     if declaration.is_pointer or declaration.count:
         return "char *" if not declaration.is_const else "const char *"
     return declaration.base
@@ -114,8 +141,8 @@ def declared_in_c(declaration):
     return kind + ("" if kind.endswith("*") else " ") + declaration.name
 
 
-def passed_in_c(declaration, suffix):
-    """A copy where needed, and what is passed."""
+def passed_in_c(declaration, kind, suffix):
+    """A copy where needed, and what is passed; kind is the parameter before it, of one shape its kind."""
     name = declaration.name
     if declaration.is_sets:
         copy = f"    vesica_shapes_{suffix} of_{name}[64];\n    memcpy(of_{name}, &{name}, sizeof of_{name});\n"
@@ -124,9 +151,7 @@ def passed_in_c(declaration, suffix):
         copy = f"    vesica_shapes_{suffix} of_{name};\n    memcpy(&of_{name}, &{name}, sizeof of_{name});\n"
         return copy, f"&of_{name}"
     if declaration.is_shape:
-        base = SCALARS[suffix]
-        copy = f"    {base} of_{name}[7];\n    memcpy(of_{name}, &{name}, sizeof of_{name});\n"
-        return copy, f"of_{name}"
+        return f"    vesica_go_{suffix} of_{name} = go_read_{suffix}({kind.name}, &{name});\n", f"&of_{name}"
     kind = in_c(declaration)
     return "", f"({kind.replace('char', 'void')}){name}" if "*" in kind else name
 
@@ -136,7 +161,8 @@ def function_in_c(entry, suffix):
         f"{SCALARS[suffix]} {each.name}" if in_c(each) in SCALARS.values() else declared_in_c(each)
         for each in entry.parameters
     )
-    passed = [passed_in_c(each, suffix) for each in entry.parameters]
+    before = [None, *entry.parameters]
+    passed = [passed_in_c(each, kind, suffix) for kind, each in zip(before, entry.parameters)]
     copies = "".join(copy for copy, _ in passed)
     names = ", ".join(name for _, name in passed)
     return (
@@ -194,6 +220,7 @@ def files(description):
     return {
         "bindings/go/declarations.h": "".join(f"/* {line} */\n" for line in HEAD)
         + HEADER
+        + "".join(READ % {"base": base, "suffix": suffix} for suffix, base in SCALARS.items())
         + "".join(function_in_c(entry, suffix) for entry in functions for suffix in SCALARS)
         + "#endif\n",
         "bindings/go/declarations.go": OPENING

@@ -197,6 +197,37 @@ func TestAnyArguments(t *testing.T) {
 		}
 		return out
 	}
+	// Paths of few vertices, with offsets that often are none.
+	pathOf := func(kind Kind) (Array[float64], Shape, error) {
+		xy := make([]float64, 2*draw(12)+draw(20)/19)
+		for i := range xy {
+			if xy[i] = float64(draw(9)); draw(40) == 0 {
+				xy[i] = special()
+			}
+		}
+		offsets := func() []int32 {
+			out := make([]int32, draw(4))
+			for i := range out {
+				out[i] = int32(3*i + draw(9)/8 - draw(9)/8)
+			}
+			return out
+		}
+		rings := offsets()
+		shape, err := NewPolygon(xy, rings...)
+		if draw(2) == 0 {
+			array, err := EvenPaths(kind, xy, draw(5))
+			return array, shape, err
+		}
+		polygons := offsets()
+		if draw(2) == 0 {
+			polygons = nil
+		}
+		array, failed := Paths(kind, xy, rings, polygons)
+		if err == nil {
+			err = failed
+		}
+		return array, shape, err
+	}
 	single := func(kind Kind, numbers []float64) Any[float64] {
 		shape := Any[float64]{Kind: kind}
 		copy(shape.Numbers[:], numbers)
@@ -212,7 +243,12 @@ func TestAnyArguments(t *testing.T) {
 		if errA != nil || errB != nil {
 			continue
 		}
-		one, two := single(kindA, first), single(kindB, second)
+		var one, two Shape = single(kindA, first), single(kindB, second)
+		if draw(6) == 0 {
+			if array, shape, failed := pathOf(KindPolygon + Kind(draw(2))); failed == nil {
+				a, one = array, shape
+			}
+		}
 		bools, out, scores := make([]bool, draw(100)), make([]float64, draw(100)), make([]float64, a.Len()+draw(3)/2)
 		motion := Motion{special(), float64(draw(5)) - 2, special()}
 		question := draw(questions)

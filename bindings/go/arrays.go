@@ -83,13 +83,16 @@ func Columns[T Float](kind Kind, columns ...[]T) (array Array[T], err error) {
 	return array, nil
 }
 
-// arrayOfOne is an array of a single shape, whose numbers it holds.
+// arrayOfOne is an array of a single shape: of its own numbers, or of the caller's vertices.
 func arrayOfOne[T Float](shape Shape) (Array[T], error) {
 	s := shape.one()
 	if s.wide != isWide[T]() {
 		return Array[T]{}, errScalars
 	}
-	return arrayOf[T](Kind(s.kind), address(&s.numbers), 1), nil
+	if Kind(s.kind).isPath() {
+		return arrayOfPath[T](s), nil
+	}
+	return arrayOf[T](Kind(s.kind), address(&s.shape.numbers), 1), nil
 }
 
 // times is a product, or the greatest int if that is less.
@@ -135,9 +138,13 @@ func (a Array[T]) extent() (all extent) {
 	if a.Len() == 0 {
 		return extent{}
 	}
-	last := uintptr(a.view.count-1) * uintptr(a.view.stride)
+	fields, count := Kind(a.view.kind).Fields(), a.view.count
+	if Kind(a.view.kind).isPath() {
+		fields, count = 2, a.vertices()
+	}
+	last := uintptr(count-1) * uintptr(a.view.stride)
 	all.from = uintptr(unsafe.Pointer(a.view.field[0]))
-	for _, field := range a.view.field[:Kind(a.view.kind).Fields()] {
+	for _, field := range a.view.field[:fields] {
 		start := uintptr(unsafe.Pointer(field))
 		if start < all.from {
 			all.from = start

@@ -42,8 +42,8 @@ END
 {
   printf '%s\n' 'package main' '' 'import (' '"fmt"' '"math"' '' '"example.org/vesica"' ')' '' 'func main() {'
   sed -n '/^```go$/,/^```$/{/^```/!p}' "$here/README.md"
-  echo 'fmt.Println("overlap:", hit, far.Distance > 5, n, item, impact.T, pairs, err)'
+  echo 'fmt.Println("overlap:", hit, far.Distance > 5, n, item, impact.T, pairs, inside, m, err)'
   echo '}'
 } >main.go
-go run . | grep -Fx 'overlap: true true 2 0 0 [{0 2} {1 3}] <nil>'
+go run . | grep -Fx 'overlap: true true 2 0 0 [{0 2} {1 3}] true 2 <nil>'
 ls "$directory"/vesica-go-*.zip

@@ -32,6 +32,10 @@ const (
 	KindCapsule Kind = 6
 	// KindRoundRect: cx cy ux uy hx hy r
 	KindRoundRect Kind = 7
+	// KindPolygon: vertices of one or more rings
+	KindPolygon Kind = 8
+	// KindPolyline: vertices of one or more chains
+	KindPolyline Kind = 9
 )
 
 // Relation is how a shape relates to another: one of RCC-8's eight.
@@ -344,36 +348,36 @@ type Turn[T Float] struct {
 	Angle T
 }
 
-func cOverlap(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers) C.int32_t {
+func cOverlap(wide bool, kindA C.int32_t, a C.vesica_go_shape, kindB C.int32_t, b C.vesica_go_shape) C.int32_t {
 	if wide {
 		return C.go_overlap_f64(kindA, a, kindB, b)
 	}
 	return C.go_overlap_f32(kindA, a, kindB, b)
 }
 
-func cInteriorsOverlap(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t,
-	b C.vesica_go_numbers) C.int32_t {
+func cInteriorsOverlap(wide bool, kindA C.int32_t, a C.vesica_go_shape, kindB C.int32_t,
+	b C.vesica_go_shape) C.int32_t {
 	if wide {
 		return C.go_interiors_overlap_f64(kindA, a, kindB, b)
 	}
 	return C.go_interiors_overlap_f32(kindA, a, kindB, b)
 }
 
-func cContains(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers) C.int32_t {
+func cContains(wide bool, kindA C.int32_t, a C.vesica_go_shape, kindB C.int32_t, b C.vesica_go_shape) C.int32_t {
 	if wide {
 		return C.go_contains_f64(kindA, a, kindB, b)
 	}
 	return C.go_contains_f32(kindA, a, kindB, b)
 }
 
-func cRelation(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers) C.int32_t {
+func cRelation(wide bool, kindA C.int32_t, a C.vesica_go_shape, kindB C.int32_t, b C.vesica_go_shape) C.int32_t {
 	if wide {
 		return C.go_relation_f64(kindA, a, kindB, b)
 	}
 	return C.go_relation_f32(kindA, a, kindB, b)
 }
 
-func cNearest(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers,
+func cNearest(wide bool, kindA C.int32_t, a C.vesica_go_shape, kindB C.int32_t, b C.vesica_go_shape,
 	out *C.char) C.int32_t {
 	if wide {
 		return C.go_nearest_f64(kindA, a, kindB, b, out)
@@ -381,7 +385,7 @@ func cNearest(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t
 	return C.go_nearest_f32(kindA, a, kindB, b, out)
 }
 
-func cDepth(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers,
+func cDepth(wide bool, kindA C.int32_t, a C.vesica_go_shape, kindB C.int32_t, b C.vesica_go_shape,
 	out *C.char) C.int32_t {
 	if wide {
 		return C.go_depth_f64(kindA, a, kindB, b, out)
@@ -389,7 +393,7 @@ func cDepth(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, 
 	return C.go_depth_f32(kindA, a, kindB, b, out)
 }
 
-func cArea(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers,
+func cArea(wide bool, kindA C.int32_t, a C.vesica_go_shape, kindB C.int32_t, b C.vesica_go_shape,
 	out *C.char) C.int32_t {
 	if wide {
 		return C.go_area_f64(kindA, a, kindB, b, out)
@@ -397,7 +401,7 @@ func cArea(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b
 	return C.go_area_f32(kindA, a, kindB, b, out)
 }
 
-func cIOU(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers,
+func cIOU(wide bool, kindA C.int32_t, a C.vesica_go_shape, kindB C.int32_t, b C.vesica_go_shape,
 	out *C.char) C.int32_t {
 	if wide {
 		return C.go_iou_f64(kindA, a, kindB, b, out)
@@ -405,21 +409,21 @@ func cIOU(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b 
 	return C.go_iou_f32(kindA, a, kindB, b, out)
 }
 
-func cBounds(wide bool, kind C.int32_t, shape C.vesica_go_numbers, out *C.char) C.int32_t {
+func cBounds(wide bool, kind C.int32_t, shape C.vesica_go_shape, out *C.char) C.int32_t {
 	if wide {
 		return C.go_bounds_f64(kind, shape, out)
 	}
 	return C.go_bounds_f32(kind, shape, out)
 }
 
-func cCheck(wide bool, kind C.int32_t, shape C.vesica_go_numbers) C.int32_t {
+func cCheck(wide bool, kind C.int32_t, shape C.vesica_go_shape) C.int32_t {
 	if wide {
 		return C.go_check_f64(kind, shape)
 	}
 	return C.go_check_f32(kind, shape)
 }
 
-func cCrossings(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers, out *C.char,
+func cCrossings(wide bool, kindA C.int32_t, a C.vesica_go_shape, kindB C.int32_t, b C.vesica_go_shape, out *C.char,
 	capacity C.int64_t, shared *C.char) C.int64_t {
 	if wide {
 		return C.go_crossings_f64(kindA, a, kindB, b, out, capacity, shared)
@@ -427,7 +431,7 @@ func cCrossings(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32
 	return C.go_crossings_f32(kindA, a, kindB, b, out, capacity, shared)
 }
 
-func cBoundaryDistance(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers,
+func cBoundaryDistance(wide bool, kindA C.int32_t, a C.vesica_go_shape, kindB C.int32_t, b C.vesica_go_shape,
 	out *C.char) C.int32_t {
 	if wide {
 		return C.go_boundary_distance_f64(kindA, a, kindB, b, out)
@@ -435,7 +439,7 @@ func cBoundaryDistance(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB 
 	return C.go_boundary_distance_f32(kindA, a, kindB, b, out)
 }
 
-func cShapeArea(wide bool, kind C.int32_t, shape C.vesica_go_numbers, out *C.char) C.int32_t {
+func cShapeArea(wide bool, kind C.int32_t, shape C.vesica_go_shape, out *C.char) C.int32_t {
 	if wide {
 		return C.go_shape_area_f64(kind, shape, out)
 	}
@@ -757,7 +761,7 @@ func cJoinNearest(wide bool, setsA C.vesica_go_sets, setCountA C.int32_t, indexB
 		distance)
 }
 
-func cRatio(wide bool, ratio C.int32_t, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers,
+func cRatio(wide bool, ratio C.int32_t, kindA C.int32_t, a C.vesica_go_shape, kindB C.int32_t, b C.vesica_go_shape,
 	out *C.char) C.int32_t {
 	if wide {
 		return C.go_ratio_f64(ratio, kindA, a, kindB, b, out)
@@ -802,7 +806,7 @@ func cDepthMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out *C.char
 	return C.go_depth_matrix_f32(a, b, out, rowStride)
 }
 
-func cSignedDistance(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers,
+func cSignedDistance(wide bool, kindA C.int32_t, a C.vesica_go_shape, kindB C.int32_t, b C.vesica_go_shape,
 	out *C.char) C.int32_t {
 	if wide {
 		return C.go_signed_distance_f64(kindA, a, kindB, b, out)
@@ -825,7 +829,7 @@ func cSignedDistanceMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, ou
 	return C.go_signed_distance_matrix_f32(a, b, out, rowStride)
 }
 
-func cWithin(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers,
+func cWithin(wide bool, kindA C.int32_t, a C.vesica_go_shape, kindB C.int32_t, b C.vesica_go_shape,
 	distance float64) C.int32_t {
 	if wide {
 		return C.go_within_f64(kindA, a, kindB, b, C.double(distance))
@@ -869,7 +873,7 @@ func cSuppressSoft(wide bool, shapes C.vesica_go_view, scores *C.char, labels *C
 		scratch, scratchSize, keep, decayed, kept)
 }
 
-func cCast(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers, vx float64,
+func cCast(wide bool, kindA C.int32_t, a C.vesica_go_shape, kindB C.int32_t, b C.vesica_go_shape, vx float64,
 	vy float64, tEnd float64, out *C.char) C.int32_t {
 	if wide {
 		return C.go_cast_f64(kindA, a, kindB, b, C.double(vx), C.double(vy), C.double(tEnd), out)
@@ -893,7 +897,7 @@ func cCastFirst(wide bool, one C.vesica_go_view, many C.vesica_go_view, vx float
 	return C.go_cast_first_f32(one, many, C.float(vx), C.float(vy), C.float(tEnd), out)
 }
 
-func cSweepBounds(wide bool, kind C.int32_t, shape C.vesica_go_numbers, vx float64, vy float64, tEnd float64,
+func cSweepBounds(wide bool, kind C.int32_t, shape C.vesica_go_shape, vx float64, vy float64, tEnd float64,
 	out *C.char) C.int32_t {
 	if wide {
 		return C.go_sweep_bounds_f64(kind, shape, C.double(vx), C.double(vy), C.double(tEnd), out)
@@ -918,8 +922,8 @@ func cIndexCastFirst(wide bool, index *C.char, sets C.vesica_go_sets, setCount C
 	return C.go_index_cast_first_f32(index, sets, setCount, one, C.float(vx), C.float(vy), C.float(tEnd), out)
 }
 
-func cImpactTime(wide bool, kindA C.int32_t, a C.vesica_go_numbers, turnA *C.char, kindB C.int32_t,
-	b C.vesica_go_numbers, turnB *C.char, tolerance float64, out *C.char, gap *C.char) C.int32_t {
+func cImpactTime(wide bool, kindA C.int32_t, a C.vesica_go_shape, turnA *C.char, kindB C.int32_t, b C.vesica_go_shape,
+	turnB *C.char, tolerance float64, out *C.char, gap *C.char) C.int32_t {
 	if wide {
 		return C.go_impact_time_f64(kindA, a, turnA, kindB, b, turnB, C.double(tolerance), out, gap)
 	}
@@ -982,7 +986,7 @@ func cCastRectRect(wide bool, a *C.char, b *C.char, vx float64, vy float64, tEnd
 	return C.go_cast_rect_rect_f32(a, b, C.float(vx), C.float(vy), C.float(tEnd), out)
 }
 
-func cDe9im(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers,
+func cDe9im(wide bool, kindA C.int32_t, a C.vesica_go_shape, kindB C.int32_t, b C.vesica_go_shape,
 	matrix *C.char) C.int32_t {
 	if wide {
 		return C.go_de9im_f64(kindA, a, kindB, b, matrix)
@@ -990,8 +994,8 @@ func cDe9im(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, 
 	return C.go_de9im_f32(kindA, a, kindB, b, matrix)
 }
 
-func cIntersection(wide bool, kindA C.int32_t, a C.vesica_go_numbers, kindB C.int32_t, b C.vesica_go_numbers,
-	out *C.char, capacity C.int64_t) C.int64_t {
+func cIntersection(wide bool, kindA C.int32_t, a C.vesica_go_shape, kindB C.int32_t, b C.vesica_go_shape, out *C.char,
+	capacity C.int64_t) C.int64_t {
 	if wide {
 		return C.go_intersection_f64(kindA, a, kindB, b, out, capacity)
 	}

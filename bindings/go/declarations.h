@@ -21,215 +21,202 @@ typedef struct {
     vesica_go_view set[64];
 } vesica_go_sets;
 
-/* The numbers of one shape, in double or float. */
+/* vesica_polygon_f64 and vesica_polygon_f32. Polylines have the same members. */
 typedef struct {
-    double number[7];
-} vesica_go_numbers;
+    const char *x, *y;
+    ptrdiff_t stride;
+    const int32_t *rings;
+    int64_t count;
+} vesica_go_path;
 
-static inline int32_t go_overlap_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b) {
-    double of_a[7];
-    memcpy(of_a, &a, sizeof of_a);
-    double of_b[7];
-    memcpy(of_b, &b, sizeof of_b);
-    return vesica_overlap_f64(kind_a, of_a, kind_b, of_b);
+/* One shape: its numbers, in double or float, or the path of a polygon or a polyline. */
+typedef struct {
+    double numbers[7];
+    vesica_go_path path;
+} vesica_go_shape;
+
+typedef union {
+    double numbers[7];
+    vesica_polygon_f64 path;
+} vesica_go_f64;
+
+static inline vesica_go_f64 go_read_f64(int32_t kind, const vesica_go_shape *shape) {
+    vesica_go_f64 read;
+    if (kind < VESICA_POLYGON) {
+        memcpy(&read.numbers, &shape->numbers, sizeof read.numbers);
+    } else {
+        memcpy(&read.path, &shape->path, sizeof read.path);
+    }
+    return read;
 }
 
-static inline int32_t go_overlap_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b) {
-    float of_a[7];
-    memcpy(of_a, &a, sizeof of_a);
-    float of_b[7];
-    memcpy(of_b, &b, sizeof of_b);
-    return vesica_overlap_f32(kind_a, of_a, kind_b, of_b);
+typedef union {
+    float numbers[7];
+    vesica_polygon_f32 path;
+} vesica_go_f32;
+
+static inline vesica_go_f32 go_read_f32(int32_t kind, const vesica_go_shape *shape) {
+    vesica_go_f32 read;
+    if (kind < VESICA_POLYGON) {
+        memcpy(&read.numbers, &shape->numbers, sizeof read.numbers);
+    } else {
+        memcpy(&read.path, &shape->path, sizeof read.path);
+    }
+    return read;
 }
 
-static inline int32_t go_interiors_overlap_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b,
-    vesica_go_numbers b) {
-    double of_a[7];
-    memcpy(of_a, &a, sizeof of_a);
-    double of_b[7];
-    memcpy(of_b, &b, sizeof of_b);
-    return vesica_interiors_overlap_f64(kind_a, of_a, kind_b, of_b);
+static inline int32_t go_overlap_f64(int32_t kind_a, vesica_go_shape a, int32_t kind_b, vesica_go_shape b) {
+    vesica_go_f64 of_a = go_read_f64(kind_a, &a);
+    vesica_go_f64 of_b = go_read_f64(kind_b, &b);
+    return vesica_overlap_f64(kind_a, &of_a, kind_b, &of_b);
 }
 
-static inline int32_t go_interiors_overlap_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b,
-    vesica_go_numbers b) {
-    float of_a[7];
-    memcpy(of_a, &a, sizeof of_a);
-    float of_b[7];
-    memcpy(of_b, &b, sizeof of_b);
-    return vesica_interiors_overlap_f32(kind_a, of_a, kind_b, of_b);
+static inline int32_t go_overlap_f32(int32_t kind_a, vesica_go_shape a, int32_t kind_b, vesica_go_shape b) {
+    vesica_go_f32 of_a = go_read_f32(kind_a, &a);
+    vesica_go_f32 of_b = go_read_f32(kind_b, &b);
+    return vesica_overlap_f32(kind_a, &of_a, kind_b, &of_b);
 }
 
-static inline int32_t go_contains_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b) {
-    double of_a[7];
-    memcpy(of_a, &a, sizeof of_a);
-    double of_b[7];
-    memcpy(of_b, &b, sizeof of_b);
-    return vesica_contains_f64(kind_a, of_a, kind_b, of_b);
+static inline int32_t go_interiors_overlap_f64(int32_t kind_a, vesica_go_shape a, int32_t kind_b, vesica_go_shape b) {
+    vesica_go_f64 of_a = go_read_f64(kind_a, &a);
+    vesica_go_f64 of_b = go_read_f64(kind_b, &b);
+    return vesica_interiors_overlap_f64(kind_a, &of_a, kind_b, &of_b);
 }
 
-static inline int32_t go_contains_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b) {
-    float of_a[7];
-    memcpy(of_a, &a, sizeof of_a);
-    float of_b[7];
-    memcpy(of_b, &b, sizeof of_b);
-    return vesica_contains_f32(kind_a, of_a, kind_b, of_b);
+static inline int32_t go_interiors_overlap_f32(int32_t kind_a, vesica_go_shape a, int32_t kind_b, vesica_go_shape b) {
+    vesica_go_f32 of_a = go_read_f32(kind_a, &a);
+    vesica_go_f32 of_b = go_read_f32(kind_b, &b);
+    return vesica_interiors_overlap_f32(kind_a, &of_a, kind_b, &of_b);
 }
 
-static inline int32_t go_relation_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b) {
-    double of_a[7];
-    memcpy(of_a, &a, sizeof of_a);
-    double of_b[7];
-    memcpy(of_b, &b, sizeof of_b);
-    return vesica_relation_f64(kind_a, of_a, kind_b, of_b);
+static inline int32_t go_contains_f64(int32_t kind_a, vesica_go_shape a, int32_t kind_b, vesica_go_shape b) {
+    vesica_go_f64 of_a = go_read_f64(kind_a, &a);
+    vesica_go_f64 of_b = go_read_f64(kind_b, &b);
+    return vesica_contains_f64(kind_a, &of_a, kind_b, &of_b);
 }
 
-static inline int32_t go_relation_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b) {
-    float of_a[7];
-    memcpy(of_a, &a, sizeof of_a);
-    float of_b[7];
-    memcpy(of_b, &b, sizeof of_b);
-    return vesica_relation_f32(kind_a, of_a, kind_b, of_b);
+static inline int32_t go_contains_f32(int32_t kind_a, vesica_go_shape a, int32_t kind_b, vesica_go_shape b) {
+    vesica_go_f32 of_a = go_read_f32(kind_a, &a);
+    vesica_go_f32 of_b = go_read_f32(kind_b, &b);
+    return vesica_contains_f32(kind_a, &of_a, kind_b, &of_b);
 }
 
-static inline int32_t go_nearest_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
+static inline int32_t go_relation_f64(int32_t kind_a, vesica_go_shape a, int32_t kind_b, vesica_go_shape b) {
+    vesica_go_f64 of_a = go_read_f64(kind_a, &a);
+    vesica_go_f64 of_b = go_read_f64(kind_b, &b);
+    return vesica_relation_f64(kind_a, &of_a, kind_b, &of_b);
+}
+
+static inline int32_t go_relation_f32(int32_t kind_a, vesica_go_shape a, int32_t kind_b, vesica_go_shape b) {
+    vesica_go_f32 of_a = go_read_f32(kind_a, &a);
+    vesica_go_f32 of_b = go_read_f32(kind_b, &b);
+    return vesica_relation_f32(kind_a, &of_a, kind_b, &of_b);
+}
+
+static inline int32_t go_nearest_f64(int32_t kind_a, vesica_go_shape a, int32_t kind_b, vesica_go_shape b, char *out) {
+    vesica_go_f64 of_a = go_read_f64(kind_a, &a);
+    vesica_go_f64 of_b = go_read_f64(kind_b, &b);
+    return vesica_nearest_f64(kind_a, &of_a, kind_b, &of_b, (void *)out);
+}
+
+static inline int32_t go_nearest_f32(int32_t kind_a, vesica_go_shape a, int32_t kind_b, vesica_go_shape b, char *out) {
+    vesica_go_f32 of_a = go_read_f32(kind_a, &a);
+    vesica_go_f32 of_b = go_read_f32(kind_b, &b);
+    return vesica_nearest_f32(kind_a, &of_a, kind_b, &of_b, (void *)out);
+}
+
+static inline int32_t go_depth_f64(int32_t kind_a, vesica_go_shape a, int32_t kind_b, vesica_go_shape b, char *out) {
+    vesica_go_f64 of_a = go_read_f64(kind_a, &a);
+    vesica_go_f64 of_b = go_read_f64(kind_b, &b);
+    return vesica_depth_f64(kind_a, &of_a, kind_b, &of_b, (void *)out);
+}
+
+static inline int32_t go_depth_f32(int32_t kind_a, vesica_go_shape a, int32_t kind_b, vesica_go_shape b, char *out) {
+    vesica_go_f32 of_a = go_read_f32(kind_a, &a);
+    vesica_go_f32 of_b = go_read_f32(kind_b, &b);
+    return vesica_depth_f32(kind_a, &of_a, kind_b, &of_b, (void *)out);
+}
+
+static inline int32_t go_area_f64(int32_t kind_a, vesica_go_shape a, int32_t kind_b, vesica_go_shape b, char *out) {
+    vesica_go_f64 of_a = go_read_f64(kind_a, &a);
+    vesica_go_f64 of_b = go_read_f64(kind_b, &b);
+    return vesica_area_f64(kind_a, &of_a, kind_b, &of_b, (void *)out);
+}
+
+static inline int32_t go_area_f32(int32_t kind_a, vesica_go_shape a, int32_t kind_b, vesica_go_shape b, char *out) {
+    vesica_go_f32 of_a = go_read_f32(kind_a, &a);
+    vesica_go_f32 of_b = go_read_f32(kind_b, &b);
+    return vesica_area_f32(kind_a, &of_a, kind_b, &of_b, (void *)out);
+}
+
+static inline int32_t go_iou_f64(int32_t kind_a, vesica_go_shape a, int32_t kind_b, vesica_go_shape b, char *out) {
+    vesica_go_f64 of_a = go_read_f64(kind_a, &a);
+    vesica_go_f64 of_b = go_read_f64(kind_b, &b);
+    return vesica_iou_f64(kind_a, &of_a, kind_b, &of_b, (void *)out);
+}
+
+static inline int32_t go_iou_f32(int32_t kind_a, vesica_go_shape a, int32_t kind_b, vesica_go_shape b, char *out) {
+    vesica_go_f32 of_a = go_read_f32(kind_a, &a);
+    vesica_go_f32 of_b = go_read_f32(kind_b, &b);
+    return vesica_iou_f32(kind_a, &of_a, kind_b, &of_b, (void *)out);
+}
+
+static inline int32_t go_bounds_f64(int32_t kind, vesica_go_shape shape, char *out) {
+    vesica_go_f64 of_shape = go_read_f64(kind, &shape);
+    return vesica_bounds_f64(kind, &of_shape, (void *)out);
+}
+
+static inline int32_t go_bounds_f32(int32_t kind, vesica_go_shape shape, char *out) {
+    vesica_go_f32 of_shape = go_read_f32(kind, &shape);
+    return vesica_bounds_f32(kind, &of_shape, (void *)out);
+}
+
+static inline int32_t go_check_f64(int32_t kind, vesica_go_shape shape) {
+    vesica_go_f64 of_shape = go_read_f64(kind, &shape);
+    return vesica_check_f64(kind, &of_shape);
+}
+
+static inline int32_t go_check_f32(int32_t kind, vesica_go_shape shape) {
+    vesica_go_f32 of_shape = go_read_f32(kind, &shape);
+    return vesica_check_f32(kind, &of_shape);
+}
+
+static inline int64_t go_crossings_f64(int32_t kind_a, vesica_go_shape a, int32_t kind_b, vesica_go_shape b, char *out,
+    int64_t capacity, char *shared) {
+    vesica_go_f64 of_a = go_read_f64(kind_a, &a);
+    vesica_go_f64 of_b = go_read_f64(kind_b, &b);
+    return vesica_crossings_f64(kind_a, &of_a, kind_b, &of_b, (void *)out, capacity, (void *)shared);
+}
+
+static inline int64_t go_crossings_f32(int32_t kind_a, vesica_go_shape a, int32_t kind_b, vesica_go_shape b, char *out,
+    int64_t capacity, char *shared) {
+    vesica_go_f32 of_a = go_read_f32(kind_a, &a);
+    vesica_go_f32 of_b = go_read_f32(kind_b, &b);
+    return vesica_crossings_f32(kind_a, &of_a, kind_b, &of_b, (void *)out, capacity, (void *)shared);
+}
+
+static inline int32_t go_boundary_distance_f64(int32_t kind_a, vesica_go_shape a, int32_t kind_b, vesica_go_shape b,
     char *out) {
-    double of_a[7];
-    memcpy(of_a, &a, sizeof of_a);
-    double of_b[7];
-    memcpy(of_b, &b, sizeof of_b);
-    return vesica_nearest_f64(kind_a, of_a, kind_b, of_b, (void *)out);
+    vesica_go_f64 of_a = go_read_f64(kind_a, &a);
+    vesica_go_f64 of_b = go_read_f64(kind_b, &b);
+    return vesica_boundary_distance_f64(kind_a, &of_a, kind_b, &of_b, (void *)out);
 }
 
-static inline int32_t go_nearest_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
+static inline int32_t go_boundary_distance_f32(int32_t kind_a, vesica_go_shape a, int32_t kind_b, vesica_go_shape b,
     char *out) {
-    float of_a[7];
-    memcpy(of_a, &a, sizeof of_a);
-    float of_b[7];
-    memcpy(of_b, &b, sizeof of_b);
-    return vesica_nearest_f32(kind_a, of_a, kind_b, of_b, (void *)out);
+    vesica_go_f32 of_a = go_read_f32(kind_a, &a);
+    vesica_go_f32 of_b = go_read_f32(kind_b, &b);
+    return vesica_boundary_distance_f32(kind_a, &of_a, kind_b, &of_b, (void *)out);
 }
 
-static inline int32_t go_depth_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
-    char *out) {
-    double of_a[7];
-    memcpy(of_a, &a, sizeof of_a);
-    double of_b[7];
-    memcpy(of_b, &b, sizeof of_b);
-    return vesica_depth_f64(kind_a, of_a, kind_b, of_b, (void *)out);
+static inline int32_t go_shape_area_f64(int32_t kind, vesica_go_shape shape, char *out) {
+    vesica_go_f64 of_shape = go_read_f64(kind, &shape);
+    return vesica_shape_area_f64(kind, &of_shape, (void *)out);
 }
 
-static inline int32_t go_depth_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
-    char *out) {
-    float of_a[7];
-    memcpy(of_a, &a, sizeof of_a);
-    float of_b[7];
-    memcpy(of_b, &b, sizeof of_b);
-    return vesica_depth_f32(kind_a, of_a, kind_b, of_b, (void *)out);
-}
-
-static inline int32_t go_area_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b, char *out) {
-    double of_a[7];
-    memcpy(of_a, &a, sizeof of_a);
-    double of_b[7];
-    memcpy(of_b, &b, sizeof of_b);
-    return vesica_area_f64(kind_a, of_a, kind_b, of_b, (void *)out);
-}
-
-static inline int32_t go_area_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b, char *out) {
-    float of_a[7];
-    memcpy(of_a, &a, sizeof of_a);
-    float of_b[7];
-    memcpy(of_b, &b, sizeof of_b);
-    return vesica_area_f32(kind_a, of_a, kind_b, of_b, (void *)out);
-}
-
-static inline int32_t go_iou_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b, char *out) {
-    double of_a[7];
-    memcpy(of_a, &a, sizeof of_a);
-    double of_b[7];
-    memcpy(of_b, &b, sizeof of_b);
-    return vesica_iou_f64(kind_a, of_a, kind_b, of_b, (void *)out);
-}
-
-static inline int32_t go_iou_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b, char *out) {
-    float of_a[7];
-    memcpy(of_a, &a, sizeof of_a);
-    float of_b[7];
-    memcpy(of_b, &b, sizeof of_b);
-    return vesica_iou_f32(kind_a, of_a, kind_b, of_b, (void *)out);
-}
-
-static inline int32_t go_bounds_f64(int32_t kind, vesica_go_numbers shape, char *out) {
-    double of_shape[7];
-    memcpy(of_shape, &shape, sizeof of_shape);
-    return vesica_bounds_f64(kind, of_shape, (void *)out);
-}
-
-static inline int32_t go_bounds_f32(int32_t kind, vesica_go_numbers shape, char *out) {
-    float of_shape[7];
-    memcpy(of_shape, &shape, sizeof of_shape);
-    return vesica_bounds_f32(kind, of_shape, (void *)out);
-}
-
-static inline int32_t go_check_f64(int32_t kind, vesica_go_numbers shape) {
-    double of_shape[7];
-    memcpy(of_shape, &shape, sizeof of_shape);
-    return vesica_check_f64(kind, of_shape);
-}
-
-static inline int32_t go_check_f32(int32_t kind, vesica_go_numbers shape) {
-    float of_shape[7];
-    memcpy(of_shape, &shape, sizeof of_shape);
-    return vesica_check_f32(kind, of_shape);
-}
-
-static inline int64_t go_crossings_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
-    char *out, int64_t capacity, char *shared) {
-    double of_a[7];
-    memcpy(of_a, &a, sizeof of_a);
-    double of_b[7];
-    memcpy(of_b, &b, sizeof of_b);
-    return vesica_crossings_f64(kind_a, of_a, kind_b, of_b, (void *)out, capacity, (void *)shared);
-}
-
-static inline int64_t go_crossings_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
-    char *out, int64_t capacity, char *shared) {
-    float of_a[7];
-    memcpy(of_a, &a, sizeof of_a);
-    float of_b[7];
-    memcpy(of_b, &b, sizeof of_b);
-    return vesica_crossings_f32(kind_a, of_a, kind_b, of_b, (void *)out, capacity, (void *)shared);
-}
-
-static inline int32_t go_boundary_distance_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
-    char *out) {
-    double of_a[7];
-    memcpy(of_a, &a, sizeof of_a);
-    double of_b[7];
-    memcpy(of_b, &b, sizeof of_b);
-    return vesica_boundary_distance_f64(kind_a, of_a, kind_b, of_b, (void *)out);
-}
-
-static inline int32_t go_boundary_distance_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
-    char *out) {
-    float of_a[7];
-    memcpy(of_a, &a, sizeof of_a);
-    float of_b[7];
-    memcpy(of_b, &b, sizeof of_b);
-    return vesica_boundary_distance_f32(kind_a, of_a, kind_b, of_b, (void *)out);
-}
-
-static inline int32_t go_shape_area_f64(int32_t kind, vesica_go_numbers shape, char *out) {
-    double of_shape[7];
-    memcpy(of_shape, &shape, sizeof of_shape);
-    return vesica_shape_area_f64(kind, of_shape, (void *)out);
-}
-
-static inline int32_t go_shape_area_f32(int32_t kind, vesica_go_numbers shape, char *out) {
-    float of_shape[7];
-    memcpy(of_shape, &shape, sizeof of_shape);
-    return vesica_shape_area_f32(kind, of_shape, (void *)out);
+static inline int32_t go_shape_area_f32(int32_t kind, vesica_go_shape shape, char *out) {
+    vesica_go_f32 of_shape = go_read_f32(kind, &shape);
+    return vesica_shape_area_f32(kind, &of_shape, (void *)out);
 }
 
 static inline int32_t go_aabb_from_corners_f64(double x0, double y0, double x1, double y1, char *out) {
@@ -803,22 +790,18 @@ static inline int64_t go_join_nearest_f32(vesica_go_sets sets_a, int32_t set_cou
         part, parts, (void *)out, (void *)distance);
 }
 
-static inline int32_t go_ratio_f64(int32_t ratio, int32_t kind_a, vesica_go_numbers a, int32_t kind_b,
-    vesica_go_numbers b, char *out) {
-    double of_a[7];
-    memcpy(of_a, &a, sizeof of_a);
-    double of_b[7];
-    memcpy(of_b, &b, sizeof of_b);
-    return vesica_ratio_f64(ratio, kind_a, of_a, kind_b, of_b, (void *)out);
+static inline int32_t go_ratio_f64(int32_t ratio, int32_t kind_a, vesica_go_shape a, int32_t kind_b, vesica_go_shape b,
+    char *out) {
+    vesica_go_f64 of_a = go_read_f64(kind_a, &a);
+    vesica_go_f64 of_b = go_read_f64(kind_b, &b);
+    return vesica_ratio_f64(ratio, kind_a, &of_a, kind_b, &of_b, (void *)out);
 }
 
-static inline int32_t go_ratio_f32(int32_t ratio, int32_t kind_a, vesica_go_numbers a, int32_t kind_b,
-    vesica_go_numbers b, char *out) {
-    float of_a[7];
-    memcpy(of_a, &a, sizeof of_a);
-    float of_b[7];
-    memcpy(of_b, &b, sizeof of_b);
-    return vesica_ratio_f32(ratio, kind_a, of_a, kind_b, of_b, (void *)out);
+static inline int32_t go_ratio_f32(int32_t ratio, int32_t kind_a, vesica_go_shape a, int32_t kind_b, vesica_go_shape b,
+    char *out) {
+    vesica_go_f32 of_a = go_read_f32(kind_a, &a);
+    vesica_go_f32 of_b = go_read_f32(kind_b, &b);
+    return vesica_ratio_f32(ratio, kind_a, &of_a, kind_b, &of_b, (void *)out);
 }
 
 static inline int64_t go_ratio_many_f64(int32_t ratio, vesica_go_view a, vesica_go_view b, char *out) {
@@ -905,22 +888,18 @@ static inline int64_t go_depth_matrix_f32(vesica_go_view a, vesica_go_view b, ch
     return vesica_depth_matrix_f32(&of_a, &of_b, (void *)out, row_stride);
 }
 
-static inline int32_t go_signed_distance_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
+static inline int32_t go_signed_distance_f64(int32_t kind_a, vesica_go_shape a, int32_t kind_b, vesica_go_shape b,
     char *out) {
-    double of_a[7];
-    memcpy(of_a, &a, sizeof of_a);
-    double of_b[7];
-    memcpy(of_b, &b, sizeof of_b);
-    return vesica_signed_distance_f64(kind_a, of_a, kind_b, of_b, (void *)out);
+    vesica_go_f64 of_a = go_read_f64(kind_a, &a);
+    vesica_go_f64 of_b = go_read_f64(kind_b, &b);
+    return vesica_signed_distance_f64(kind_a, &of_a, kind_b, &of_b, (void *)out);
 }
 
-static inline int32_t go_signed_distance_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
+static inline int32_t go_signed_distance_f32(int32_t kind_a, vesica_go_shape a, int32_t kind_b, vesica_go_shape b,
     char *out) {
-    float of_a[7];
-    memcpy(of_a, &a, sizeof of_a);
-    float of_b[7];
-    memcpy(of_b, &b, sizeof of_b);
-    return vesica_signed_distance_f32(kind_a, of_a, kind_b, of_b, (void *)out);
+    vesica_go_f32 of_a = go_read_f32(kind_a, &a);
+    vesica_go_f32 of_b = go_read_f32(kind_b, &b);
+    return vesica_signed_distance_f32(kind_a, &of_a, kind_b, &of_b, (void *)out);
 }
 
 static inline int64_t go_signed_distance_many_f64(vesica_go_view a, vesica_go_view b, char *out) {
@@ -957,22 +936,18 @@ static inline int64_t go_signed_distance_matrix_f32(vesica_go_view a, vesica_go_
     return vesica_signed_distance_matrix_f32(&of_a, &of_b, (void *)out, row_stride);
 }
 
-static inline int32_t go_within_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
+static inline int32_t go_within_f64(int32_t kind_a, vesica_go_shape a, int32_t kind_b, vesica_go_shape b,
     double distance) {
-    double of_a[7];
-    memcpy(of_a, &a, sizeof of_a);
-    double of_b[7];
-    memcpy(of_b, &b, sizeof of_b);
-    return vesica_within_f64(kind_a, of_a, kind_b, of_b, distance);
+    vesica_go_f64 of_a = go_read_f64(kind_a, &a);
+    vesica_go_f64 of_b = go_read_f64(kind_b, &b);
+    return vesica_within_f64(kind_a, &of_a, kind_b, &of_b, distance);
 }
 
-static inline int32_t go_within_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
+static inline int32_t go_within_f32(int32_t kind_a, vesica_go_shape a, int32_t kind_b, vesica_go_shape b,
     float distance) {
-    float of_a[7];
-    memcpy(of_a, &a, sizeof of_a);
-    float of_b[7];
-    memcpy(of_b, &b, sizeof of_b);
-    return vesica_within_f32(kind_a, of_a, kind_b, of_b, distance);
+    vesica_go_f32 of_a = go_read_f32(kind_a, &a);
+    vesica_go_f32 of_b = go_read_f32(kind_b, &b);
+    return vesica_within_f32(kind_a, &of_a, kind_b, &of_b, distance);
 }
 
 static inline int64_t go_within_many_f64(vesica_go_view a, vesica_go_view b, double distance, char *out) {
@@ -1043,22 +1018,18 @@ static inline int32_t go_suppress_soft_f32(vesica_go_view shapes, const char *sc
         least_score, most, (void *)scratch, scratch_size, (void *)keep, (void *)decayed, (void *)kept);
 }
 
-static inline int32_t go_cast_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b, double vx,
+static inline int32_t go_cast_f64(int32_t kind_a, vesica_go_shape a, int32_t kind_b, vesica_go_shape b, double vx,
     double vy, double t_end, char *out) {
-    double of_a[7];
-    memcpy(of_a, &a, sizeof of_a);
-    double of_b[7];
-    memcpy(of_b, &b, sizeof of_b);
-    return vesica_cast_f64(kind_a, of_a, kind_b, of_b, vx, vy, t_end, (void *)out);
+    vesica_go_f64 of_a = go_read_f64(kind_a, &a);
+    vesica_go_f64 of_b = go_read_f64(kind_b, &b);
+    return vesica_cast_f64(kind_a, &of_a, kind_b, &of_b, vx, vy, t_end, (void *)out);
 }
 
-static inline int32_t go_cast_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b, float vx,
+static inline int32_t go_cast_f32(int32_t kind_a, vesica_go_shape a, int32_t kind_b, vesica_go_shape b, float vx,
     float vy, float t_end, char *out) {
-    float of_a[7];
-    memcpy(of_a, &a, sizeof of_a);
-    float of_b[7];
-    memcpy(of_b, &b, sizeof of_b);
-    return vesica_cast_f32(kind_a, of_a, kind_b, of_b, vx, vy, t_end, (void *)out);
+    vesica_go_f32 of_a = go_read_f32(kind_a, &a);
+    vesica_go_f32 of_b = go_read_f32(kind_b, &b);
+    return vesica_cast_f32(kind_a, &of_a, kind_b, &of_b, vx, vy, t_end, (void *)out);
 }
 
 static inline int64_t go_cast_many_f64(vesica_go_view a, vesica_go_view b, const char *vx, const char *vy,
@@ -1099,18 +1070,16 @@ static inline int64_t go_cast_first_f32(vesica_go_view one, vesica_go_view many,
     return vesica_cast_first_f32(&of_one, &of_many, vx, vy, t_end, (void *)out);
 }
 
-static inline int32_t go_sweep_bounds_f64(int32_t kind, vesica_go_numbers shape, double vx, double vy, double t_end,
+static inline int32_t go_sweep_bounds_f64(int32_t kind, vesica_go_shape shape, double vx, double vy, double t_end,
     char *out) {
-    double of_shape[7];
-    memcpy(of_shape, &shape, sizeof of_shape);
-    return vesica_sweep_bounds_f64(kind, of_shape, vx, vy, t_end, (void *)out);
+    vesica_go_f64 of_shape = go_read_f64(kind, &shape);
+    return vesica_sweep_bounds_f64(kind, &of_shape, vx, vy, t_end, (void *)out);
 }
 
-static inline int32_t go_sweep_bounds_f32(int32_t kind, vesica_go_numbers shape, float vx, float vy, float t_end,
+static inline int32_t go_sweep_bounds_f32(int32_t kind, vesica_go_shape shape, float vx, float vy, float t_end,
     char *out) {
-    float of_shape[7];
-    memcpy(of_shape, &shape, sizeof of_shape);
-    return vesica_sweep_bounds_f32(kind, of_shape, vx, vy, t_end, (void *)out);
+    vesica_go_f32 of_shape = go_read_f32(kind, &shape);
+    return vesica_sweep_bounds_f32(kind, &of_shape, vx, vy, t_end, (void *)out);
 }
 
 static inline int64_t go_index_cast_f64(const char *index, vesica_go_sets sets, int32_t set_count, vesica_go_view one,
@@ -1151,23 +1120,19 @@ static inline int64_t go_index_cast_first_f32(const char *index, vesica_go_sets 
     return vesica_index_cast_first_f32((const void *)index, of_sets, set_count, &of_one, vx, vy, t_end, (void *)out);
 }
 
-static inline int32_t go_impact_time_f64(int32_t kind_a, vesica_go_numbers a, const char *turn_a, int32_t kind_b,
-    vesica_go_numbers b, const char *turn_b, double tolerance, char *out, char *gap) {
-    double of_a[7];
-    memcpy(of_a, &a, sizeof of_a);
-    double of_b[7];
-    memcpy(of_b, &b, sizeof of_b);
-    return vesica_impact_time_f64(kind_a, of_a, (const void *)turn_a, kind_b, of_b, (const void *)turn_b, tolerance,
+static inline int32_t go_impact_time_f64(int32_t kind_a, vesica_go_shape a, const char *turn_a, int32_t kind_b,
+    vesica_go_shape b, const char *turn_b, double tolerance, char *out, char *gap) {
+    vesica_go_f64 of_a = go_read_f64(kind_a, &a);
+    vesica_go_f64 of_b = go_read_f64(kind_b, &b);
+    return vesica_impact_time_f64(kind_a, &of_a, (const void *)turn_a, kind_b, &of_b, (const void *)turn_b, tolerance,
         (void *)out, (void *)gap);
 }
 
-static inline int32_t go_impact_time_f32(int32_t kind_a, vesica_go_numbers a, const char *turn_a, int32_t kind_b,
-    vesica_go_numbers b, const char *turn_b, float tolerance, char *out, char *gap) {
-    float of_a[7];
-    memcpy(of_a, &a, sizeof of_a);
-    float of_b[7];
-    memcpy(of_b, &b, sizeof of_b);
-    return vesica_impact_time_f32(kind_a, of_a, (const void *)turn_a, kind_b, of_b, (const void *)turn_b, tolerance,
+static inline int32_t go_impact_time_f32(int32_t kind_a, vesica_go_shape a, const char *turn_a, int32_t kind_b,
+    vesica_go_shape b, const char *turn_b, float tolerance, char *out, char *gap) {
+    vesica_go_f32 of_a = go_read_f32(kind_a, &a);
+    vesica_go_f32 of_b = go_read_f32(kind_b, &b);
+    return vesica_impact_time_f32(kind_a, &of_a, (const void *)turn_a, kind_b, &of_b, (const void *)turn_b, tolerance,
         (void *)out, (void *)gap);
 }
 
@@ -1248,40 +1213,30 @@ static inline int32_t go_cast_rect_rect_f32(const char *a, const char *b, float 
     return vesica_cast_rect_rect_f32((const void *)a, (const void *)b, vx, vy, t_end, (void *)out);
 }
 
-static inline int32_t go_de9im_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
-    char *matrix) {
-    double of_a[7];
-    memcpy(of_a, &a, sizeof of_a);
-    double of_b[7];
-    memcpy(of_b, &b, sizeof of_b);
-    return vesica_de9im_f64(kind_a, of_a, kind_b, of_b, (void *)matrix);
+static inline int32_t go_de9im_f64(int32_t kind_a, vesica_go_shape a, int32_t kind_b, vesica_go_shape b, char *matrix) {
+    vesica_go_f64 of_a = go_read_f64(kind_a, &a);
+    vesica_go_f64 of_b = go_read_f64(kind_b, &b);
+    return vesica_de9im_f64(kind_a, &of_a, kind_b, &of_b, (void *)matrix);
 }
 
-static inline int32_t go_de9im_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
-    char *matrix) {
-    float of_a[7];
-    memcpy(of_a, &a, sizeof of_a);
-    float of_b[7];
-    memcpy(of_b, &b, sizeof of_b);
-    return vesica_de9im_f32(kind_a, of_a, kind_b, of_b, (void *)matrix);
+static inline int32_t go_de9im_f32(int32_t kind_a, vesica_go_shape a, int32_t kind_b, vesica_go_shape b, char *matrix) {
+    vesica_go_f32 of_a = go_read_f32(kind_a, &a);
+    vesica_go_f32 of_b = go_read_f32(kind_b, &b);
+    return vesica_de9im_f32(kind_a, &of_a, kind_b, &of_b, (void *)matrix);
 }
 
-static inline int64_t go_intersection_f64(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
+static inline int64_t go_intersection_f64(int32_t kind_a, vesica_go_shape a, int32_t kind_b, vesica_go_shape b,
     char *out, int64_t capacity) {
-    double of_a[7];
-    memcpy(of_a, &a, sizeof of_a);
-    double of_b[7];
-    memcpy(of_b, &b, sizeof of_b);
-    return vesica_intersection_f64(kind_a, of_a, kind_b, of_b, (void *)out, capacity);
+    vesica_go_f64 of_a = go_read_f64(kind_a, &a);
+    vesica_go_f64 of_b = go_read_f64(kind_b, &b);
+    return vesica_intersection_f64(kind_a, &of_a, kind_b, &of_b, (void *)out, capacity);
 }
 
-static inline int64_t go_intersection_f32(int32_t kind_a, vesica_go_numbers a, int32_t kind_b, vesica_go_numbers b,
+static inline int64_t go_intersection_f32(int32_t kind_a, vesica_go_shape a, int32_t kind_b, vesica_go_shape b,
     char *out, int64_t capacity) {
-    float of_a[7];
-    memcpy(of_a, &a, sizeof of_a);
-    float of_b[7];
-    memcpy(of_b, &b, sizeof of_b);
-    return vesica_intersection_f32(kind_a, of_a, kind_b, of_b, (void *)out, capacity);
+    vesica_go_f32 of_a = go_read_f32(kind_a, &a);
+    vesica_go_f32 of_b = go_read_f32(kind_b, &b);
+    return vesica_intersection_f32(kind_a, &of_a, kind_b, &of_b, (void *)out, capacity);
 }
 
 #endif

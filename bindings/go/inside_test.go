@@ -22,10 +22,12 @@ type world[T Float] struct {
 	scores, velocities, standing [3]T
 	labels                       [3]int32
 	bytes                        [2048]byte
+	offsets                      [4]int32
 }
 
 func newWorld[T Float]() *world[T] {
-	w := &world[T]{name: new(string), labels: [3]int32{1, 2, 3}, numbers: [9]T{0, 0, 1, 5, 0, 1, 9, 0, 1}}
+	w := &world[T]{name: new(string), labels: [3]int32{1, 2, 3}, numbers: [9]T{0, 0, 1, 5, 0, 1, 9, 0, 1},
+		offsets: [4]int32{0, 1, 2, 3}}
 	for i := range w.discs {
 		w.discs[i] = Circle[T]{T(4 * i), 0, 1}
 		copy(w.rows[5*i:], []T{T(4 * i), 0, 2, 1, 0})
@@ -56,6 +58,11 @@ func inside[T Float](t *testing.T) {
 	}
 	done("packed")(OverlapMany(packed, still, w.bools[:]))
 	done("columns")(OverlapMany(columns, still, w.bools[:]))
+	paths := must(Paths(KindPolygon, w.rows[:6], w.offsets[:], w.offsets[:]))
+	done("paths")(OverlapMany(paths, still, w.bools[:]))
+	_, err := Overlap(must(NewPolyline(w.rows[:6], w.offsets[:]...)), one)
+	failed("NewPolyline", err)
+	done("even paths")(OverlapMany(must(EvenPaths(KindPolygon, w.rows[:12], 2)), still, w.bools[:]))
 	done("RelationMany")(RelationMany(discs, still, w.relations[:]))
 	done("ContainsMany")(ContainsMany(discs, still, w.bools[:]))
 	done("WithinMany")(WithinMany(discs, still, 1, w.within[:]))
@@ -79,7 +86,7 @@ func inside[T Float](t *testing.T) {
 	if w.rects[1].CX != 4 || w.boxes[2] != [5]T{8, 0, 2, 1, 0} || w.bounds[1].MaxX != 5 {
 		t.Error(w.rects, w.boxes, w.bounds)
 	}
-	_, err := OverlapSelect(one, discs)
+	_, err = OverlapSelect(one, discs)
 	failed("OverlapSelect", err)
 	_, _, err = CastFirst(one, discs, Motion{VX: 1, End: 9})
 	failed("CastFirst", err)

@@ -13,9 +13,9 @@ import (
 
 // RatioOf is a ratio of two shapes. ErrArgument, if the shape whose area divides has none, or neither has.
 func RatioOf[A, B Shape](ratio Ratio, a A, b B) (float64, error) {
-	n, err := measured(func(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t,
-		numbersB C.vesica_go_numbers, out *C.char) C.int32_t {
-		return cRatio(wide, C.int32_t(ratio), kindA, numbersA, kindB, numbersB, out)
+	n, err := measured(func(wide bool, kindA C.int32_t, shapeA C.vesica_go_shape, kindB C.int32_t,
+		shapeB C.vesica_go_shape, out *C.char) C.int32_t {
+		return cRatio(wide, C.int32_t(ratio), kindA, shapeA, kindB, shapeB, out)
 	}, 1, a, b)
 	return n[0], err
 }

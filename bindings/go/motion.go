@@ -18,9 +18,9 @@ type Motion struct{ VX, VY, End float64 }
 // exact, and the time is rounded down. After a miss the time is infinity and the rest NaN.
 func Cast[A, B Shape](a A, b B, motion Motion) (CastResult, Impact[float64], error) {
 	var found C.int32_t
-	n, err := measured(func(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t,
-		numbersB C.vesica_go_numbers, out *C.char) C.int32_t {
-		found = cCast(wide, kindA, numbersA, kindB, numbersB, motion.VX, motion.VY, motion.End, out)
+	n, err := measured(func(wide bool, kindA C.int32_t, shapeA C.vesica_go_shape, kindB C.int32_t,
+		shapeB C.vesica_go_shape, out *C.char) C.int32_t {
+		found = cCast(wide, kindA, shapeA, kindB, shapeB, motion.VX, motion.VY, motion.End, out)
 		return found
 	}, 5, a, b)
 	if err != nil {
@@ -45,15 +45,15 @@ func Cast[A, B Shape](a A, b B, motion Motion) (CastResult, Impact[float64], err
 func ImpactTime[A, B Shape](a A, turnA Turn[float64], b B, turnB Turn[float64], tolerance float64) (found CastResult,
 	impact Impact[float64], gap float64, err error) {
 	var code C.int32_t
-	n, err := measured(func(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t,
-		numbersB C.vesica_go_numbers, out *C.char) C.int32_t {
+	n, err := measured(func(wide bool, kindA C.int32_t, shapeA C.vesica_go_shape, kindB C.int32_t,
+		shapeB C.vesica_go_shape, out *C.char) C.int32_t {
 		if wide {
-			code = cImpactTime(wide, kindA, numbersA, address(&turnA), kindB, numbersB, address(&turnB), tolerance, out,
+			code = cImpactTime(wide, kindA, shapeA, address(&turnA), kindB, shapeB, address(&turnB), tolerance, out,
 				address(&gap))
 			return code
 		}
 		narrowA, narrowB, narrowGap := narrow(turnA), narrow(turnB), float32(0)
-		code = cImpactTime(wide, kindA, numbersA, address(&narrowA), kindB, numbersB, address(&narrowB), tolerance, out,
+		code = cImpactTime(wide, kindA, shapeA, address(&narrowA), kindB, shapeB, address(&narrowB), tolerance, out,
 			address(&narrowGap))
 		gap = float64(narrowGap)
 		return code
@@ -122,8 +122,8 @@ func CastFirst[T Float](one Shape, many Array[T], motion Motion) (int, Impact[T]
 
 // SweepBounds is a box that holds a shape throughout its motion.
 func SweepBounds[S Shape](shape S, motion Motion) (AABB[float64], error) {
-	n, err := measuredOne(func(wide bool, kind C.int32_t, numbers C.vesica_go_numbers, out *C.char) C.int32_t {
-		return cSweepBounds(wide, kind, numbers, motion.VX, motion.VY, motion.End, out)
+	n, err := measuredOne(func(wide bool, kind C.int32_t, shape C.vesica_go_shape, out *C.char) C.int32_t {
+		return cSweepBounds(wide, kind, shape, motion.VX, motion.VY, motion.End, out)
 	}, 4, shape)
 	return AABB[float64]{n[0], n[1], n[2], n[3]}, err
 }

@@ -15,9 +15,9 @@ import (
 // Within tells whether two shapes are at most distance apart. Exactly so far counts, and exact, but for ellipses. If
 // distance is negative, it tells whether they overlap at least that deep.
 func Within[A, B Shape](a A, b B, distance float64) (WithinResult, error) {
-	code, err := codeOf(func(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t,
-		numbersB C.vesica_go_numbers) C.int32_t {
-		return cWithin(wide, kindA, numbersA, kindB, numbersB, distance)
+	code, err := codeOf(func(wide bool, kindA C.int32_t, shapeA C.vesica_go_shape, kindB C.int32_t,
+		shapeB C.vesica_go_shape) C.int32_t {
+		return cWithin(wide, kindA, shapeA, kindB, shapeB, distance)
 	}, a, b)
 	return WithinResult(code), err
 }
@@ -59,7 +59,7 @@ func DE9IM[A, B Shape](a A, b B) (string, error) {
 		return "", errScalars
 	}
 	var text [10]byte
-	code := cDe9im(first.wide, first.kind, first.numbers, second.kind, second.numbers, address(&text))
+	code := cDe9im(first.wide, first.kind, first.shape, second.kind, second.shape, address(&text))
 	if err := status(code); err != nil {
 		return "", err
 	}
@@ -81,8 +81,8 @@ func DE9IMMatch(matrix, pattern string) (bool, error) {
 // Intersection has the vertices of the region that two shapes share, counter-clockwise; none if they do not overlap. It
 // is of points, segments, boxes and rectangles, or of a point or a segment and any shape.
 func Intersection[A, B Shape](a A, b B) ([]Point[float64], error) {
-	return pointsOf(a.one(), b.one(), func(a, b one, out *C.char) C.int64_t {
-		return cIntersection(a.wide, a.kind, a.numbers, b.kind, b.numbers, out, mostPoints)
+	return pointsOf(a.one(), b.one(), func(a, b one, out *C.char, room C.int64_t) C.int64_t {
+		return cIntersection(a.wide, a.kind, a.shape, b.kind, b.shape, out, room)
 	})
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Package vesica answers exact overlap queries between plain 2D shapes: points, segments, circles, boxes, rotated
-// rectangles, ellipses, capsules and rounded rectangles, in float64 and float32.
+// rectangles, ellipses, capsules, rounded rectangles, polygons and polylines, in float64 and float32.
 //
 //	car, err := vesica.RectFromAngle(0.0, 0.0, 0.5, 4.0, 2.0) // centre, angle, width, height
 //	people := []vesica.Circle[float64]{{CX: 1.4, CY: 1.5, R: 0.5}, {CX: 8, CY: 1, R: 0.5}}
@@ -13,8 +13,10 @@
 // Shapes are closed and solid, and touching is overlap. Answers that are yes or no are exact for every valid input.
 // Capsules and rounded rectangles are for Check, Bounds, ShapeArea, Overlap, RelationOf, Contains, Nearest, Depth,
 // SignedDistance, Within, Area, IoU, ratios, suppression, Cast, ImpactTime, SweepBounds, and BoundaryDistance but with
-// an ellipse; the same holds of arrays. An index of them has joins by overlap or distance, Select, Nearest and casts. Other functions return ErrKind
-// for them.
+// an ellipse; the same holds of arrays. An index of them has joins by overlap or distance, Select, Nearest and casts.
+// Polygons and polylines are for the same but ImpactTime, and for BoundaryDistance with any kind; polylines have no
+// area. Depth needs convex polygons, else it returns ErrNotConvex; so do SignedDistance and Within where they need it.
+// Other functions return ErrKind for these kinds.
 //
 // Slices are used where they lie. An invalid shape is ErrShape; in a batch all other answers are written all the same.
 // The C library's vesica.h has the whole text of each function.
@@ -34,10 +36,10 @@ import (
 // Float is what numbers are.
 type Float interface{ float32 | float64 }
 
-// Shape is one shape: a Point, Segment, Circle, AABB, Rect, Ellipse, Capsule, RoundRect or Any.
+// Shape is one shape: a Point, Segment, Circle, AABB, Rect, Ellipse, Capsule, RoundRect, Polygon, Polyline or Any.
 type Shape interface{ one() one }
 
-// The most numbers that a shape has. declarations.h has room for as many.
+// The most numbers that a kind has. declarations.h has room for as many.
 const mostFields = 7
 
 // Any is a shape whose kind is known at run time, with its numbers in the order of its struct.
@@ -56,9 +58,9 @@ func (s Any[T]) one() one {
 
 // one is a shape as C takes it.
 type one struct {
-	kind    C.int32_t
-	wide    bool
-	numbers C.vesica_go_numbers
+	kind  C.int32_t
+	wide  bool
+	shape C.vesica_go_shape
 }
 
 func isWide[T Float]() bool {
@@ -66,7 +68,7 @@ func isWide[T Float]() bool {
 	return unsafe.Sizeof(number) == 8
 }
 
-// Fields is how many numbers a shape of a kind has, or 0 for an unknown kind.
+// Fields is how many numbers a shape of a kind has, or 0 for polygons, polylines and unknown kinds.
 func (k Kind) Fields() int {
 	if k < KindPoint || k > KindRoundRect {
 		return 0
@@ -76,7 +78,7 @@ func (k Kind) Fields() int {
 
 func oneOf[T Float](kind Kind, numbers unsafe.Pointer) one {
 	shape := one{kind: C.int32_t(kind), wide: isWide[T]()}
-	copy((*[mostFields]T)(unsafe.Pointer(&shape.numbers))[:], unsafe.Slice((*T)(numbers), kind.Fields()))
+	copy((*[mostFields]T)(unsafe.Pointer(&shape.shape.numbers))[:], unsafe.Slice((*T)(numbers), kind.Fields()))
 	return shape
 }
 
@@ -111,16 +113,16 @@ func status(code C.int32_t) error {
 	return err
 }
 
-func codeOf[A, B Shape](function func(bool, C.int32_t, C.vesica_go_numbers, C.int32_t, C.vesica_go_numbers) C.int32_t,
+func codeOf[A, B Shape](function func(bool, C.int32_t, C.vesica_go_shape, C.int32_t, C.vesica_go_shape) C.int32_t,
 	a A, b B) (int, error) {
 	first, second := a.one(), b.one()
 	if first.wide != second.wide {
 		return 0, errScalars
 	}
-	return count(function(first.wide, first.kind, first.numbers, second.kind, second.numbers))
+	return count(function(first.wide, first.kind, first.shape, second.kind, second.shape))
 }
 
-type measure = func(bool, C.int32_t, C.vesica_go_numbers, C.int32_t, C.vesica_go_numbers, *C.char) C.int32_t
+type measure = func(bool, C.int32_t, C.vesica_go_shape, C.int32_t, C.vesica_go_shape, *C.char) C.int32_t
 
 // measured has the result's numbers, of either type, as float64, which holds both.
 func measured[A, B Shape](function measure, numbers int, a A, b B) (out [5]float64, err error) {
@@ -128,7 +130,7 @@ func measured[A, B Shape](function measure, numbers int, a A, b B) (out [5]float
 	if first.wide != second.wide {
 		return out, errScalars
 	}
-	code := function(first.wide, first.kind, first.numbers, second.kind, second.numbers, address(&out))
+	code := function(first.wide, first.kind, first.shape, second.kind, second.shape, address(&out))
 	if !first.wide {
 		out = widened((*[10]float32)(unsafe.Pointer(&out)), numbers)
 	}
@@ -205,32 +207,32 @@ type CrossingPoints struct {
 // Crossings are the places where the outlines meet, in order along a's. Their number is exact.
 func Crossings[A, B Shape](a A, b B) (CrossingPoints, error) {
 	var shared C.int32_t
-	places, err := pointsOf(a.one(), b.one(), func(a, b one, out *C.char) C.int64_t {
-		return cCrossings(a.wide, a.kind, a.numbers, b.kind, b.numbers, out, mostPoints, address(&shared))
+	places, err := pointsOf(a.one(), b.one(), func(a, b one, out *C.char, room C.int64_t) C.int64_t {
+		return cCrossings(a.wide, a.kind, a.shape, b.kind, b.shape, out, room, address(&shared))
 	})
 	return CrossingPoints{places, shared == 1}, err
 }
 
-// No two shapes of these kinds have more places or vertices.
+// No two shapes but paths have more places or vertices.
 const mostPoints = 8
 
-// pointsOf has the points that a function of two shapes writes.
-func pointsOf(a, b one, function func(a, b one, out *C.char) C.int64_t) ([]Point[float64], error) {
+// pointsOf has the points that a function of two shapes writes. It is asked again if they are more than mostPoints.
+func pointsOf(a, b one, function func(a, b one, out *C.char, room C.int64_t) C.int64_t) ([]Point[float64], error) {
 	if a.wide != b.wide {
 		return nil, errScalars
 	}
-	var wide [mostPoints]Point[float64]
-	var narrow [mostPoints]Point[float32]
-	out := address(&wide)
-	if !a.wide {
-		out = address(&narrow)
+	wide := make([]Point[float64], mostPoints)
+	found, err := count(function(a, b, first(wide), mostPoints))
+	if err == nil && found > mostPoints {
+		wide = make([]Point[float64], found)
+		found, err = count(function(a, b, first(wide), C.int64_t(found)))
 	}
-	found, err := count(function(a, b, out))
 	if err != nil {
 		return nil, err
 	}
-	for i := range narrow {
-		if !a.wide {
+	if !a.wide {
+		narrow := unsafe.Slice((*Point[float32])(unsafe.Pointer(first(wide))), found)
+		for i := found - 1; i >= 0; i-- { // each is read before its room is written
 			wide[i] = Point[float64]{float64(narrow[i].X), float64(narrow[i].Y)}
 		}
 	}
@@ -240,13 +242,13 @@ func pointsOf(a, b one, function func(a, b one, out *C.char) C.int64_t) ([]Point
 // Check is nil for a valid shape, else the first rule that it breaks.
 func Check[S Shape](shape S) error {
 	s := shape.one()
-	return status(cCheck(s.wide, s.kind, s.numbers))
+	return status(cCheck(s.wide, s.kind, s.shape))
 }
 
-func measuredOne[S Shape](function func(bool, C.int32_t, C.vesica_go_numbers, *C.char) C.int32_t, numbers int,
+func measuredOne[S Shape](function func(bool, C.int32_t, C.vesica_go_shape, *C.char) C.int32_t, numbers int,
 	shape S) (out [5]float64, err error) {
 	s := shape.one()
-	code := function(s.wide, s.kind, s.numbers, address(&out))
+	code := function(s.wide, s.kind, s.shape, address(&out))
 	if !s.wide {
 		out = widened((*[10]float32)(unsafe.Pointer(&out)), numbers)
 	}

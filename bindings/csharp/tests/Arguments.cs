@@ -36,7 +36,7 @@ internal static unsafe class Arguments
         Refused<VesicaException>("negative", () => Query.Check(new Circle(0, 0, -1)));
         Refused<ArgumentException>("one has double numbers", () => Query.Overlap(Disc, new CircleF(0, 0, 1)));
         Refused<ArgumentException>("Circle has 3 numbers", () => Query.Check(new AnyShape(Kind.Circle, true, 1, 2)));
-        Refused<ArgumentException>("9 is not a kind", () => Shapes.Of((Kind)9, new double[3]));
+        Refused<ArgumentException>("10 is not a kind", () => Shapes.Of((Kind)10, new double[3]));
         Refused<ArgumentException>("2 numbers are no records of 3", () => Shapes.Of(Kind.Circle, new double[2]));
         Refused<ArgumentNullException>("numbers", () => Shapes.Of(Kind.Circle, (double[])null));
         Refused<ArgumentNullException>("a", () => Query.OverlapMany(null, Three, new bool[3]));
