@@ -314,13 +314,13 @@ VESICA_API int32_t vesica_depth_f64(int32_t kind_a, const void *a, int32_t kind_
  * 10^12 times as long as the other. If the other shape is an ellipse, it is not decided whether one contains the other:
  * such an area is right to the bound.
  * Polygons: their edges must not cross. Rings have any order and direction. An area within its error bound of 0 is 0,
- * and one within it of the smaller shape's area is that area. So it is exactly 0 if shapes only touch, and exactly the
- * inner one's area if one contains the other; but insides that share less than the bound share 0, too. Of two polygons
- * the bound is 128 u g w: g is the greatest height above or below the middle of the box that their boxes share, and w
- * the sum of the widths that pairs of their edges share, for convex polygons 4 times the width of that box. With
- * another shape it is 128 u t l: t is that shape's half width and half height and the polygon's greatest distance from
- * its centre, and l the length of the outline in it and the same half lengths; in units of its half lengths if it is an
- * ellipse. A polyline has no area.
+ * and one within it of the smaller shape's area is that area; if both hold, the exact relation decides. So it is
+ * exactly 0 if shapes only touch, and exactly the inner one's area if one contains the other; but insides that share
+ * less than the bound share 0, too. Of two polygons the bound is 192 u g w: g is the greatest height above or below the
+ * middle of the box that their boxes share, and w the sum of the widths that pairs of their edges share, for convex
+ * polygons 4 times the width of that box. With another shape it is 192 u t l: t is that shape's half width and half
+ * height and the polygon's greatest distance from its centre, and l the length of the outline in it and the same half
+ * lengths; in units of its half lengths if it is an ellipse. A polyline has no area.
  * Cost: six times vesica_overlap_f64 for boxes, fifty times for two ellipses; more if outlines nearly touch or
  * coincide, or if one shape is far larger.
  */
@@ -333,7 +333,7 @@ VESICA_API int32_t vesica_area_f64(int32_t kind_a, const void *a, int32_t kind_b
  * underflow. Exchanging the shapes, or scaling both by a power of two, changes no bit.
  * Returns: 0.
  * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (neither shape has an area).
- * Accuracy: the bound of vesica_area_f64, divided by the area of the union.
+ * Accuracy: the bound of vesica_area_f64, divided by the area of the union; for polygons up to three times as much.
  * Cost: vesica_area_f64 and twice vesica_shape_area_f64.
  */
 VESICA_API int32_t vesica_iou_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b, double *out);

@@ -67,7 +67,7 @@ inline Real area_by_slabs(const Path& a, const Path& b) {
   return area;
 }
 
-/// The library's bound for two polygons: 128 * 2^-53 g w (vesica/polygon/area.hpp).
+/// The library's bound for two polygons: 192 * 2^-53 g w (vesica/polygon/area.hpp).
 inline double area_bound(const Path& a, const Path& b) {
   std::vector<RealEdge> e, f;
   add_edges(a, false, e);
@@ -85,7 +85,7 @@ inline double area_bound(const Path& a, const Path& b) {
   }
   const Real level = (std::max(low[0], low[1]) + std::min(high[0], high[1])) / 2;
   const Real most = std::max(std::max(high[0], high[1]) - level, level - std::min(low[0], low[1]));
-  return static_cast<double>(0x1p-46L * most * widths);
+  return static_cast<double>(0x1.8p-46L * most * widths);
 }
 
 }  // namespace polygons

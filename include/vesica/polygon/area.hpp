@@ -9,28 +9,32 @@
 /// With a row of numbers: in its frame the polygon's outline is clamped to it, as area/rounded_boxes.hpp does it.
 ///
 /// An area within its own error of 0 is 0, and one within its error of the lesser shape's area is that area. So the
-/// answer is exact where the shapes touch, and where one contains the other.
+/// answer is exact where the shapes touch, and where one contains the other. If both hold, a shape is so thin that the
+/// exact relation decides.
 #pragma once
 
 #include <optional>
 #include <vesica/area.hpp>
-#include <vesica/polygon/other.hpp>
 #include <vesica/polygon/own_area.hpp>
+#include <vesica/polygon/relation.hpp>
 
 namespace vesica {
 
 namespace detail::polygon {
 
-/// A computed area in units of 2^exponent, and a bound of its error.
+/// A computed area in units of 2^exponent, and twice a bound of its error, since a shape's own area is off too.
 struct Estimate {
   double area, error;
   int exponent;
 };
 
-inline Measure settled(const Estimate& e, const Measure& a, const Measure& b) noexcept {
-  if (!(e.area > e.error)) return {0, 0};
+/// find_relation() returns the exact relation.
+template <class FindRelation>
+Measure settled(const Estimate& e, const Measure& a, const Measure& b, const FindRelation& find_relation) noexcept {
   const Measure least = area::least(a, b);
-  return area::in_units(least, e.exponent) - e.area <= e.error ? least : Measure{e.area, e.exponent};
+  const bool nearly_none = !(e.area > e.error), nearly_all = area::in_units(least, e.exponent) - e.area <= e.error;
+  if (nearly_none && !(nearly_all && find_relation() > Relation::cross)) return {0, 0};
+  return nearly_all ? least : Measure{e.area, e.exponent};
 }
 
 // ---- Two polygons.
@@ -182,7 +186,7 @@ std::int32_t shares(const Edges<T>& a, const Edges<T>& b, PathShares& out) noexc
   const Estimate e = precedes(a, out.box_a, b, out.box_b)
                          ? SharedArea<T>(a, b, sense_a, sense_b, out.box_a, out.box_b).estimate()
                          : SharedArea<T>(b, a, sense_b, sense_a, out.box_b, out.box_a).estimate();
-  out.shared = settled(e, out.a, out.b);
+  out.shared = settled(e, out.a, out.b, [&] { return relation_valid(a, out.box_a, b, out.box_b); });
   return 0;
 }
 
@@ -325,7 +329,7 @@ std::int32_t shares(const Edges<T>& a, const Other& b, PathShares& out) noexcept
   out.shared = {0, 0};
   out.equal = false;
   if (out.a.value == 0 || out.b.value == 0 || !meet(box, box_about(b))) return 0;
-  out.shared = settled(estimate(a, box, senses, row), out.a, out.b);
+  out.shared = settled(estimate(a, box, senses, row), out.a, out.b, [&] { return relation_valid(a, box, b); });
   return 0;
 }
 
@@ -333,9 +337,9 @@ std::int32_t shares(const Edges<T>& a, const Other& b, PathShares& out) noexcept
 
 /// The checked form with a polygon or a polyline: 0, error_shape or error_range. Edges of a polygon must not cross.
 ///
-/// The error of two polygons' area is at most 128u g w, u = 2^-53: g is the greater of the two heights from the middle
+/// The error of two polygons' area is at most 192u g w, u = 2^-53: g is the greater of the two heights from the middle
 /// of the common box to the ends of both, and w the sum of the common widths of pairs of edges, for convex polygons
-/// four times the width of the common box. With a row of numbers it is at most 128u t l: t is the row's half width and
+/// four times the width of the common box. With a row of numbers it is at most 192u t l: t is the row's half width and
 /// height plus the greatest distance of the polygon from its centre, and l the length of the outline about the row plus
 /// the row's half width and height.
 template <template <class> class A, template <class> class B, class T>

@@ -67,13 +67,14 @@ class ConvexRing {
     };
     return {scaled(x), scaled(y)};
   }
-  /// The vertex farthest along a direction.
+  /// The vertex farthest along a direction, as seen from a vertex: far from the origin sums of products would round.
   std::int64_t farthest(const PlaneVector& n) const noexcept {
     std::int64_t best = 0;
     double most = -infinite;
+    const Point<double> first = (*this)[0];
     for (std::int64_t i = 0; i < size(); ++i) {
       const Point<double> p = (*this)[i];
-      const double along = p.x * n.x + p.y * n.y;
+      const double along = (p.x - first.x) * n.x + (p.y - first.y) * n.y;
       if (along > most) {
         most = along;
         best = i;

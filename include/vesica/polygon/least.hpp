@@ -147,7 +147,8 @@ class LeastOfPairs {
  public:
   static constexpr bool closest_first = true;
 
-  explicit LeastOfPairs(const Box& all) noexcept : least_(all) {}
+  explicit LeastOfPairs(const Box& all) noexcept
+      : least_(all), overflows_(!(all.max_x - all.min_x < 0x1p500 && all.max_y - all.min_y < 0x1p500)) {}
 
   bool keeps(const Box& a, const Box& b) const noexcept { return least_.keeps_squared(squared_gap(a, b)); }
 
@@ -158,11 +159,11 @@ class LeastOfPairs {
       return true;
     }
     const double squared = squared_distance(e, f);
-    const bool underflows = !(squared > 0x1p-900);  // perhaps, in one of its terms
-    if (!underflows && !least_.keeps_squared(squared)) return false;
-    if (!underflows) least_.lower(std::sqrt(squared));
+    const bool unknown = overflows_ || !(squared > 0x1p-900);  // perhaps one of its terms underflows
+    if (!unknown && !least_.keeps_squared(squared)) return false;
+    if (!unknown) least_.lower(std::sqrt(squared));
     if (count_ == room) settle();
-    waiting_[count_++] = {e, f, i, j, underflows ? 0 : squared};
+    waiting_[count_++] = {e, f, i, j, unknown ? 0 : squared};
     return false;
   }
 
@@ -213,6 +214,7 @@ class LeastOfPairs {
   }
 
   Least least_;
+  bool overflows_;  // a square may
   int count_ = 0;
   Waiting waiting_[room];
 };
