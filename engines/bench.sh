@@ -11,8 +11,8 @@ echo "$(lscpu | sed -n 's/^Model name: *//p'), $(nproc) cores; load before: $(cu
 echo '| engine | shapes | pairs | ns a shape | MiB | hash of the sorted pairs |'
 echo '|---|---|---|---|---|---|'
 programs=$here/../examples
-"$CC" -std=c99 -O2 "-I$programs/demo" -o "$work/join" "$programs"/join/*.c "$programs"/demo/{fields,line}.c \
-  "${flags[@]}" -lm
+"$CC" -std=c99 -O2 "-I$programs/demo" "-I$here/common" -o "$work/join" "$programs"/join/*.c \
+  "$programs"/demo/{fields,line}.c "$here"/common/{geometry,vertices,wkt}.c "${flags[@]}" -lm
 "$work/join" "$data/a.csv" "$data/b.csv" 2>"$work/said" | tail -n +2 >"$work/pairs.csv"
 read -r _ memory < <(measure "$work/join" "$data/a.csv" "$data/b.csv" 2>/dev/null)
 seconds=$(sed -n 's/.*indexed in \([0-9.]*\) s, joined in \([0-9.]*\) s.*/\1 \2/p' "$work/said" | awk '{ print $1 + $2 }')

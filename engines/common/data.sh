@@ -8,8 +8,8 @@ VESICA_ENGINES_DATA=$work
 
 programs=$here/../../examples
 /usr/bin/python3 -B "$here/draw.py" 20000 "$work"
-"$CC" -std=c99 -O2 "-I$programs/demo" -o "$work/join" "$programs"/join/*.c "$programs"/demo/{fields,line}.c \
-  "${flags[@]}" -lm
+"$CC" -std=c99 -O2 "-I$programs/demo" "-I$here" -o "$work/join" "$programs"/join/*.c "$programs"/demo/{fields,line}.c \
+  "$here"/{geometry,vertices,wkt}.c "${flags[@]}" -lm
 "$work/join" "$work/a.csv" "$work/b.csv" 2>/dev/null | tail -n +2 >"$work/pairs.csv"
 same_pairs 'one machine' "$work/pairs.csv"
 finish

@@ -21,7 +21,7 @@ fi
 # shellcheck disable=SC2162
 read -a flags < <(pkg-config --cflags --libs vesica)
 "${CC:-cc}" -std=gnu99 -O2 -fPIC -shared -fvisibility=hidden -Wall -Wextra -Wconversion -Wshadow -Werror -isystem headers \
-  "-I$common" -o vesica.so "$here/vesica_duckdb.c" "$common/shape.c" "${flags[@]}" -lm
+  "-I$common" -o vesica.so "$here/vesica_duckdb.c" "$common"/*.c "${flags[@]}" -lm
 
 # What DuckDB reads behind a library before it loads it: eight fields of 32 bytes, the last ones first, and the place of a
 # signature, which is empty.

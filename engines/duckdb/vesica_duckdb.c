@@ -4,23 +4,40 @@
 #define DUCKDB_EXTENSION_NAME vesica
 #include <stdbool.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "duckdb_extension.h"
 #include "shape.h"
 
-enum { most_arguments = shape_numbers, words_room = 4096 };
+enum { most_arguments = shape_numbers };
 
 union value {
   struct shape shape;
   double number;
-  const char* text;
+  struct {
+    const char* data;
+    size_t length;
+  } text;
 };
 
-union result {
+/// Bytes of the last answer or words, in memory that grows.
+struct bytes {
+  char* data;
+  size_t length, room;
+};
+
+struct result {
   bool truth;
   double number;
-  char text[shape_text_room];
+  struct bytes bytes;  // of a shape, or words
+};
+
+/// Memory that the rows of a call use one after the other.
+struct memory {
+  struct vertices vertices[2];
+  struct bytes words;
+  struct result result;
 };
 
 enum outcome { failed, null, good };
@@ -30,7 +47,7 @@ struct function {
   const char* name;
   int arguments;
   duckdb_type takes, gives;  // BLOB: shapes
-  enum outcome (*answer)(const struct function* self, const union value* arguments, union result* out, char* fault);
+  enum outcome (*answer)(const struct function* self, const union value* arguments, struct memory* memory, char* fault);
   int32_t which;  // a kind or a side
 };
 
@@ -40,96 +57,134 @@ static enum outcome checked(int32_t code, char* fault) {
   return failed;
 }
 
-// ---- Answers for one row. A result's shape is stored in its text, as bytes; the first is their number. ----
+// Returns room for so many bytes, or NULL.
+static char* room_of(struct bytes* bytes, size_t length) {
+  if (length > bytes->room) {
+    char* data = realloc(bytes->data, 2 * length);
+    if (!data) return NULL;
+    bytes->data = data;
+    bytes->room = 2 * length;
+  }
+  bytes->length = length;
+  return bytes->data;
+}
 
-static enum outcome put_shape(int read, const struct shape* shape, union result* out) {
+static enum outcome no_memory(char* fault) {
+  snprintf(fault, shape_fault_room, "out of memory");
+  return failed;
+}
+
+// ---- Answers for one row ----
+
+static enum outcome put_shape(int read, const struct shape* shape, struct result* out, char* fault) {
+  char* bytes;
   if (!read) return failed;
-  out->text[0] = (char)shape_to_blob(shape, (unsigned char*)out->text + 1);
+  bytes = room_of(&out->bytes, shape_blob_size(shape));
+  if (!bytes) return no_memory(fault);
+  shape_to_blob(shape, (unsigned char*)bytes);
   return good;
 }
 
-static enum outcome from_words(const struct function* self, const union value* v, union result* out, char* fault) {
-  struct shape shape;
-  (void)self;
-  return put_shape(shape_from_text(v[0].text, &shape, fault), &shape, out);
+// Words with a byte 0 are none.
+static int read_words(const union value* v, struct memory* m, struct shape* out, char* fault) {
+  char* words = room_of(&m->words, v->text.length + 1);
+  if (!words) return no_memory(fault) == good;
+  memcpy(words, v->text.data, v->text.length);
+  words[v->text.length] = '\0';
+  if (strlen(words) < v->text.length) words[0] = '\0';
+  return shape_from_text(words, &m->vertices[0], out, fault);
 }
 
-static enum outcome from_numbers(const struct function* self, const union value* v, union result* out, char* fault) {
+static enum outcome from_words(const struct function* self, const union value* v, struct memory* m, char* fault) {
+  struct shape shape;
+  (void)self;
+  return put_shape(read_words(v, m, &shape, fault), &shape, &m->result, fault);
+}
+
+static enum outcome from_numbers(const struct function* self, const union value* v, struct memory* m, char* fault) {
   double numbers[shape_numbers];
   struct shape shape;
   for (int i = 0; i < self->arguments; i++) numbers[i] = v[i].number;
-  return put_shape(shape_from_numbers(self->which, numbers, &shape, fault), &shape, out);
+  return put_shape(shape_from_numbers(self->which, numbers, &shape, fault), &shape, &m->result, fault);
 }
 
-static enum outcome valid(const struct function* self, const union value* v, union result* out, char* fault) {
+static enum outcome valid(const struct function* self, const union value* v, struct memory* m, char* fault) {
   struct shape shape;
   (void)self;
-  out->truth = shape_from_text(v[0].text, &shape, fault);
+  m->result.truth = read_words(v, m, &shape, fault);
   return good;
 }
 
-static enum outcome to_words(const struct function* self, const union value* v, union result* out, char* fault) {
-  (void)self, (void)fault;
-  shape_to_text(&v[0].shape, out->text);
+static enum outcome to_words(const struct function* self, const union value* v, struct memory* m, char* fault) {
+  char* words = room_of(&m->result.bytes, shape_text_room(&v[0].shape));
+  (void)self;
+  if (!words) return no_memory(fault);
+  shape_to_text(&v[0].shape, words);
+  m->result.bytes.length = strlen(words);
   return good;
 }
 
-#define A v[0].shape.kind, v[0].shape.numbers
-#define B v[1].shape.kind, v[1].shape.numbers
+#define A v[0].shape.kind, shape_data(&v[0].shape)
+#define B v[1].shape.kind, shape_data(&v[1].shape)
 
-static enum outcome overlap(const struct function* self, const union value* v, union result* out, char* fault) {
+static enum outcome overlap(const struct function* self, const union value* v, struct memory* m, char* fault) {
   const int32_t answer = vesica_overlap_f64(A, B);
   (void)self;
-  out->truth = answer > 0;
+  m->result.truth = answer > 0;
   return checked(answer, fault);
 }
 
-static enum outcome contains(const struct function* self, const union value* v, union result* out, char* fault) {
+static enum outcome contains(const struct function* self, const union value* v, struct memory* m, char* fault) {
   const int32_t answer = vesica_contains_f64(A, B);
   (void)self;
-  out->truth = answer > 0;
+  m->result.truth = answer > 0;
   return checked(answer, fault);
 }
 
-static enum outcome relation(const struct function* self, const union value* v, union result* out, char* fault) {
+static enum outcome relation(const struct function* self, const union value* v, struct memory* m, char* fault) {
   const int32_t answer = vesica_relation_f64(A, B);
   (void)self;
-  if (answer >= 0) strcpy(out->text, relation_name(answer));
+  if (answer >= 0) {
+    const char* name = relation_name(answer);
+    char* words = room_of(&m->result.bytes, strlen(name));
+    if (!words) return no_memory(fault);
+    memcpy(words, name, strlen(name));
+  }
   return checked(answer, fault);
 }
 
-static enum outcome distance(const struct function* self, const union value* v, union result* out, char* fault) {
+static enum outcome distance(const struct function* self, const union value* v, struct memory* m, char* fault) {
   vesica_closest_points_f64 closest = {0, 0, 0, 0, 0};
   const int32_t code = vesica_nearest_f64(A, B, &closest);
   (void)self;
-  out->number = closest.distance;
+  m->result.number = closest.distance;
   return checked(code, fault);
 }
 
-static enum outcome shape_area(const struct function* self, const union value* v, union result* out, char* fault) {
+static enum outcome shape_area(const struct function* self, const union value* v, struct memory* m, char* fault) {
   (void)self;
-  return checked(vesica_shape_area_f64(A, &out->number), fault);
+  return checked(vesica_shape_area_f64(A, &m->result.number), fault);
 }
 
-static enum outcome shared_area(const struct function* self, const union value* v, union result* out, char* fault) {
+static enum outcome shared_area(const struct function* self, const union value* v, struct memory* m, char* fault) {
   (void)self;
-  return checked(vesica_area_f64(A, B, &out->number), fault);
+  return checked(vesica_area_f64(A, B, &m->result.number), fault);
 }
 
 // Two shapes without area have no ratio.
-static enum outcome iou(const struct function* self, const union value* v, union result* out, char* fault) {
-  const int32_t code = vesica_iou_f64(A, B, &out->number);
+static enum outcome iou(const struct function* self, const union value* v, struct memory* m, char* fault) {
+  const int32_t code = vesica_iou_f64(A, B, &m->result.number);
   (void)self;
   return code == VESICA_E_ARGUMENT ? null : checked(code, fault);
 }
 
-static enum outcome bound(const struct function* self, const union value* v, union result* out, char* fault) {
+static enum outcome bound(const struct function* self, const union value* v, struct memory* m, char* fault) {
   vesica_aabb_f64 box;
   double sides[4];
   (void)fault;
   shape_bounds(&v[0].shape, &box);
   memcpy(sides, &box, sizeof sides);
-  out->number = sides[self->which];
+  m->result.number = sides[self->which];
   return good;
 }
 
@@ -137,60 +192,51 @@ static enum outcome bound(const struct function* self, const union value* v, uni
 
 DUCKDB_EXTENSION_EXTERN
 
-static int read_value(const struct function* f, duckdb_vector vector, idx_t row, union value* out, char* words,
-                      char* fault) {
+static int read_value(const struct function* f, duckdb_vector vector, idx_t row, struct vertices* vertices,
+                      union value* out, char* fault) {
   void* data = duckdb_vector_get_data(vector);
   duckdb_string_t* string = (duckdb_string_t*)data + row;
-  uint32_t length;
   if (f->takes == DUCKDB_TYPE_DOUBLE) {
     out->number = ((double*)data)[row];
     return 1;
   }
-  length = duckdb_string_t_length(*string);
   if (f->takes == DUCKDB_TYPE_BLOB)
-    return shape_from_blob((const unsigned char*)duckdb_string_t_data(string), (int)length, &out->shape, fault);
-  // Words longer than any shape's, or with a byte 0, are none.
-  if (length >= words_room) length = 0;
-  memcpy(words, duckdb_string_t_data(string), length);
-  words[length] = '\0';
-  if (strlen(words) < length) words[0] = '\0';
-  out->text = words;
+    return shape_from_blob((const unsigned char*)duckdb_string_t_data(string), duckdb_string_t_length(*string),
+                           vertices, &out->shape, fault);
+  out->text.data = duckdb_string_t_data(string);
+  out->text.length = duckdb_string_t_length(*string);
   return 1;
 }
 
-static void write_result(const struct function* f, const union result* result, duckdb_vector out, idx_t row) {
+static void write_result(const struct function* f, const struct result* result, duckdb_vector out, idx_t row) {
   void* data = duckdb_vector_get_data(out);
   if (f->gives == DUCKDB_TYPE_DOUBLE) {
     ((double*)data)[row] = result->number;
   } else if (f->gives == DUCKDB_TYPE_BOOLEAN) {
     ((bool*)data)[row] = result->truth;
-  } else if (f->gives == DUCKDB_TYPE_BLOB) {
-    duckdb_vector_assign_string_element_len(out, row, result->text + 1, (idx_t)result->text[0]);
   } else {
-    duckdb_vector_assign_string_element(out, row, result->text);
+    duckdb_vector_assign_string_element_len(out, row, result->bytes.data, (idx_t)result->bytes.length);
   }
 }
 
-static enum outcome answer_row(const struct function* f, duckdb_data_chunk input, idx_t row, union result* result,
+static enum outcome answer_row(const struct function* f, duckdb_data_chunk input, idx_t row, struct memory* memory,
                                char* fault) {
   union value values[most_arguments];
-  char words[words_room];
   for (int i = 0; i < f->arguments; i++) {
     duckdb_vector vector = duckdb_data_chunk_get_vector(input, (idx_t)i);
     uint64_t* validity = duckdb_vector_get_validity(vector);
     if (validity && !duckdb_validity_row_is_valid(validity, row)) return null;
-    if (!read_value(f, vector, row, &values[i], words, fault)) return failed;
+    if (!read_value(f, vector, row, &memory->vertices[i % 2], &values[i], fault)) return failed;
   }
-  return f->answer(f, values, result, fault);
+  return f->answer(f, values, memory, fault);
 }
 
-static void answer_rows(duckdb_function_info info, duckdb_data_chunk input, duckdb_vector out) {
+static void answer_chunk(duckdb_function_info info, duckdb_data_chunk input, duckdb_vector out, struct memory* memory) {
   const struct function* f = duckdb_scalar_function_get_extra_info(info);
   const idx_t rows = duckdb_data_chunk_get_size(input);
   for (idx_t row = 0; row < rows; row++) {
-    union result result;
     char fault[shape_fault_room] = "";
-    switch (answer_row(f, input, row, &result, fault)) {
+    switch (answer_row(f, input, row, memory, fault)) {
       case failed:
         duckdb_scalar_function_set_error(info, fault);
         return;
@@ -199,9 +245,17 @@ static void answer_rows(duckdb_function_info info, duckdb_data_chunk input, duck
         duckdb_validity_set_row_invalid(duckdb_vector_get_validity(out), row);
         break;
       case good:
-        write_result(f, &result, out, row);
+        write_result(f, &memory->result, out, row);
     }
   }
+}
+
+static void answer_rows(duckdb_function_info info, duckdb_data_chunk input, duckdb_vector out) {
+  struct memory memory = {0};
+  answer_chunk(info, input, out, &memory);
+  for (int i = 0; i < 2; i++) free_vertices(&memory.vertices[i]);
+  free(memory.words.data);
+  free(memory.result.bytes.data);
 }
 
 // ---- Registration ----

@@ -39,7 +39,7 @@ Datum vshape_gist_compress(PG_FUNCTION_ARGS) {
   if (!entry->leafkey) PG_RETURN_POINTER(entry);
   out = palloc(sizeof *out);
   box = palloc(sizeof *box);
-  *box = bounds_of((const struct shape*)DatumGetPointer(entry->key));
+  *box = bounds_of(vshape_get(entry->key));
   gistentryinit(*out, BoxPGetDatum(box), entry->rel, entry->page, entry->offset, false);
   PG_RETURN_POINTER(out);
 }

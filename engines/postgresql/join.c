@@ -17,13 +17,13 @@
 #include "utils/syscache.h"
 #include "utils/tuplestore.h"
 
-enum { kind_count = 8, rows_a_fetch = 10000, pairs_a_call = 4096 };
+enum { kind_count = 10, rows_a_fetch = 10000, pairs_a_call = 4096 };
 
 /// The shapes of a table, kind by kind as the library takes them, and the row of each.
 struct side {
   Oid table;
   int64 used[kind_count], room[kind_count];
-  double* numbers[kind_count];
+  char* records[kind_count];  // numbers, or structs of polygons and polylines
   ItemPointerData* rows[kind_count];
   vesica_shapes_f64 sets[kind_count];
   void* index;
@@ -69,12 +69,16 @@ static char* selection(Oid oid, Oid type) {
   return query;
 }
 
+static Size record_size(int32_t kind) {
+  return shape_has_path(kind) ? sizeof(vesica_polygon_f64) : (Size)vesica_field_count(kind) * sizeof(double);
+}
+
 static void make_room(struct side* side, MemoryContext context, int32_t kind) {
   const int64 room = side->room[kind] ? 2 * side->room[kind] : 1024;
-  const Size numbers = (Size)(room * vesica_field_count(kind)) * sizeof(double);
+  const Size records = (Size)room * record_size(kind);
   const Size rows = (Size)room * sizeof(ItemPointerData);
-  side->numbers[kind] =
-      side->room[kind] ? repalloc_huge(side->numbers[kind], numbers) : MemoryContextAllocHuge(context, numbers);
+  side->records[kind] =
+      side->room[kind] ? repalloc_huge(side->records[kind], records) : MemoryContextAllocHuge(context, records);
   side->rows[kind] = side->room[kind] ? repalloc_huge(side->rows[kind], rows) : MemoryContextAllocHuge(context, rows);
   side->room[kind] = room;
 }
@@ -83,16 +87,20 @@ static void take_row(struct side* side, MemoryContext context, HeapTuple tuple, 
   bool no_row, no_shape;
   const Datum row = SPI_getbinval(tuple, columns, 1, &no_row);
   const Datum value = SPI_getbinval(tuple, columns, 2, &no_shape);
-  const struct shape* shape = (const struct shape*)DatumGetPointer(value);
+  MemoryContext before;
+  struct shape shape;
+  Size size;
   int64 at;
-  int fields;
   if (no_row || no_shape) return;
-  fields = vesica_field_count(shape->kind);
-  at = side->used[shape->kind];
-  if (at == side->room[shape->kind]) make_room(side, context, shape->kind);
-  memcpy(side->numbers[shape->kind] + at * fields, shape->numbers, (size_t)fields * sizeof(double));
-  side->rows[shape->kind][at] = *(ItemPointer)DatumGetPointer(row);
-  side->used[shape->kind]++;
+  before = MemoryContextSwitchTo(context);  // vertices stay
+  vshape_read(value, &shape);
+  MemoryContextSwitchTo(before);
+  size = record_size(shape.kind);
+  at = side->used[shape.kind];
+  if (at == side->room[shape.kind]) make_room(side, context, shape.kind);
+  memcpy(side->records[shape.kind] + at * size, shape_data(&shape), size);
+  side->rows[shape.kind][at] = *(ItemPointer)DatumGetPointer(row);
+  side->used[shape.kind]++;
 }
 
 // Read by the snapshot of the query that the function stands in, as all else of it.
@@ -114,8 +122,8 @@ static void build_index(struct side* side, MemoryContext context) {
   int64_t count = 0, size, scratch_size, built;
   void* scratch;
   for (int32_t kind = 0; kind < kind_count; kind++) {
-    const ptrdiff_t record = vesica_field_count(kind) * (ptrdiff_t)sizeof(double);
-    vesica_shapes_from_records_f64(kind, side->used[kind], side->numbers[kind], record, &side->sets[kind]);
+    vesica_shapes_from_records_f64(kind, side->used[kind], side->records[kind], (ptrdiff_t)record_size(kind),
+                                   &side->sets[kind]);
     count += side->used[kind];
   }
   size = vesica_index_size(count);

@@ -69,6 +69,16 @@ check 'in bytes' "$(sql pairs <<<"$bits extremes")" "$(sql restored <<<"$bits ex
 sql restored -F, <<<"$by_index" >"$work/restored.csv"
 same_pairs 'GiST, restored' "$work/restored.csv"
 
+sql answers <<<"CREATE TABLE copied (id int, shape vshape)"
+psql -X -q -d answers -c 'COPY zones TO STDOUT (FORMAT binary)' >"$work/zones.bin"
+psql -X -q -d answers -c 'COPY copied FROM STDIN (FORMAT binary)' <"$work/zones.bin"
+check 'polygons in bytes' "$(sql answers <<<"$bits zones")" "$(sql answers <<<"$bits copied")"
+for byte in $(seq 30 40 400); do
+  { head -c "$byte" "$work/zones.bin" && printf '\377\377' && tail -c +"$((byte + 3))" "$work/zones.bin"; } >"$work/bent.bin"
+  psql -X -q -d answers -c 'COPY copied FROM STDIN (FORMAT binary)' <"$work/bent.bin" >/dev/null 2>&1 || true
+done
+check 'after bent bytes' 't' "$(sql answers <<<'SELECT count(*) >= 9 FROM copied WHERE shape IS NOT NULL')"
+
 # ---- kill -9 of the whole server while rows are inserted ----
 sql pairs <<<'CREATE TABLE killed (id int, shape vshape); CREATE INDEX ON killed USING gist (shape);'
 for i in $(seq 100000); do echo "INSERT INTO killed VALUES ($i, vs_circle($i % 317, $i % 211, 0.6));"; done |

@@ -9,4 +9,4 @@ common=$here/../common
 read -a flags < <(pkg-config --cflags --libs vesica)
 warnings=(-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wmissing-prototypes -Werror)
 "${CC:-cc}" -std=c99 -O2 -fPIC -shared -fvisibility=hidden "${warnings[@]}" "-I$common" \
-  -o "$1/vesica_sqlite.so" "$here/vesica_sqlite.c" "$common/shape.c" "${flags[@]}" -lm
+  -o "$1/vesica_sqlite.so" "$here/vesica_sqlite.c" "$common"/*.c "${flags[@]}" -lm

@@ -42,6 +42,19 @@ SELECT vs_text(vs_round_rect(0, 0, 1, 0, 1, 2, 0.5)), vs_overlap('round_rect 0 0
   vs_distance(vs_capsule(0, 0, 1, 0, 0.5), 'point 2 0'), vs_valid('round_rect 0 0 1 0 1 2 0.5');
 SQL
 )"
+check 'polygons' 'POLYGON ((0 0, 8 0, 8 8, 0 8, 0 0), (2 2, 6 2, 6 6, 2 6, 2 2))|0|1.0|48.0|POLYGON ((0 0, 4 0, 0 0.1, 0 0))|1|inside' "$(sql <<'SQL'
+CREATE TABLE zones (shape BLOB CHECK (vs_valid(shape)));
+INSERT INTO zones VALUES (vs_shape('POLYGON ((0 0, 8 0, 8 8, 0 8, 0 0), (2 2, 6 2, 6 6, 2 6, 2 2))'));
+SELECT vs_text(shape), vs_overlap(shape, 'point 4 4'), vs_distance(shape, 'circle 4 4 1'), vs_area(shape),
+  vs_text('MultiPolygon Z (((0 0 1,4 0 1,0 0.1 1,0 0 1)))'), vs_max_x(shape) >= 8, vs_relation('POINT (1 1)', shape) FROM zones;
+SQL
+)"
+check 'lines' 'LINESTRING (0 0, 4 0, 4 4)|MULTILINESTRING ((0 0, 1 0.1), (2 2, 3 3, 4 5))|MULTIPOINT ((1 2), (3 4))|segment 0 0 1 1|aabb 0 0 2 3|1' "$(sql <<'SQL'
+SELECT vs_text('LINESTRING(0 0,4 0,4 4)'), vs_text('MULTILINESTRING((0 0,1 0.1),(2 2,3 3,4 5))'), vs_text('MULTIPOINT(1 2,3 4)'),
+  vs_text('LINESTRING (0 0, 1 1)'), vs_text('POLYGON ((0 0, 0 3, 2 3, 2 0, 0 0))'),
+  vs_shape(vs_text(vs_shape('LINESTRING (0.1 0.2, 1e-320 7, 3 3)'))) = vs_shape('LINESTRING (0.1 0.2, 1e-320 7, 3 3)');
+SQL
+)"
 check 'every bit' '0' "$(sql "$work/all.db" <<<'SELECT count(*) FROM a WHERE vs_shape(vs_text(shape)) <> shape;')"
 check 'NULL' '1|1|1|1|1' "$(sql <<<"SELECT vs_overlap(NULL, 'point 0 0') IS NULL, vs_valid(NULL) IS NULL,
   vs_point(NULL, 0) IS NULL, vs_area(NULL) IS NULL, vs_iou('point 0 0', 'point 0 0') IS NULL;")"
@@ -60,6 +73,16 @@ bad "vs_shape('')" "unknown kind ''"
 bad "vs_shape('point 1')" 'point: number 2 of 2 is missing'
 bad "vs_shape('point 1 2x')" "'2x' is not a number"
 bad "vs_shape('point 1 2 3')" "'3' after the shape"
+bad "vs_shape('POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))')" 'invalid polygon: edges of a polygon cross or overlap'
+bad "vs_shape('POLYGON ((0 0, 2 2, 2 0)')" "')' is missing"
+bad "vs_shape('POLYGON ((0 0, 2 nan, 2 0))')" 'invalid polygon: a number is NaN or infinite'
+bad "vs_shape('CURVE (0 0, 2 2)')" 'is no POINT, LINESTRING or POLYGON'
+bad "vs_text(x'08')" 'not a shape: a BLOB of vs_shape'
+bad "vs_text(x'0800000000')" 'not a shape: a BLOB of vs_shape'
+bad "vs_text(x'08ffffffff')" 'not a shape: a BLOB of vs_shape'
+bad "vs_text(x'080100000001000000')" 'not a shape: a BLOB of vs_shape'
+bad "vs_text(x'0802000000ffffffff00000000')" 'not a shape: a BLOB of vs_shape'
+bad "vs_overlap('point 0 0', x'080100000001000000000000000000f87f0000000000000000')" 'a shape is invalid'
 bad "vs_overlap(3, 'point 0 0')" 'not a shape: a BLOB of vs_shape'
 bad "vs_text(x'00')" 'not a shape: a BLOB of vs_shape'
 bad "vs_text(x'')" 'not a shape: a BLOB of vs_shape'

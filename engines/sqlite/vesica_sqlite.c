@@ -8,34 +8,48 @@ SQLITE_EXTENSION_INIT1
 
 // ---- Arguments: 1 for a shape, 0 for NULL, -1 with the reason in `fault` ----
 
-static int read_shape(sqlite3_value* value, struct shape* out, char fault[shape_fault_room]) {
+static int read_shape(sqlite3_value* value, struct vertices* vertices, struct shape* out,
+                      char fault[shape_fault_room]) {
   switch (sqlite3_value_type(value)) {
     case SQLITE_NULL:
       return 0;
     case SQLITE_BLOB:
-      return shape_from_blob(sqlite3_value_blob(value), sqlite3_value_bytes(value), out, fault) ? 1 : -1;
+      return shape_from_blob(sqlite3_value_blob(value), sqlite3_value_bytes(value), vertices, out, fault) ? 1 : -1;
     case SQLITE_TEXT: {
       const char* text = (const char*)sqlite3_value_text(value);
       if (!text) break;
-      return shape_from_text(text, out, fault) ? 1 : -1;
+      return shape_from_text(text, vertices, out, fault) ? 1 : -1;
     }
     default:
       break;
   }
-  return shape_from_blob(NULL, 0, out, fault) - 1;
+  return shape_from_blob(NULL, 0, vertices, out, fault) - 1;
 }
 
 static void return_shape(sqlite3_context* context, const struct shape* shape) {
-  unsigned char blob[shape_blob_room];
-  sqlite3_result_blob(context, blob, shape_to_blob(shape, blob), SQLITE_TRANSIENT);
+  const size_t bytes = shape_blob_size(shape);
+  unsigned char* blob = sqlite3_malloc64(bytes);
+  if (!blob) {
+    sqlite3_result_error_nomem(context);
+    return;
+  }
+  shape_to_blob(shape, blob);
+  sqlite3_result_blob64(context, blob, bytes, sqlite3_free);
 }
 
+/// The shapes of a call, of which the vertices must be freed.
+struct arguments {
+  struct shape s[2];
+  struct vertices vertices[2];
+};
+
 // All of them, or 0 where the answer is NULL or an error, which it then is.
-static int take_shapes(sqlite3_context* context, int count, sqlite3_value** values, struct shape* out) {
+static int take_shapes(sqlite3_context* context, int count, sqlite3_value** values, struct arguments* out) {
   char fault[shape_fault_room];
   int good = 1;
+  memset(out->vertices, 0, sizeof out->vertices);
   for (int i = 0; i < count; i++) {
-    const int read = read_shape(values[i], &out[i], fault);
+    const int read = read_shape(values[i], &out->vertices[i], &out->s[i], fault);
     if (read < 0) {
       sqlite3_result_error(context, fault, -1);
       return 0;
@@ -43,6 +57,10 @@ static int take_shapes(sqlite3_context* context, int count, sqlite3_value** valu
     good &= read;
   }
   return good;
+}
+
+static void free_shapes(struct arguments* arguments) {
+  for (int i = 0; i < 2; i++) free_vertices(&arguments->vertices[i]);
 }
 
 static int failed(sqlite3_context* context, int32_t code) {
@@ -53,24 +71,33 @@ static int failed(sqlite3_context* context, int32_t code) {
 // ---- Shapes in and out ----
 
 static void to_shape(sqlite3_context* context, int count, sqlite3_value** values) {
-  struct shape shape;
-  if (take_shapes(context, count, values, &shape)) return_shape(context, &shape);
+  struct arguments taken;
+  if (take_shapes(context, count, values, &taken)) return_shape(context, &taken.s[0]);
+  free_shapes(&taken);
 }
 
 static void to_text(sqlite3_context* context, int count, sqlite3_value** values) {
-  struct shape shape;
-  char text[shape_text_room];
-  if (!take_shapes(context, count, values, &shape)) return;
-  shape_to_text(&shape, text);
-  sqlite3_result_text(context, text, -1, SQLITE_TRANSIENT);
+  struct arguments taken;
+  if (take_shapes(context, count, values, &taken)) {
+    char* text = sqlite3_malloc64(shape_text_room(&taken.s[0]));
+    if (text) {
+      shape_to_text(&taken.s[0], text);
+      sqlite3_result_text(context, text, -1, sqlite3_free);
+    } else {
+      sqlite3_result_error_nomem(context);
+    }
+  }
+  free_shapes(&taken);
 }
 
 static void is_valid(sqlite3_context* context, int count, sqlite3_value** values) {
   struct shape shape;
+  struct vertices vertices = {0};
   char fault[shape_fault_room];
-  const int read = read_shape(values[0], &shape, fault);
+  const int read = read_shape(values[0], &vertices, &shape, fault);
   (void)count;
-  if (read) sqlite3_result_int(context, read > 0);
+  if (read) sqlite3_result_int(context, read > 0 && vesica_check_f64(shape.kind, shape_data(&shape)) == 0);
+  free_vertices(&vertices);
 }
 
 // vs_point, vs_segment ...: the kind is the function's own.
@@ -98,11 +125,18 @@ static void from_numbers(sqlite3_context* context, int count, sqlite3_value** va
 
 typedef int32_t decide(int32_t kind_a, const void* a, int32_t kind_b, const void* b);
 
-static int32_t ask(sqlite3_context* context, sqlite3_value** values, decide* question, int32_t* answer) {
-  struct shape s[2];
-  if (!take_shapes(context, 2, values, s)) return 0;
-  *answer = question(s[0].kind, s[0].numbers, s[1].kind, s[1].numbers);
-  return !failed(context, *answer);
+#define A t.s[0].kind, shape_data(&t.s[0])
+#define B t.s[1].kind, shape_data(&t.s[1])
+
+static int ask(sqlite3_context* context, sqlite3_value** values, decide* question, int32_t* answer) {
+  struct arguments t;
+  int good = take_shapes(context, 2, values, &t);
+  if (good) {
+    *answer = question(A, B);
+    good = !failed(context, *answer);
+  }
+  free_shapes(&t);
+  return good;
 }
 
 static void overlap(sqlite3_context* context, int count, sqlite3_value** values) {
@@ -125,43 +159,45 @@ static void relation(sqlite3_context* context, int count, sqlite3_value** values
 }
 
 static void distance(sqlite3_context* context, int count, sqlite3_value** values) {
-  struct shape s[2];
+  struct arguments t;
   vesica_closest_points_f64 closest;
-  if (!take_shapes(context, count, values, s)) return;
-  if (!failed(context, vesica_nearest_f64(s[0].kind, s[0].numbers, s[1].kind, s[1].numbers, &closest)))
+  if (take_shapes(context, count, values, &t) && !failed(context, vesica_nearest_f64(A, B, &closest)))
     sqlite3_result_double(context, closest.distance);
+  free_shapes(&t);
 }
 
 static void area(sqlite3_context* context, int count, sqlite3_value** values) {
-  struct shape s[2];
+  struct arguments t;
   double out;
-  int32_t code;
-  if (!take_shapes(context, count, values, s)) return;
-  code = count == 1 ? vesica_shape_area_f64(s[0].kind, s[0].numbers, &out)
-                    : vesica_area_f64(s[0].kind, s[0].numbers, s[1].kind, s[1].numbers, &out);
-  if (!failed(context, code)) sqlite3_result_double(context, out);
+  if (take_shapes(context, count, values, &t) &&
+      !failed(context, count == 1 ? vesica_shape_area_f64(A, &out) : vesica_area_f64(A, B, &out)))
+    sqlite3_result_double(context, out);
+  free_shapes(&t);
 }
 
 // Two shapes without area have no ratio: NULL.
 static void iou(sqlite3_context* context, int count, sqlite3_value** values) {
-  struct shape s[2];
+  struct arguments t;
   double out;
-  int32_t code;
-  if (!take_shapes(context, count, values, s)) return;
-  code = vesica_iou_f64(s[0].kind, s[0].numbers, s[1].kind, s[1].numbers, &out);
-  if (code != VESICA_E_ARGUMENT && !failed(context, code)) sqlite3_result_double(context, out);
+  if (take_shapes(context, count, values, &t)) {
+    const int32_t code = vesica_iou_f64(A, B, &out);
+    if (code != VESICA_E_ARGUMENT && !failed(context, code)) sqlite3_result_double(context, out);
+  }
+  free_shapes(&t);
 }
 
 // vs_min_x ... vs_max_y: the side is the function's own.
 static void bound(sqlite3_context* context, int count, sqlite3_value** values) {
   const size_t* side = sqlite3_user_data(context);
-  struct shape shape;
+  struct arguments t;
   vesica_aabb_f64 box;
   double sides[4];
-  if (!take_shapes(context, count, values, &shape)) return;
-  shape_bounds(&shape, &box);
-  memcpy(sides, &box, sizeof sides);
-  sqlite3_result_double(context, sides[*side]);
+  if (take_shapes(context, count, values, &t)) {
+    shape_bounds(&t.s[0], &box);
+    memcpy(sides, &box, sizeof sides);
+    sqlite3_result_double(context, sides[*side]);
+  }
+  free_shapes(&t);
 }
 
 typedef void function(sqlite3_context* context, int count, sqlite3_value** values);

@@ -5,9 +5,9 @@
 
 warnings=(-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Werror)
 examples=$here/../../examples
-demo=$examples/demo
-"$CC" -std=c99 -O1 "${warnings[@]}" "-I$demo" -o "$work/join" "$examples"/join/*.c "$demo/fields.c" "$demo/line.c" \
-  "${flags[@]}" -lm
+demo=$examples/demo common=$here/../../engines/common
+"$CC" -std=c99 -O1 "${warnings[@]}" "-I$demo" "-I$common" -o "$work/join" "$examples"/join/*.c "$demo/fields.c" "$demo/line.c" \
+  "$common"/{geometry,vertices,wkt}.c "${flags[@]}" -lm
 cd "$work"
 # numpy is of Debian's own python3.
 /usr/bin/python3 -B "$here/join_test.py" ./join

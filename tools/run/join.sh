@@ -10,6 +10,7 @@
 [[ " $* " = *" --help "* ]] && exec 3>/dev/null || exec 3>&2
 {
   build_and_install
-  compile join "$root"/examples/join/*.c "$root"/examples/demo/{fields,line}.c
+  compile join "-I$root/engines/common" "$root"/examples/join/*.c "$root"/examples/demo/{fields,line}.c \
+    "$root"/engines/common/{geometry,vertices,wkt}.c
 } >&3
 "$root/build/join" "$@"

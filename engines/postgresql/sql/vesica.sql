@@ -76,3 +76,28 @@ BEGIN;
 INSERT INTO nothing VALUES ('circle 0 0 1');
 SELECT count(*) FROM vesica_join('nothing', 'a');
 ROLLBACK;
+
+-- ---- Polygons and lines, in well-known text, of any length ----
+CREATE TABLE zones (id int, shape vshape);
+INSERT INTO zones VALUES (0, 'POLYGON ((0 0, 8 0, 8 8, 0 8, 0 0), (2 2, 6 2, 6 6, 2 6, 2 2))'),
+  (1, 'MULTIPOLYGON (((20 0, 21 0, 20 1, 20 0)), ((3 3, 5 3, 4 5, 3 3)))'), (2, 'LINESTRING (0 -1, 4 -1, 4 0.1)'),
+  (3, 'MULTILINESTRING ((9 9, 9 10), (11 11, 12 12, 13 11))'), (4, 'MULTIPOINT (1 2, 3 4)'), (5, 'LINESTRING (0 0, 1 1)'),
+  (6, 'POLYGON ((0 0, 0 3, 2 3, 2 0, 0 0))'), (7, 'POINT (4 4)');
+INSERT INTO zones SELECT 8, ('POLYGON ((' || string_agg(format('%s %s', i, 100 + i % 2), ', ' ORDER BY i) || ', 5000 200, 1 200))')::vshape
+  FROM generate_series(1, 5000) i;
+SELECT id, shape FROM zones WHERE id < 8;
+SELECT md5(shape::text), vs_bounds(shape), vs_area(shape) FROM zones WHERE id = 8;
+SELECT z.id, z.shape::text::vshape && z.shape AS same, z.shape && 'point 4 4' AS at_four, z.shape <-> 'circle 4 4 1' AS distance,
+  vs_relation(z.shape, 'circle 4 4 1') FROM zones z;
+CREATE INDEX ON zones USING gist (shape);
+SET enable_seqscan = off;
+SELECT x.id, y.id FROM zones x JOIN zones y ON x.shape && y.shape AND x.id < y.id ORDER BY 1, 2;
+SELECT x.id, y.id FROM vesica_join('zones', 'zones') j JOIN zones x ON x.ctid = j.a JOIN zones y ON y.ctid = j.b ORDER BY 1, 2;
+SELECT id FROM zones WHERE shape @> 'point 3000 150' OR shape <@ 'aabb 0 0 3 4' ORDER BY id;
+SET enable_seqscan = on;
+SELECT vshape_send('LINESTRING (0 1, 2 3, 4 5)');
+SELECT 'POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))'::vshape;
+SELECT 'POLYGON ((0 0, 2 nan, 2 0))'::vshape;
+SELECT 'POLYGON ((0 0, 2 2, 2 0)'::vshape;
+SELECT 'CURVE (0 0, 2 2)'::vshape;
+SELECT vs_valid('POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))'), vs_valid('POLYGON ((0 0, 2 2, 2 0))');

@@ -8,8 +8,8 @@ static int grow(void* array, int64_t* room, int64_t wanted, size_t size) {
   void** const at = array;
   int64_t larger = *room < 64 ? 64 : *room;
   void* grown;
+  if (wanted <= *room) return 1;
   while (larger < wanted) larger *= 2;
-  if (*room == larger) return 1;
   grown = realloc(*at, (size_t)larger * size);
   if (!grown) return 0;
   *at = grown;
