@@ -313,6 +313,24 @@ func RoundRects[T Float](shapes []RoundRect[T]) Array[T] {
 	return arrayOf[T](KindRoundRect, first(shapes), len(shapes))
 }
 
+// Facts: Facts about a polygon, from vesica_polygon_facts_f64.
+//
+// vertices leaves out those that repeat the one before on their ring, which closes. Two edges that cross or overlap
+// begin at the vertices first_crossing and second_crossing, which are -1 if there are none, and simple is then 1.
+// orientation is 1 if the inside is on the left of the first ring's edges, -1 on the right, 0 of a polygon without
+// area. area is that of vesica_shape_area_f64 with the sign of the orientation. convex is 1 if vesica_depth_f64 takes
+// the polygon. rings are those with a vertex.
+type Facts[T Float] struct {
+	Vertices       int64
+	FirstCrossing  int64
+	SecondCrossing int64
+	Area           T
+	Orientation    int32
+	Convex         int32
+	Simple         int32
+	Rings          int32
+}
+
 // ClosestPoints: A distance, and two points that are that far apart: (ax, ay) of shape a and (bx, by) of shape b.
 type ClosestPoints[T Float] struct {
 	Distance T
@@ -444,6 +462,13 @@ func cShapeArea(wide bool, kind C.int32_t, shape C.vesica_go_shape, out *C.char)
 		return C.go_shape_area_f64(kind, shape, out)
 	}
 	return C.go_shape_area_f32(kind, shape, out)
+}
+
+func cPolygonFacts(wide bool, polygon *C.char, out *C.char) C.int32_t {
+	if wide {
+		return C.go_polygon_facts_f64(polygon, out)
+	}
+	return C.go_polygon_facts_f32(polygon, out)
 }
 
 func cAABBFromCorners(wide bool, x0 float64, y0 float64, x1 float64, y1 float64, out *C.char) C.int32_t {

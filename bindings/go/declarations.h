@@ -219,6 +219,14 @@ static inline int32_t go_shape_area_f32(int32_t kind, vesica_go_shape shape, cha
     return vesica_shape_area_f32(kind, &of_shape, (void *)out);
 }
 
+static inline int32_t go_polygon_facts_f64(const char *polygon, char *out) {
+    return vesica_polygon_facts_f64((const void *)polygon, (void *)out);
+}
+
+static inline int32_t go_polygon_facts_f32(const char *polygon, char *out) {
+    return vesica_polygon_facts_f32((const void *)polygon, (void *)out);
+}
+
 static inline int32_t go_aabb_from_corners_f64(double x0, double y0, double x1, double y1, char *out) {
     return vesica_aabb_from_corners_f64(x0, y0, x1, y1, (void *)out);
 }

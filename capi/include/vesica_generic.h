@@ -22,6 +22,8 @@
 #define vesica_check(shape) VESICA_QUERY_(vesica_check, VESICA_SIZE_(shape))(VESICA_SHAPE_(shape))
 #define vesica_shape_area(shape, out) VESICA_ONE_(vesica_shape_area, shape, out)
 #define vesica_bounds(shape, out) VESICA_ONE_(vesica_bounds, shape, out)
+#define vesica_polygon_facts(polygon, out) \
+    VESICA_QUERY_(vesica_polygon_facts, VESICA_SIZE_(polygon) & VESICA_SIZE_(out))(polygon, out)
 
 #define vesica_overlap(a, b) VESICA_TWO_(vesica_overlap, a, b)
 #define vesica_interiors_overlap(a, b) VESICA_TWO_(vesica_interiors_overlap, a, b)
@@ -81,11 +83,11 @@
     _Generic(*(pointer), \
         double: 8, vesica_point_f64: 8, vesica_segment_f64: 8, vesica_circle_f64: 8, vesica_aabb_f64: 8, \
         vesica_rect_f64: 8, vesica_ellipse_f64: 8, vesica_capsule_f64: 8, vesica_round_rect_f64: 8, \
-        vesica_polygon_f64: 8, vesica_polyline_f64: 8, vesica_closest_points_f64: 8, \
+        vesica_polygon_f64: 8, vesica_polyline_f64: 8, vesica_facts_f64: 8, vesica_closest_points_f64: 8, \
         vesica_penetration_f64: 8, vesica_impact_f64: 8, vesica_turn_f64: 8, \
         float: 4, vesica_point_f32: 4, vesica_segment_f32: 4, vesica_circle_f32: 4, vesica_aabb_f32: 4, \
         vesica_rect_f32: 4, vesica_ellipse_f32: 4, vesica_capsule_f32: 4, vesica_round_rect_f32: 4, \
-        vesica_polygon_f32: 4, vesica_polyline_f32: 4, vesica_closest_points_f32: 4, \
+        vesica_polygon_f32: 4, vesica_polyline_f32: 4, vesica_facts_f32: 4, vesica_closest_points_f32: 4, \
         vesica_penetration_f32: 4, vesica_impact_f32: 4, vesica_turn_f32: 4)
 
 /* Chooses by a constant size. Sizes of several arguments are joined by &: 8 & 4 is 0, which matches nothing. */

@@ -62,6 +62,8 @@ TEST(CapiConstants, StructSizes) {
     EXPECT_EQ(sizeof(vesica_polygon_f32), 40u);
     EXPECT_EQ(sizeof(vesica_polyline_f64), 40u);
     EXPECT_EQ(sizeof(vesica_polyline_f32), 40u);
+    EXPECT_EQ(sizeof(vesica_facts_f64), 48u);
+    EXPECT_EQ(sizeof(vesica_facts_f32), 48u);
   }
 }
 

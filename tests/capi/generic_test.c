@@ -56,6 +56,20 @@ static void test_double(void) {
   EXPECT(vesica_check(&round_rect), 0);
 }
 
+static void test_polygons(void) {
+  const double wide[] = {0, 0, 4, 0, 4, 4};
+  const float narrow[] = {0, 0, 4, 0, 4, 4};
+  const vesica_polygon_f64 polygon = {wide, wide + 1, 2 * sizeof(double), NULL, 3};
+  const vesica_polygon_f32 polygon_f32 = {narrow, narrow + 1, 2 * sizeof(float), NULL, 3};
+  vesica_facts_f64 facts;
+  vesica_facts_f32 facts_f32;
+  EXPECT(VESICA_KIND_OF(&polygon), VESICA_POLYGON);
+  EXPECT(vesica_polygon_facts(&polygon, &facts), 0);
+  EXPECT(facts.area == 8 && facts.convex == 1, 1);
+  EXPECT(vesica_polygon_facts(&polygon_f32, &facts_f32), 0);
+  EXPECT(facts_f32.area == 8 && facts_f32.convex == 1, 1);
+}
+
 static void test_float(void) {
   const vesica_point_f32 point = {3, 0};
   const vesica_segment_f32 segment = {0, 0, 3, 0};
@@ -276,6 +290,7 @@ static void test_arguments(void) {
 
 int main(void) {
   test_double();
+  test_polygons();
   test_float();
   test_every_query_f64();
   test_every_query_f32();

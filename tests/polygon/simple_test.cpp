@@ -166,6 +166,158 @@ TEST(PolygonSimple, OfManyVertices) {
   EXPECT_EQ(check(ring), VESICA_E_NOT_SIMPLE);
 }
 
+inline vesica_facts_f64 facts_of(const Path& path) {
+  const auto view = path.view();
+  vesica_facts_f64 facts{};
+  EXPECT_EQ(vesica_polygon_facts_f64(&view, &facts), 0);
+  const std::vector<float> narrow(path.xy.begin(), path.xy.end());
+  const vesica_polygon_f32 narrow_view{narrow.data(), narrow.data() + 1, 8, view.rings, view.count};
+  vesica_facts_f32 same{};
+  EXPECT_EQ(vesica_polygon_facts_f32(&narrow_view, &same), 0);
+  EXPECT_EQ(same.vertices, facts.vertices);
+  EXPECT_EQ(same.first_crossing, facts.first_crossing);
+  EXPECT_EQ(same.second_crossing, facts.second_crossing);
+  EXPECT_EQ(static_cast<double>(same.area), facts.area);
+  EXPECT_EQ(same.orientation, facts.orientation);
+  EXPECT_EQ(same.convex, facts.convex);
+  EXPECT_EQ(same.simple, facts.simple);
+  EXPECT_EQ(same.rings, facts.rings);
+  return facts;
+}
+
+TEST(PolygonFacts, Known) {
+  Path frame;
+  frame.add_ring({0, 0, 4, 0, 4, 4, 4, 4, 0, 4, 0, 0});
+  vesica_facts_f64 f = facts_of(frame);
+  EXPECT_EQ(f.vertices, 4);
+  EXPECT_EQ(f.area, 16);
+  EXPECT_EQ(f.orientation, 1);
+  EXPECT_EQ(f.convex, 1);
+  EXPECT_EQ(f.simple, 1);
+  EXPECT_EQ(f.first_crossing, -1);
+  EXPECT_EQ(f.second_crossing, -1);
+  EXPECT_EQ(f.rings, 1);
+  frame.add_ring({1, 1, 2, 1, 2, 2, 1, 2});
+  f = facts_of(frame);
+  EXPECT_EQ(f.vertices, 8);
+  EXPECT_EQ(f.area, 15);
+  EXPECT_EQ(f.orientation, 1);
+  EXPECT_EQ(f.convex, 0);
+  EXPECT_EQ(f.rings, 2);
+  Path bow;
+  bow.add_ring({0, 0, 4, 4, 4, 0, 0, 2});
+  f = facts_of(bow);
+  EXPECT_EQ(f.simple, 0);
+  EXPECT_EQ(f.first_crossing, 0);
+  EXPECT_EQ(f.second_crossing, 2);
+  EXPECT_EQ(f.convex, 0);
+  Path line;
+  line.add_ring({0, 0, 3, 1});
+  f = facts_of(line);
+  EXPECT_EQ(f.vertices, 2);
+  EXPECT_EQ(f.area, 0);
+  EXPECT_EQ(f.orientation, 0);
+  EXPECT_EQ(f.convex, 1);
+  Path point;
+  point.add_ring({7, 7, 7, 7});
+  EXPECT_EQ(facts_of(point).vertices, 1);
+  // A hole that comes first has the inside of the polygon around it.
+  Path hole;
+  hole.add_ring({1, 1, 2, 1, 2, 2});
+  hole.add_ring({0, 0, 4, 0, 4, 4, 0, 4});
+  EXPECT_EQ(facts_of(hole).orientation, -1);
+  EXPECT_EQ(facts_of(hole).area, -15.5);
+}
+
+/// Rings at integers: the edges named do meet; area, direction and convexity by sums and signs of integers.
+TEST(PolygonFacts, AgreeWithIntegers) {
+  Random random(603);
+  int convex = 0, crossed = 0;
+  const int count = 20000 * properties::repeat();
+  for (int i = 0; i < count; ++i) {
+    Path path;
+    path.add_ring(lattice_ring(random.integer(3, 6), random.integer(3, 8), random));
+    path = rewritten(path, random);
+    const vesica_facts_f64 f = facts_of(path);
+    const auto edges = lattice_edges(path, true);
+    ASSERT_EQ(f.simple, is_simple(path)) << i;
+    ASSERT_EQ(f.simple == 0, f.first_crossing >= 0 && f.first_crossing < f.second_crossing) << i;
+    if (f.simple == 0) {
+      const auto at = [&](std::int64_t k) { return edges[static_cast<std::size_t>(k)]; };
+      ASSERT_TRUE(meet(at(f.first_crossing), at(f.second_crossing))) << i;
+      ++crossed;
+      continue;
+    }
+    std::int64_t twice = 0, places = 0;
+    std::vector<Lattice> ring;
+    for (const LatticeEdge& e : edges) {
+      twice += e.from.x * e.to.y - e.from.y * e.to.x;
+      if (e.from.x == e.to.x && e.from.y == e.to.y) continue;
+      ++places;
+      ring.push_back(e.from);
+    }
+    bool left = false, right = false;
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const int turn = area_sign(ring[k], ring[(k + 1) % ring.size()], ring[(k + 2) % ring.size()]);
+      left = left || turn > 0;
+      right = right || turn < 0;
+    }
+    ASSERT_EQ(f.vertices, std::max<std::int64_t>(places, 1)) << i;
+    ASSERT_EQ(f.area, static_cast<double>(twice) / 2) << i;
+    ASSERT_EQ(f.orientation, (twice > 0) - (twice < 0)) << i;
+    ASSERT_EQ(f.convex, !(left && right)) << i;
+    convex += f.convex;
+  }
+  EXPECT_GT(convex, count / 20);
+  EXPECT_GT(crossed, count / 20);
+}
+
+/// Regions of a grid, with holes: the triangle on the left of the first edge, and the number of triangles.
+TEST(PolygonFacts, OfRegions) {
+  Random random(604);
+  const int count = 2000 * properties::repeat();
+  for (int i = 0; i < count; ++i) {
+    const Grid grid(random.integer(1, 4));
+    Figure figure = region(grid, random.between(0.2, 0.9), random);
+    const vesica_facts_f64 f = facts_of(figure.path);
+    const auto inside = std::count(figure.triangle.begin(), figure.triangle.end(), in);
+    ASSERT_EQ(std::abs(f.area), static_cast<double>(inside)) << i;
+    ASSERT_EQ(f.area > 0, f.orientation > 0) << i;
+    ASSERT_EQ(f.simple, is_simple(figure.path)) << i;
+    ASSERT_EQ(f.rings, static_cast<std::int32_t>(figure.path.ring_count())) << i;
+    // Reversed, the direction is the other one, and nothing else changes.
+    Path reversed;
+    for (std::size_t j = 0; j < figure.path.ring_count(); ++j) {
+      std::vector<double> ring;
+      for (std::int32_t k = figure.path.rings[j + 1] - 1; k >= figure.path.rings[j]; --k) {
+        const auto at = static_cast<std::size_t>(2 * k);
+        ring.insert(ring.end(), {figure.path.xy[at], figure.path.xy[at + 1]});
+      }
+      reversed.add_ring(ring);
+    }
+    const vesica_facts_f64 back = facts_of(reversed);
+    ASSERT_EQ(back.orientation, -f.orientation) << i;
+    ASSERT_EQ(back.area, -f.area) << i;
+    ASSERT_EQ(back.vertices, f.vertices) << i;
+    ASSERT_EQ(back.convex, f.convex) << i;
+  }
+}
+
+TEST(PolygonFacts, Errors) {
+  const std::vector<double> xy{0, 0, 1e308, 0, 1e308, 1e308};
+  vesica_polygon_f64 big{xy.data(), xy.data() + 1, 16, nullptr, 3};
+  vesica_facts_f64 facts{};
+  facts.vertices = 77;
+  EXPECT_EQ(vesica_polygon_facts_f64(nullptr, &facts), VESICA_E_NULL);
+  EXPECT_EQ(vesica_polygon_facts_f64(&big, nullptr), VESICA_E_NULL);
+  EXPECT_EQ(vesica_polygon_facts_f64(&big, &facts), VESICA_E_RANGE);
+  big.count = 0;
+  EXPECT_EQ(vesica_polygon_facts_f64(&big, &facts), VESICA_E_SHAPE);
+  big.x = nullptr;
+  EXPECT_EQ(vesica_polygon_facts_f64(&big, &facts), VESICA_E_NULL);
+  EXPECT_EQ(facts.vertices, 77);
+}
+
 TEST(PolygonSimple, PolylinesMayCross) {
   const std::vector<double> xy{0, 0, 1, 1, 1, 0, 0, 1};
   const vesica_polyline_f64 line{xy.data(), xy.data() + 1, 16, nullptr, 4};

@@ -163,6 +163,18 @@ package Vesica_C is
       Count : Integer_64;
    end record with Convention => C;
 
+   --  Facts about a polygon, from vesica_polygon_facts_f64.
+   type Vesica_Facts_F64 is record
+      Vertices : Integer_64;
+      First_Crossing : Integer_64;
+      Second_Crossing : Integer_64;
+      Area : IEEE_Float_64;
+      Orientation : Integer_32;
+      Convex : Integer_32;
+      Simple : Integer_32;
+      Rings : Integer_32;
+   end record with Convention => C;
+
    --  A distance, and two points that are that far apart: (ax, ay) of shape a and (bx, by) of shape b.
    type Vesica_Closest_Points_F64 is record
       Distance : IEEE_Float_64;
@@ -277,6 +289,18 @@ package Vesica_C is
       Stride : ptrdiff_t;
       Rings : System.Address;
       Count : Integer_64;
+   end record with Convention => C;
+
+   --  Facts about a polygon, from vesica_polygon_facts_f32.
+   type Vesica_Facts_F32 is record
+      Vertices : Integer_64;
+      First_Crossing : Integer_64;
+      Second_Crossing : Integer_64;
+      Area : IEEE_Float_32;
+      Orientation : Integer_32;
+      Convex : Integer_32;
+      Simple : Integer_32;
+      Rings : Integer_32;
    end record with Convention => C;
 
    --  A distance, and two points that are that far apart: (ax, ay) of shape a and (bx, by) of shape b.
@@ -408,6 +432,10 @@ package Vesica_C is
    function Vesica_Shape_Area_F64 (Kind : Integer_32; Shape : System.Address; Output : System.Address) return
       Integer_32
      with Import, Convention => C, External_Name => "vesica_shape_area_f64";
+
+   --  States facts of a polygon: its vertices, area and direction, whether it is convex, and where its edges cross.
+   function Vesica_Polygon_Facts_F64 (Polygon : System.Address; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_polygon_facts_f64";
 
    --  Are the two points the same?
    function Vesica_Overlap_Point_Point_F64 (A : System.Address; B : System.Address) return Integer_32
@@ -730,6 +758,10 @@ package Vesica_C is
    function Vesica_Shape_Area_F32 (Kind : Integer_32; Shape : System.Address; Output : System.Address) return
       Integer_32
      with Import, Convention => C, External_Name => "vesica_shape_area_f32";
+
+   --  States facts of a polygon: its vertices, area and direction, whether it is convex, and where its edges cross.
+   function Vesica_Polygon_Facts_F32 (Polygon : System.Address; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_polygon_facts_f32";
 
    --  Area of the intersection of two shapes.
    function Vesica_Area_F32 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B : System.Address;

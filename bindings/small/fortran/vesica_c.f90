@@ -158,6 +158,18 @@ module vesica_c
     integer(c_int64_t) :: count
   end type
 
+  !> Facts about a polygon, from vesica_polygon_facts_f64.
+  type, bind(c) :: vesica_facts_f64
+    integer(c_int64_t) :: vertices
+    integer(c_int64_t) :: first_crossing
+    integer(c_int64_t) :: second_crossing
+    real(c_double) :: area
+    integer(c_int32_t) :: orientation
+    integer(c_int32_t) :: convex
+    integer(c_int32_t) :: simple
+    integer(c_int32_t) :: rings
+  end type
+
   !> A distance, and two points that are that far apart: (ax, ay) of shape a and (bx, by) of shape b.
   type, bind(c) :: vesica_closest_points_f64
     real(c_double) :: distance
@@ -272,6 +284,18 @@ module vesica_c
     integer(c_ptrdiff_t) :: stride
     type(c_ptr) :: rings
     integer(c_int64_t) :: count
+  end type
+
+  !> Facts about a polygon, from vesica_polygon_facts_f32.
+  type, bind(c) :: vesica_facts_f32
+    integer(c_int64_t) :: vertices
+    integer(c_int64_t) :: first_crossing
+    integer(c_int64_t) :: second_crossing
+    real(c_float) :: area
+    integer(c_int32_t) :: orientation
+    integer(c_int32_t) :: convex
+    integer(c_int32_t) :: simple
+    integer(c_int32_t) :: rings
   end type
 
   !> A distance, and two points that are that far apart: (ax, ay) of shape a and (bx, by) of shape b.
@@ -462,6 +486,13 @@ module vesica_c
       integer(c_int32_t), value :: kind
       real(c_double), intent(in) :: shape(*)
       type(c_ptr), value :: out
+    end function
+
+    !> States facts of a polygon: its vertices, area and direction, whether it is convex, and where its edges cross.
+    integer(c_int32_t) function vesica_polygon_facts_f64(polygon, out) bind(c)
+      import
+      type(vesica_polygon_f64), intent(in) :: polygon
+      type(vesica_facts_f64), intent(out) :: out
     end function
 
     !> Are the two points the same?
@@ -1041,6 +1072,13 @@ module vesica_c
       integer(c_int32_t), value :: kind
       real(c_float), intent(in) :: shape(*)
       type(c_ptr), value :: out
+    end function
+
+    !> States facts of a polygon: its vertices, area and direction, whether it is convex, and where its edges cross.
+    integer(c_int32_t) function vesica_polygon_facts_f32(polygon, out) bind(c)
+      import
+      type(vesica_polygon_f32), intent(in) :: polygon
+      type(vesica_facts_f32), intent(out) :: out
     end function
 
     !> Area of the intersection of two shapes.

@@ -107,6 +107,8 @@
 (c vesica_boundary_distance_f64 int32 int32 '* int32 '* '*)
 ;; Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
 (c vesica_shape_area_f64 int32 int32 '* '*)
+;; States facts of a polygon: its vertices, area and direction, whether it is convex, and where its edges cross.
+(c vesica_polygon_facts_f64 int32 '* '*)
 ;; Are the two points the same?
 (c vesica_overlap_point_point_f64 int32 '* '*)
 ;; Does the point lie on the segment?
@@ -247,6 +249,8 @@
 (c vesica_depth_f32 int32 int32 '* int32 '* '*)
 ;; Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
 (c vesica_shape_area_f32 int32 int32 '* '*)
+;; States facts of a polygon: its vertices, area and direction, whether it is convex, and where its edges cross.
+(c vesica_polygon_facts_f32 int32 '* '*)
 ;; Area of the intersection of two shapes.
 (c vesica_area_f32 int32 int32 '* int32 '* '*)
 ;; Intersection over union (Jaccard index) of two shapes: the area they share over the area they cover together.

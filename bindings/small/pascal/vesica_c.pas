@@ -160,6 +160,18 @@ type
     count: Int64;
   end;
   PVesicaPolylineF64 = ^TVesicaPolylineF64;
+  // Facts about a polygon, from vesica_polygon_facts_f64.
+  TVesicaFactsF64 = record
+    vertices: Int64;
+    first_crossing: Int64;
+    second_crossing: Int64;
+    area: Double;
+    orientation: Int32;
+    convex: Int32;
+    simple: Int32;
+    rings: Int32;
+  end;
+  PVesicaFactsF64 = ^TVesicaFactsF64;
   // A distance, and two points that are that far apart: (ax, ay) of shape a and (bx, by) of shape b.
   TVesicaClosestPointsF64 = record
     distance: Double;
@@ -276,6 +288,18 @@ type
     count: Int64;
   end;
   PVesicaPolylineF32 = ^TVesicaPolylineF32;
+  // Facts about a polygon, from vesica_polygon_facts_f32.
+  TVesicaFactsF32 = record
+    vertices: Int64;
+    first_crossing: Int64;
+    second_crossing: Int64;
+    area: Single;
+    orientation: Int32;
+    convex: Int32;
+    simple: Int32;
+    rings: Int32;
+  end;
+  PVesicaFactsF32 = ^TVesicaFactsF32;
   // A distance, and two points that are that far apart: (ax, ay) of shape a and (bx, by) of shape b.
   TVesicaClosestPointsF32 = record
     distance: Single;
@@ -378,6 +402,9 @@ function vesica_boundary_distance_f64(kind_a: Int32; a: Pointer; kind_b: Int32; 
   PVesicaClosestPointsF64): Int32; cdecl; external vesica_library;
 // Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
 function vesica_shape_area_f64(kind: Int32; shape: Pointer; output: PDouble): Int32; cdecl; external vesica_library;
+// States facts of a polygon: its vertices, area and direction, whether it is convex, and where its edges cross.
+function vesica_polygon_facts_f64(polygon: PVesicaPolygonF64; output: PVesicaFactsF64): Int32; cdecl; external
+  vesica_library;
 // Are the two points the same?
 function vesica_overlap_point_point_f64(a: PVesicaPointF64; b: PVesicaPointF64): Int32; cdecl; external
   vesica_library;
@@ -574,6 +601,9 @@ function vesica_depth_f32(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; 
   Int32; cdecl; external vesica_library;
 // Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
 function vesica_shape_area_f32(kind: Int32; shape: Pointer; output: PSingle): Int32; cdecl; external vesica_library;
+// States facts of a polygon: its vertices, area and direction, whether it is convex, and where its edges cross.
+function vesica_polygon_facts_f32(polygon: PVesicaPolygonF32; output: PVesicaFactsF32): Int32; cdecl; external
+  vesica_library;
 // Area of the intersection of two shapes.
 function vesica_area_f32(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output: PSingle): Int32; cdecl;
   external vesica_library;

@@ -100,6 +100,8 @@ our @FUNCTIONS = (
     [vesica_boundary_distance_f64 => ['sint32', 'double[]', 'sint32', 'double[]', 'opaque'] => 'sint32'],
     # Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
     [vesica_shape_area_f64 => ['sint32', 'double[]', 'opaque'] => 'sint32'],
+    # States facts of a polygon: its vertices, area and direction, whether it is convex, and where its edges cross.
+    [vesica_polygon_facts_f64 => ['opaque', 'opaque'] => 'sint32'],
     # Are the two points the same?
     [vesica_overlap_point_point_f64 => ['opaque', 'opaque'] => 'sint32'],
     # Does the point lie on the segment?
@@ -244,6 +246,8 @@ our @FUNCTIONS = (
     [vesica_depth_f32 => ['sint32', 'float[]', 'sint32', 'float[]', 'opaque'] => 'sint32'],
     # Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
     [vesica_shape_area_f32 => ['sint32', 'float[]', 'opaque'] => 'sint32'],
+    # States facts of a polygon: its vertices, area and direction, whether it is convex, and where its edges cross.
+    [vesica_polygon_facts_f32 => ['opaque', 'opaque'] => 'sint32'],
     # Area of the intersection of two shapes.
     [vesica_area_f32 => ['sint32', 'float[]', 'sint32', 'float[]', 'opaque'] => 'sint32'],
     # Intersection over union (Jaccard index) of two shapes: the area they share over the area they cover together.

@@ -97,6 +97,8 @@ module Vesica
     'int vesica_boundary_distance_f64(int, void *, int, void *, void *)',
     # Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
     'int vesica_shape_area_f64(int, void *, void *)',
+    # States facts of a polygon: its vertices, area and direction, whether it is convex, and where its edges cross.
+    'int vesica_polygon_facts_f64(void *, void *)',
     # Are the two points the same?
     'int vesica_overlap_point_point_f64(void *, void *)',
     # Does the point lie on the segment?
@@ -238,6 +240,8 @@ module Vesica
     'int vesica_depth_f32(int, void *, int, void *, void *)',
     # Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
     'int vesica_shape_area_f32(int, void *, void *)',
+    # States facts of a polygon: its vertices, area and direction, whether it is convex, and where its edges cross.
+    'int vesica_polygon_facts_f32(void *, void *)',
     # Area of the intersection of two shapes.
     'int vesica_area_f32(int, void *, int, void *, void *)',
     # Intersection over union (Jaccard index) of two shapes: the area they share over the area they cover together.

@@ -286,6 +286,31 @@ pub type vesica_polyline_f64 = Polyline<f64>;
 /// [`Polyline`] of f32.
 pub type vesica_polyline_f32 = Polyline<f32>;
 
+/// Facts about a polygon, from vesica_polygon_facts_f64.
+///
+/// vertices leaves out those that repeat the one before on their ring, which closes. Two edges that cross or overlap
+/// begin at the vertices first_crossing and second_crossing, which are -1 if there are none, and simple is then 1.
+/// orientation is 1 if the inside is on the left of the first ring's edges, -1 on the right, 0 of a polygon without
+/// area. area is that of vesica_shape_area_f64 with the sign of the orientation. convex is 1 if vesica_depth_f64 takes
+/// the polygon. rings are those with a vertex.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[allow(missing_docs)]
+pub struct Facts<T> {
+    pub vertices: i64,
+    pub first_crossing: i64,
+    pub second_crossing: i64,
+    pub area: T,
+    pub orientation: i32,
+    pub convex: i32,
+    pub simple: i32,
+    pub rings: i32,
+}
+/// [`Facts`] of f64.
+pub type vesica_facts_f64 = Facts<f64>;
+/// [`Facts`] of f32.
+pub type vesica_facts_f32 = Facts<f32>;
+
 /// A distance, and two points that are that far apart: (ax, ay) of shape a and (bx, by) of shape b.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -655,6 +680,22 @@ extern "C" {
     ///
     /// Since: 0.1.
     pub fn vesica_shape_area_f64(kind: i32, shape: *const c_void, out: *mut f64) -> i32;
+    /// States facts of a polygon: its vertices, area and direction, whether it is convex, and where its edges cross.
+    ///
+    /// The first ring is the first one that is neither a point nor a segment. If y points up, a shell whose inside is
+    /// on the left of its edges is counter-clockwise. Where several pairs of edges cross, any one of them is named.
+    /// Then area and orientation mean nothing.
+    ///
+    /// Returns: 0.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_RANGE (the area).
+    ///
+    /// Accuracy: exact, but the area, which is as vesica_shape_area_f64 says.
+    ///
+    /// Cost: as vesica_check_f64, and a few ns for each vertex.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_polygon_facts_f64(polygon: *const Polygon<f64>, out: *mut Facts<f64>) -> i32;
     /// Are the two points the same?
     ///
     /// Returns: 1 if the shapes share a point (touching counts), 0 if not.
@@ -1740,6 +1781,23 @@ extern "C" {
     ///
     /// Since: 0.1.
     pub fn vesica_shape_area_f32(kind: i32, shape: *const c_void, out: *mut f32) -> i32;
+    /// States facts of a polygon: its vertices, area and direction, whether it is convex, and where its edges cross.
+    ///
+    /// The first ring is the first one that is neither a point nor a segment. If y points up, a shell whose inside is
+    /// on the left of its edges is counter-clockwise. Where several pairs of edges cross, any one of them is named.
+    /// Then area and orientation mean nothing.
+    ///
+    /// Returns: 0.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_RANGE (the area).
+    ///
+    /// Accuracy: exact, but the area, which is as vesica_shape_area_f32 says.
+    /// Each number is computed in double, within these bounds, and then rounded to float once.
+    ///
+    /// Cost: as vesica_check_f32, and a few ns for each vertex.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_polygon_facts_f32(polygon: *const Polygon<f32>, out: *mut Facts<f32>) -> i32;
     /// Area of the intersection of two shapes.
     ///
     /// It is exactly 0 if shapes are disjoint, if they only touch, or if one has no area. If one contains the other, it
@@ -4387,6 +4445,7 @@ pub unsafe trait Scalar: Copy + Default + PartialEq + PartialOrd + core::fmt::De
     unsafe fn boundary_distance(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
         out: *mut ClosestPoints<Self>) -> i32;
     unsafe fn shape_area(kind: i32, shape: *const c_void, out: *mut Self) -> i32;
+    unsafe fn polygon_facts(polygon: *const Polygon<Self>, out: *mut Facts<Self>) -> i32;
     unsafe fn overlap_point_point(a: *const Point<Self>, b: *const Point<Self>) -> i32;
     unsafe fn overlap_point_segment(a: *const Point<Self>, b: *const Segment<Self>) -> i32;
     unsafe fn overlap_point_circle(a: *const Point<Self>, b: *const Circle<Self>) -> i32;
@@ -4584,6 +4643,10 @@ unsafe impl Scalar for f64 {
     #[inline]
     unsafe fn shape_area(kind: i32, shape: *const c_void, out: *mut f64) -> i32 {
         vesica_shape_area_f64(kind, shape, out)
+    }
+    #[inline]
+    unsafe fn polygon_facts(polygon: *const Polygon<f64>, out: *mut Facts<f64>) -> i32 {
+        vesica_polygon_facts_f64(polygon, out)
     }
     #[inline]
     unsafe fn overlap_point_point(a: *const Point<f64>, b: *const Point<f64>) -> i32 {
@@ -5067,6 +5130,10 @@ unsafe impl Scalar for f32 {
     #[inline]
     unsafe fn shape_area(kind: i32, shape: *const c_void, out: *mut f32) -> i32 {
         vesica_shape_area_f32(kind, shape, out)
+    }
+    #[inline]
+    unsafe fn polygon_facts(polygon: *const Polygon<f32>, out: *mut Facts<f32>) -> i32 {
+        vesica_polygon_facts_f32(polygon, out)
     }
     #[inline]
     unsafe fn overlap_point_point(a: *const Point<f32>, b: *const Point<f32>) -> i32 {
