@@ -39,11 +39,12 @@ javac -Xlint:all -Werror -cp "$directory/vesica-$version.jar" -d . "$here"/tests
   # The README's example, and what it gives.
   printf '%s\n' 'import java.util.Arrays;' 'import vesica.*;' 'class Example { public static void main(String[] a) {'
   sed -n '/^```java$/,/^```$/{/^```/!p}' "$here/README.md"
-  echo 'System.out.println(Arrays.toString(hits) + Arrays.deepToString(pairs)); } }'
+  echo 'System.out.println(Arrays.toString(hits) + Arrays.deepToString(pairs) + inside + Arrays.toString(met)); } }'
 } >Example.java
 javac -cp "$directory/vesica-$version.jar" -d . Example.java
-java -cp "$directory/vesica-$version.jar:." Example | grep -Fx '[true, true][[0, 1], [2, 3]]'
+java -cp "$directory/vesica-$version.jar:." Example | grep -Fx '[true, true][[0, 1], [2, 3]]true[true, false]'
 java -Xcheck:jni -cp "$directory/vesica-$version.jar:." vesica.Calls "$here/../calls/calls.txt"
+java -Xcheck:jni -cp "$directory/vesica-$version.jar:." vesica.Paths
 java -Xcheck:jni -Xmx150m -cp "$directory/vesica-$version.jar:." vesica.Arguments "${VESICA_CALLS:-5000}" |
   tee arguments.out
 grep 'WARNING.*JNI' arguments.out && exit 1

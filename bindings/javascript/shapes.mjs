@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shapes: plain objects for one, ShapeArray for many of one kind.
+import { pathNames } from './paths.mjs';
 
-/** The numbers of each kind, in the library's order. */
+/** The numbers of each kind that has as many in every shape, in the library's order. */
 export const fields = Object.freeze({
   point: ['x', 'y'],
   segment: ['x0', 'y0', 'x1', 'y1'],
@@ -12,7 +13,7 @@ export const fields = Object.freeze({
   capsule: ['x0', 'y0', 'x1', 'y1', 'r'],
   round_rect: ['cx', 'cy', 'ux', 'uy', 'hx', 'hy', 'r'],
 });
-export const kinds = Object.freeze(Object.keys(fields));
+export const kinds = Object.freeze([...Object.keys(fields), ...pathNames]);
 /** sizeof(vesica_shapes_f64) in the module, whose pointers have 4 bytes. */
 export const shapesSize = 72;
 export const scalars = Object.freeze({ f64: Float64Array, f32: Float32Array });
@@ -123,10 +124,14 @@ export class ShapeArray {
   #memory;
   #length;
   #free;
+  #width; // how many numbers there are
+  #ringsOf; // a function: where the rings of polygon i begin among all vertices, with the end
 
-  /** Made by Vesica.shapes(). free: what gives the memory back. */
-  constructor(memory, kind, scalar, count, address, base, free) {
+  /** Made by Vesica.shapes(). free: what gives the memory back. width: how many numbers. ringsOf(i): of a path. */
+  constructor(memory, kind, scalar, count, address, base, free, width, ringsOf) {
     this.#memory = memory;
+    this.#width = width;
+    this.#ringsOf = ringsOf;
     this.base = base; // of the numbers
     this.#free = free;
     this.kind = kind;
@@ -149,14 +154,20 @@ export class ShapeArray {
 
   get numbers() {
     if (this.address === 0) throw new TypeError('an array of shapes was freed');
-    return new scalars[this.scalar](this.#memory.buffer, this.base, this.length * fields[this.kind].length);
+    return new scalars[this.scalar](this.#memory.buffer, this.base, this.#width);
   }
 
   /** Shape i as a plain object: a copy. */
   at(i) {
-    const all = this.numbers, names = fields[this.kind], index = i < 0 ? this.length + i : i;
+    const all = this.numbers, index = i < 0 ? this.length + i : i;
     const isThere = Number.isInteger(index) && index >= 0 && index < this.length;
     if (!isThere) throw new RangeError(`shape ${i} of ${this.length}`);
+    if (this.#ringsOf !== undefined) {
+      const ends = this.#ringsOf(index), first = ends[0];
+      const vertices = Float64Array.from(all.subarray(2 * first, 2 * ends.at(-1)));
+      return { kind: this.kind, vertices, rings: Array.from(ends, (end) => end - first) };
+    }
+    const names = fields[this.kind];
     const numbers = all.subarray(index * names.length, (index + 1) * names.length);
     return { kind: this.kind, ...Object.fromEntries(names.map((name, k) => [name, numbers[k]])) };
   }

@@ -2,7 +2,9 @@
 import type { C } from './c.js';
 export type { C };
 
-export type Kind = 'point' | 'segment' | 'circle' | 'aabb' | 'rect' | 'ellipse' | 'capsule' | 'round_rect';
+/** Kinds that have as many numbers in every shape. */
+export type NumberKind = 'point' | 'segment' | 'circle' | 'aabb' | 'rect' | 'ellipse' | 'capsule' | 'round_rect';
+export type Kind = NumberKind | 'polygon' | 'polyline';
 /**
  * float64 or float32 numbers. Both are exact; float32 takes half the memory. Beside an array of float32, plain shapes,
  * distances, times, velocities, thresholds and the scores of nmsSoft are rounded to float32 first, and answers are
@@ -29,17 +31,44 @@ export interface RoundRect {
   kind: 'round_rect'; cx: number; cy: number; ux: number; uy: number; hx: number; hy: number; r: number;
 }
 /**
+ * Vertices x y x y ..., and where each ring begins among them, with the end; one ring if left out. What an odd number
+ * of rings go around is inside: a ring inside another is a hole, whatever their order and directions.
+ */
+export interface Polygon { kind: 'polygon'; vertices: ArrayLike<number>; rings?: ArrayLike<number> }
+/** Chains in place of rings: they are not closed, and have no inside. */
+export interface Polyline { kind: 'polyline'; vertices: ArrayLike<number>; rings?: ArrayLike<number> }
+/**
  * Capsules and rounded rectangles are for invalidity, bounds, shapeArea, both overlaps, nearest, depth,
  * signedDistance, within, area, iou, ratios, suppression, cast, castFirst, impactTime, sweepBounds, and not with an
  * ellipse relation, contains and boundaryDistance; an index of them has join of overlaps, joinWithin, select, nearest, nearestOfEach, cast and
  * castFirst. Other calls throw a VesicaError for them.
+ *
+ * Polygons and polylines are for the same but impactTime, and for boundaryDistance, relation and contains with any kind;
+ * polylines have no area. depth needs convex ones, and so do signedDistance and within where they ask for a depth.
  */
-export type Shape = Point | Segment | Circle | Aabb | Rect | Ellipse | Capsule | RoundRect;
+export type Shape = Point | Segment | Circle | Aabb | Rect | Ellipse | Capsule | RoundRect | Polygon | Polyline;
+
+/** A place [x, y]; further numbers are ignored. */
+export type Place = readonly number[];
+/** A ring or chain; several; or, as of a MultiPolygon, several of several: GeoJSON's coordinates. */
+export type Coordinates = readonly Place[] | readonly (readonly Place[])[] | readonly (readonly (readonly Place[])[])[];
+/** Where parts of vertices begin: at `each` vertices, or at offsets, with the end, as GeoArrow has them. */
+export interface Offsets {
+  /** Vertices of each shape: 4 of quads. */
+  each?: number;
+  /** Where each ring begins among the vertices. */
+  rings?: ArrayLike<number>;
+  /** Where each polygon begins among the rings; a ring each if left out. */
+  polygons?: ArrayLike<number>;
+}
 
 interface Angle {
   /** The angle is in degrees; multiples of 90 turn exactly. */
   degrees?: boolean;
 }
+/** Copies coordinates, or vertices x y x y ... with the offsets of their rings. */
+export function polygon(source: Coordinates | ArrayLike<number>, rings?: ArrayLike<number>): Polygon;
+export function polyline(source: Coordinates | ArrayLike<number>, chains?: ArrayLike<number>): Polyline;
 export function point(x: number, y: number): Point;
 export function segment(x0: number, y0: number, x1: number, y1: number): Segment;
 export function circle(cx: number, cy: number, r: number): Circle;
@@ -57,8 +86,8 @@ export function roundRect(
   cx: number, cy: number, ux: number, uy: number, hx: number, hy: number, r: number): RoundRect;
 
 export const kinds: readonly Kind[];
-/** The names of each kind's numbers, in their order in arrays. */
-export const fields: Readonly<Record<Kind, readonly string[]>>;
+/** The names of each kind's numbers, in their order in arrays. Polygons and polylines have any number. */
+export const fields: Readonly<Record<NumberKind, readonly string[]>>;
 export type Relation =
   | 'disjoint' | 'touch' | 'cross' | 'inside' | 'inside_touch' | 'contains' | 'contains_touch' | 'equal';
 /** Names of relations by the numbers that arrays of them have. */
@@ -83,7 +112,7 @@ export class ShapeArray<T extends Float64Array | Float32Array = Float64Array | F
   readonly scalar: Scalar;
   readonly length: number;
   /**
-   * The numbers, one shape after the other: a view, whose changes the next call sees. Take it anew after anything that
+   * The numbers, one shape after the other, of polygons all vertices x y x y ...: a view, whose changes the next call sees. Take it anew after anything that
    * may allocate, as memory that grows detaches older views.
    */
   readonly numbers: T;
@@ -229,9 +258,23 @@ export class Vesica {
    * float32 has none so great, and then the shape is invalid.
    */
   shapes(
-    kind: Kind,
+    kind: NumberKind,
     source: ArrayLike<number> | readonly (Shape | readonly number[])[] | number,
     options?: { scalar?: Scalar },
+  ): ShapeArray;
+  shapes(
+    kind: 'polygon' | 'polyline',
+    source: ArrayLike<number> | readonly (Polygon | Polyline | Coordinates)[],
+    options?: Offsets & { scalar?: Scalar },
+  ): ShapeArray;
+  /** An array from vertices x y x y ..., and each or rings; or from plain objects or coordinates. */
+  polygons(
+    source: ArrayLike<number> | readonly (Polygon | Coordinates)[],
+    options?: Offsets & { scalar?: Scalar },
+  ): ShapeArray;
+  polylines(
+    source: ArrayLike<number> | readonly (Polyline | Coordinates)[],
+    options?: Offsets & { scalar?: Scalar },
   ): ShapeArray;
   /**
    * Rectangles from boxes, or the ellipses that touch their sides in the middle. A box is five numbers: centre x, y,

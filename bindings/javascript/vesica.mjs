@@ -5,12 +5,13 @@ import { Index } from './index.mjs';
 import * as measures from './measures.mjs';
 import { bytesOf, Memory, Room } from './memory.mjs';
 import * as motion from './motion.mjs';
-import { distanceFor, fields, flat, kindNumber, kinds, numbersOf, scalars } from './shapes.mjs';
+import { isPath, partsOf, partsOfMany, polygon, polyline, ringsIn, writePath, writePaths } from './paths.mjs';
+import { checkRoom, distanceFor, fields, flat, kindNumber, kinds, numbersOf, scalars } from './shapes.mjs';
 import { aabb, capsule, circle, ellipse, point, rect, roundRect, segment, ShapeArray, shapesSize } from './shapes.mjs';
 import * as topology from './topology.mjs';
 
 const { casts } = motion, { ratios } = measures, { withins } = topology;
-export { aabb, capsule, circle, ellipse, point, rect, roundRect, segment };
+export { aabb, capsule, circle, ellipse, point, polygon, polyline, rect, roundRect, segment };
 export { casts, constants, fields, Index, kinds, ratios, ShapeArray, withins };
 
 /** Names of relations, by the numbers that arrays have. */
@@ -100,9 +101,10 @@ export class Vesica {
 
   // ---- Shapes ----
 
-  shapes(kind, source, { scalar = 'f64' } = {}) {
+  shapes(kind, source, { scalar = 'f64', ...offsets } = {}) {
     const isScalar = scalar === 'f64' || scalar === 'f32';
     if (!isScalar) throw new TypeError(`scalar is 'f64' or 'f32', not ${JSON.stringify(scalar)}`);
+    if (isPath({ kind })) return this.#paths(kind, source, scalar, offsets);
     const numbers = typeof source === 'number' ? null : this.#memory.apart(flat(kind, source, scalar));
     const width = fields[kinds[kindNumber(kind)]].length;
     const count = numbers === null ? source : numbers.length / width;
@@ -112,11 +114,37 @@ export class Vesica {
     const blocks = [[address, size]];
     this.check(this.c[`vesica_shapes_from_records_${scalar}`](kindNumber(kind), BigInt(count), base, stride, address));
     const free = () => this.release(made, blocks);
-    const made = new ShapeArray(this.#memory, kind, scalar, count, address, base, free);
+    const made = new ShapeArray(this.#memory, kind, scalar, count, address, base, free, count * width);
     this.own(made, blocks);
     if (numbers === null) made.numbers.fill(0); // memory that was given back has what was there
     else made.numbers.set(numbers);
     return made;
+  }
+
+  /** Polygons or polylines: their struct, vertices and offsets in one block. */
+  #paths(kind, source, scalar, offsets) {
+    const parts = partsOfMany(kind, this.#memory.apart(source), offsets), { count, each, isPlain } = parts;
+    const vertices = isPlain ? checkRoom(parts.vertices, scalar) : this.#memory.apart(parts.vertices);
+    const Numbers = scalars[scalar], width = Numbers.BYTES_PER_ELEMENT, { rings = [], polygons = [] } = parts;
+    const at = structSize + vertices.length * width, size = at + 4 * (rings.length + polygons.length);
+    const address = this.#memory.take(size), base = address + structSize, ends = address + at;
+    const blocks = [[address, size]], free = () => this.release(made, blocks);
+    new Numbers(this.#memory.buffer, base, vertices.length).set(vertices);
+    new Int32Array(this.#memory.buffer, ends, rings.length).set(rings);
+    new Int32Array(this.#memory.buffer, ends + 4 * rings.length, polygons.length).set(polygons);
+    const places = { rings: rings.length && ends, polygons: polygons.length && ends + 4 * rings.length };
+    writePaths(this.#memory, address, width, { kind: kindNumber(kind), count, vertices: base, each, ...places });
+    const length = vertices.length, ringsOf = ringsIn(parts);
+    const made = new ShapeArray(this.#memory, kind, scalar, count, address, base, free, length, ringsOf);
+    this.own(made, blocks);
+    return made;
+  }
+
+  polygons(source, options) {
+    return this.shapes('polygon', source, options);
+  }
+  polylines(source, options) {
+    return this.shapes('polyline', source, options);
   }
 
   shapesFromBoxes(kind, boxes, options) {
@@ -341,8 +369,9 @@ export class Vesica {
     for (const [address, size] of blocks) this.#memory.give(address, size);
   }
 
-  /** [kind, address of its numbers] of a plain object. */
+  /** [kind, address of its struct] of a plain object. */
   record(shape, room) {
+    if (isPath(shape)) return [kindNumber(shape.kind), this.#path(shape, 'f64', room)];
     const numbers = numbersOf(shape), address = room.take(8 * numbers.length), { doubles } = this.#memory;
     for (let i = 0; i < numbers.length; ++i) doubles[address / 8 + i] = numbers[i];
     return [kindNumber(shape.kind), address];
@@ -361,12 +390,30 @@ export class Vesica {
     return operands;
   }
 
+  /** The struct of one polygon or polyline, its vertices and offsets. */
+  #path(shape, scalar, room) {
+    const { vertices, rings } = partsOf(shape), Numbers = scalars[scalar], width = Numbers.BYTES_PER_ELEMENT;
+    const [base, ends, address] = [width * vertices.length, 4 * rings.length, 24].map((size) => room.take(size));
+    new Numbers(this.#memory.buffer, base, vertices.length).set(checkRoom(vertices, scalar));
+    new Int32Array(this.#memory.buffer, ends, rings.length).set(rings);
+    writePath(this.#memory, address, width, base, ends, rings.length - 1);
+    return address;
+  }
+
   #struct(shape, scalar, room) {
+    if (isPath(shape)) return this.#structOfPath(shape, scalar, room);
     const numbers = numbersOf(shape, scalar), Numbers = scalars[scalar];
     const base = room.take(8 * numbers.length), address = room.take(shapesSize);
     new Numbers(this.#memory.buffer, base, numbers.length).set(numbers);
     const stride = numbers.length * Numbers.BYTES_PER_ELEMENT;
     this.check(this.c[`vesica_shapes_from_records_${scalar}`](kindNumber(shape.kind), 1n, base, stride, address));
+    return address;
+  }
+
+  /** An array of one struct. */
+  #structOfPath(shape, scalar, room) {
+    const of = this.#path(shape, scalar, room), address = room.take(shapesSize);
+    this.check(this.c[`vesica_shapes_from_records_${scalar}`](kindNumber(shape.kind), 1n, of, 24, address));
     return address;
   }
 
@@ -430,10 +477,17 @@ export class Vesica {
     });
   }
 
-  /** The points that a function of two shapes writes. No two of these kinds have more than 8. */
+  /** The points that a function of two shapes writes. Only paths have more than 8, and then it is asked again. */
   pointsOf(name, a, b, room, ...more) {
-    const most = 8, operands = [...this.record(a, room), ...this.record(b, room)], out = room.take(16 * most);
-    const count = this.check(Number(this.#inDouble(name)(...operands, out, BigInt(most), ...more)));
+    const operands = [...this.record(a, room), ...this.record(b, room)];
+    let most = 8, out = room.take(16 * most);
+    const ask = () => this.check(Number(this.#inDouble(name)(...operands, out, BigInt(most), ...more)));
+    let count = ask();
+    if (count > most) {
+      most = count;
+      out = room.take(16 * most);
+      count = ask();
+    }
     const numbers = this.#read(out, 2 * count);
     return Array.from({ length: count }, (_, i) => ({ x: numbers[2 * i], y: numbers[2 * i + 1] }));
   }

@@ -2,7 +2,8 @@
 // Whatever is passed, a call returns or throws an Error of JavaScript's; afterwards the module is as it was.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { aabb, capsule, circle, ellipse, fields, kinds, load, point, ratios, rect, roundRect, segment } from 'vesica';
+import { aabb, capsule, circle, ellipse, fields, kinds, load, point, polygon, polyline } from 'vesica';
+import { ratios, rect, roundRect, segment } from 'vesica';
 
 const vesica = await load();
 const calls = +(process.env.VESICA_CALLS ?? 5000);
@@ -21,8 +22,10 @@ function value() {
     () => circle(pick(numbers), pick(numbers), pick(numbers)),
     () => capsule(pick(numbers), pick(numbers), pick(numbers), pick(numbers), pick(numbers)),
     () => roundRect(...some()),
-    () => vesica.shapes(kind, some().slice(0, 2 * fields[kind].length)),
+    () => vesica.shapes(kind, some().slice(0, 2 * (fields[kind]?.length ?? 4)), { each: 4 }),
     () => vesica.shapes(kind, 3, { scalar: 'f32' }),
+    () => polygon(some(), pick([undefined, [0, 7], [0, 3, 6], some()])),
+    () => vesica.polylines(some(), { rings: pick([[0, 7], [0, 3, 6], some()]) }),
     () => vesica.shapes('rect', [rect(0, 0, 2, 1), rect(1, 0, 2, 1)]),
   ];
   return pick([
@@ -38,6 +41,7 @@ const one = () => pick([
   () => point(some(), some()), () => circle(some(), some(), below(4)), () => aabb(some(), some(), 4, 4),
   () => segment(some(), some(), some(), some()), () => rect(some(), some(), below(4), below(4), some()),
   () => ellipse(some(), some(), below(4), below(4), some()),
+  () => polygon([some(), some(), some(), some(), some(), some()]), () => polyline([some(), some(), some(), some()]),
 ])();
 const many = (scalar) =>
   vesica.shapes('rect', Array.from({ length: 2 }, () => rect(some(), some(), 1 + below(3), 2, some())), { scalar });
@@ -50,6 +54,8 @@ const angles = () => ({ [pick(['degrees', 'quarters', 'reverse'])]: true });
 const fitting = {
   shapes: () => ['point', [some(), some()], { scalar: scalar() }],
   shapesFromBoxes: () => [pick(['rect', 'ellipse']), boxes(), angles()],
+  polygons: () => [[one(), [[some(), some()]]].slice(below(2)), { scalar: scalar() }],
+  polylines: () => [velocity(), { rings: [0, below(2)] }],
   boxes: () => [many(scalar()), angles()],
   corners: () => [many(scalar())],
   within: () => [oneOrMany(), oneOrMany(), below(4)],

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a program in TypeScript may write, and what it may not: read by tsc, never run.
-import { capsule, circle, ellipse, load, rect, roundRect } from 'vesica';
+import { capsule, circle, ellipse, load, polygon, polyline, rect, roundRect } from 'vesica';
 import type { Crossings, FirstImpact, ImpactTime, Outcome, Relation, Shape, ShapeArray, Within } from 'vesica';
 import { loadMethods } from 'vesica/methods';
 
@@ -23,6 +23,11 @@ const matrix: boolean = vesica.de9imMatch(vesica.de9im(car, car), 'T********');
 const left: number[] = vesica.nmsSoft(cars, [1, 2], 0.5, { decay: 'gaussian' }).scores;
 const corners: { x: number; y: number }[] = vesica.intersection(car, car);
 const signed: Float64Array | Float32Array = vesica.signedDistance(cars, car);
+const zone = polygon([[[0, 0], [9, 0], [9, 9]], [[1, 1], [2, 1], [2, 2]]]), street = polyline([0, 0, 9, 9]);
+const zones: ShapeArray = vesica.polygons([zone, [[0, 0], [1, 0], [0, 1]]], { scalar: 'f32' });
+const quads: ShapeArray = vesica.shapes('polygon', new Float64Array(16), { each: 4 });
+const crossed: Uint8Array = vesica.overlap(vesica.polylines([0, 0, 1, 1], { rings: Int32Array.of(0, 2) }), street);
+const inZone: boolean = vesica.contains(zone, car);
 const methods = await loadMethods();
 const bound: number = methods.ellipseEllipseAnyAxes(ellipse(0, 0, 2, 1), ellipse(1, 0, 2, 1), 3).outlineError;
 const turned: ShapeArray = vesica.shapesFromBoxes('ellipse', [[0, 0, 4, 2, 1]], { quarters: true });
@@ -47,6 +52,8 @@ vesica.cast(car, car, [[1], [0]]);
 (some: ShapeArray | Shape) => vesica.overlap(some, some);
 // @ts-expect-error: no such kind
 vesica.shapes('square', 1);
+// @ts-expect-error: circles have no rings
+vesica.shapes('circle', [0, 0, 1], { rings: [0, 1] });
 // @ts-expect-error: not a shape
 vesica.overlap({ kind: 'circle', x: 1 }, car);
 // @ts-expect-error: no such query
@@ -64,5 +71,6 @@ vesica.cast(car, car, 1);
 vesica.impactTime(car, [0, 0], car, [1, 0], 1e-6);
 
 export { a, b, bound, count, distance, distances, hit, hits, places, raw, relation, wrong };
+export { crossed, inZone, quads, zones };
 export { corners, impact, left, matrix, near, rounded, signed };
 export { kept, ofEither, outcome, overSmaller, times, turned, turning };

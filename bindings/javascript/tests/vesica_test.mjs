@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { aabb, capsule, circle, ellipse, point, rect, roundRect, segment } from 'vesica';
+import { aabb, capsule, circle, ellipse, point, polygon, polyline, rect, roundRect, segment } from 'vesica';
 import { constants, fields, kinds, load, relations, VesicaError } from 'vesica';
 
 const vesica = await load();
@@ -22,11 +22,13 @@ function randomShape(kind) {
     ellipse: () => ellipse(x, y, w, h, angle),
     capsule: () => capsule(x, y, x + w, y + h, w / 4),
     round_rect: () => roundRect(x, y, Math.cos(angle), Math.sin(angle), w, h, w / 4),
+    polygon: () => polygon([[x, y], [x + w, y], [x, y + h]]),
+    polyline: () => polyline([[x, y], [x + w, y + h]]),
   }[kind]();
 }
 
-/** Whether a shape has a radius about it, so that not all questions are for it. */
-const isRounded = (kind) => kind === 'capsule' || kind === 'round_rect';
+/** Are some questions not for a kind? */
+const isLimited = (kind) => ['capsule', 'round_rect', 'polyline'].includes(kind);
 
 test('known answers', () => {
   assert.equal(vesica.overlap(a, b), true);
@@ -67,7 +69,7 @@ test('both modules say the same', async () => {
   const plain = await load({ simd: false });
   assert.deepEqual([vesica.isa, plain.isa], ['simd128', 'portable']);
   for (const scalar of ['f64', 'f32']) {
-    for (const kind of ['circle', 'aabb', 'rect', 'ellipse', 'capsule', 'round_rect']) {
+    for (const kind of ['circle', 'aabb', 'rect', 'ellipse', 'capsule', 'round_rect', 'polygon']) {
       const shapes = Array.from({ length: 100 }, () => randomShape(kind));
       const [fast, slow] = [vesica, plain].map((library) => library.shapes(kind, shapes, { scalar }));
       for (const name of ['overlapMatrix', 'relationMatrix', 'iouMatrix']) {
@@ -153,7 +155,7 @@ test('arrays say what single shapes say', () => {
       const first = Array.from({ length: 9 }, () => randomShape(kindA)),
         second = Array.from({ length: 9 }, () => randomShape(kindB));
       const many = [vesica.shapes(kindA, first), vesica.shapes(kindB, second)];
-      const hasAll = !isRounded(kindA) && !isRounded(kindB);
+      const hasAll = !isLimited(kindA) && !isLimited(kindB);
       const hasRelation = hasAll || (kindA !== 'ellipse' && kindB !== 'ellipse');
       const hits = vesica.overlap(...many), matrix = vesica.overlapMatrix(...many);
       const near = vesica.nearest(...many), depths = vesica.depth(...many);

@@ -10,8 +10,24 @@ import java.util.List;
  * @param shared whether they have a stretch in common
  */
 public record Crossings(List<Point> places, boolean shared) {
-  /** No two of these kinds have more places, or more vertices of a shared region. */
+  /** No two shapes but polygons and polylines have more places, or more vertices of a shared region. */
   static final int MOST = 8;
+
+  /** What writes as many points as there is room for, and says how many there are. */
+  interface Writer {
+    long write(double[] out, long room);
+  }
+
+  /** All points that are written. It is asked again if they are more than MOST. */
+  static List<Point> points(Writer writer) {
+    double[] out = new double[2 * MOST];
+    long count = writer.write(out, MOST);
+    if (count > MOST) {
+      out = new double[Math.multiplyExact(2, Math.toIntExact(count))];
+      count = writer.write(out, count);
+    }
+    return points(out, count);
+  }
 
   /** The first points of x0 y0 x1 y1 ... */
   static List<Point> points(double[] numbers, long count) {

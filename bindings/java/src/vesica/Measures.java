@@ -12,7 +12,7 @@ public final class Measures {
   /** A ratio of two shapes. An exception, if the shape whose area divides has none, or neither has. */
   public static double ratio(Ratio ratio, Shape a, Shape b) {
     double[] out = new double[1];
-    checked(Native.ratioF64(ratio.value, a.kind().value, a.numbers(), b.kind().value, b.numbers(), out));
+    checked(Native.ratioF64(ratio.value, a.kind().value, Path.lent(a), b.kind().value, Path.lent(b), out));
     return out[0];
   }
 
@@ -116,7 +116,7 @@ public final class Measures {
   /** The distance of two shapes or, below 0, how deep they overlap. */
   public static double signedDistance(Shape a, Shape b) {
     double[] out = new double[1];
-    checked(Native.signedDistanceF64(a.kind().value, a.numbers(), b.kind().value, b.numbers(), out));
+    checked(Native.signedDistanceF64(a.kind().value, Path.lent(a), b.kind().value, Path.lent(b), out));
     return out[0];
   }
 
@@ -138,7 +138,7 @@ public final class Measures {
    */
   public static Within within(Shape a, Shape b, double distance) {
     int kindA = a.kind().value, kindB = b.kind().value;
-    return Within.of((int) checked(Native.withinF64(kindA, a.numbers(), kindB, b.numbers(), distance)));
+    return Within.of((int) checked(Native.withinF64(kindA, Path.lent(a), kindB, Path.lent(b), distance)));
   }
 
   /**

@@ -56,7 +56,7 @@ public record Motion(double vx, double vy, double end) {
     int kindA = a.kind().value, kindB = b.kind().value;
     double[] byA = {turnA.vx(), turnA.vy(), turnA.angle()}, byB = {turnB.vx(), turnB.vy(), turnB.angle()};
     long code =
-        checked(Native.impactTimeF64(kindA, a.numbers(), byA, kindB, b.numbers(), byB, tolerance, out, gap));
+        checked(Native.impactTimeF64(kindA, Path.lent(a), byA, kindB, Path.lent(b), byB, tolerance, out, gap));
     return new ImpactTime(Cast.of((int) code), Impact.of(out), gap[0]);
   }
 
@@ -64,7 +64,7 @@ public record Motion(double vx, double vy, double end) {
   public Contact cast(Shape a, Shape b) {
     double[] out = new double[5];
     int kindA = a.kind().value, kindB = b.kind().value;
-    long code = checked(Native.castF64(kindA, a.numbers(), kindB, b.numbers(), vx, vy, end, out));
+    long code = checked(Native.castF64(kindA, Path.lent(a), kindB, Path.lent(b), vx, vy, end, out));
     return new Contact(Cast.of((int) code), Impact.of(out));
   }
 
@@ -87,7 +87,7 @@ public record Motion(double vx, double vy, double end) {
   /** A box that holds a shape throughout its motion. */
   public Aabb bounds(Shape shape) {
     double[] out = new double[4];
-    checked(Native.sweepBoundsF64(shape.kind().value, shape.numbers(), vx, vy, end, out));
+    checked(Native.sweepBoundsF64(shape.kind().value, Path.lent(shape), vx, vy, end, out));
     return Aabb.of(out);
   }
 

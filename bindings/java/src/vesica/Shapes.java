@@ -2,13 +2,14 @@
 package vesica;
 
 import java.nio.Buffer;
+import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.DoubleBuffer;
 import java.nio.FloatBuffer;
 
 /**
  * An array of shapes of one kind, in double or float: numbers that lie in an array or a direct buffer of the caller's.
- * Nothing is copied, and changes of the numbers are seen.
+ * Nothing is copied, and changes of the numbers are seen. Only the vertices of polygons and polylines are copied, once.
  *
  * <p>While a call lasts, arrays keep the collector waiting. For calls of seconds use direct buffers.
  */
@@ -38,8 +39,20 @@ public final class Shapes {
     this.step = step * size;
   }
 
-  /** How many numbers a shape of a kind has. */
+  private Shapes(Kind kind, long count, boolean wide, ByteBuffer structs) {
+    this.kind = kind.value;
+    this.count = count;
+    this.wide = wide;
+    base = structs;
+    stride = Path.STRUCT;
+    step = length = 0;
+  }
+
+  /** How many numbers a shape of a kind has. Polygons and polylines, which have any number, are refused. */
   public static int fields(Kind kind) {
+    if (Path.is(kind)) {
+      throw new IllegalArgumentException("a " + kind + " has any number of vertices: paths() and evenPaths() take them");
+    }
     return FIELDS[kind.value];
   }
 
@@ -55,12 +68,15 @@ public final class Shapes {
 
   /** The same from single shapes, whose numbers are copied once. */
   public static Shapes of(Kind kind, Shape... shapes) {
-    int fields = fields(kind);
-    double[] numbers = new double[fields * shapes.length];
     for (int i = 0; i < shapes.length; i++) {
       if (shapes[i].kind() != kind) {
         throw new IllegalArgumentException("shape " + i + " is a " + shapes[i].kind() + ", not a " + kind);
       }
+    }
+    if (Path.is(kind)) return new Shapes(kind, shapes.length, true, Path.joined(shapes));
+    int fields = fields(kind);
+    double[] numbers = new double[fields * shapes.length];
+    for (int i = 0; i < shapes.length; i++) {
       System.arraycopy(shapes[i].numbers(), 0, numbers, i * fields, fields);
     }
     return of(kind, numbers);
@@ -86,6 +102,34 @@ public final class Shapes {
     return new Shapes(kind, count, 1, count, numbers);
   }
 
+  /**
+   * Polygons or polylines of as many vertices each, in one ring or chain: 4 of quads, 3 of triangles.
+   *
+   * @param vertices x y x y ..., as numbers elsewhere; they are copied
+   */
+  public static Shapes evenPaths(Kind kind, Object vertices, int each) {
+    int count = Path.count(vertices);
+    if (each < 1 || count % each != 0) {
+      throw new IllegalArgumentException(count + " vertices are no paths of " + each);
+    }
+    int[] rings = new int[count / each + 1];
+    for (int i = 0; i < rings.length; i++) rings[i] = i * each;
+    return paths(kind, vertices, rings, null);
+  }
+
+  /**
+   * Polygons or polylines of any number of vertices, by the offsets of GeoArrow.
+   *
+   * @param vertices x y x y ..., as numbers elsewhere; they are copied
+   * @param rings where each ring or chain begins among the vertices, with the end
+   * @param parts where each shape begins among the rings, with the end; null if a ring is a shape
+   */
+  public static Shapes paths(Kind kind, Object vertices, int[] rings, int[] parts) {
+    if (!Path.is(kind)) throw new IllegalArgumentException("a " + kind + " has no rings");
+    ByteBuffer structs = Path.structs(vertices, rings, parts);
+    return new Shapes(kind, (parts == null ? rings : parts).length - 1, isWide(vertices), structs);
+  }
+
   /** How many shapes there are. */
   public long count() {
     return count;
@@ -96,7 +140,7 @@ public final class Shapes {
     return numbers instanceof double[] || numbers instanceof DoubleBuffer;
   }
 
-  private static native long address(Object buffer);
+  static native long address(Object buffer);
 
   /** Whether an output of so many numbers lies where these do. */
   boolean meets(Object out, long needed) {

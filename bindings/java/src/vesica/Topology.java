@@ -15,7 +15,7 @@ public final class Topology {
   /** The nine-intersection matrix, as geographic systems have it, such as "FF2F11212". Exact. */
   public static String de9im(Shape a, Shape b) {
     byte[] out = new byte[CHARACTERS + 1];
-    checked(Native.de9imF64(a.kind().value, a.numbers(), b.kind().value, b.numbers(), out));
+    checked(Native.de9imF64(a.kind().value, Path.lent(a), b.kind().value, Path.lent(b), out));
     return new String(out, 0, CHARACTERS, StandardCharsets.US_ASCII);
   }
 
@@ -37,11 +37,8 @@ public final class Topology {
    * segments, boxes and rectangles, or of a point or a segment and any shape.
    */
   public static List<Point> intersection(Shape a, Shape b) {
-    double[] out = new double[2 * Crossings.MOST];
-    long count =
-        checked(
-            Native.intersectionF64(
-                a.kind().value, a.numbers(), b.kind().value, b.numbers(), out, Crossings.MOST));
-    return Crossings.points(out, count);
+    int kindA = a.kind().value, kindB = b.kind().value;
+    return Crossings.points(
+        (out, room) -> checked(Native.intersectionF64(kindA, Path.lent(a), kindB, Path.lent(b), out, room)));
   }
 }

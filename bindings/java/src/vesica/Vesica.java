@@ -6,6 +6,7 @@ import static vesica.VesicaException.checked;
 import java.nio.Buffer;
 import java.nio.ReadOnlyBufferException;
 import java.util.Arrays;
+import java.util.List;
 
 /**
  * Exact overlap queries between plain 2D shapes.
@@ -31,86 +32,85 @@ public final class Vesica {
 
   /** Do two shapes share a point? Touching counts. Exact. */
   public static boolean overlap(Shape a, Shape b) {
-    return checked(Native.overlapF64(a.kind().value, a.numbers(), b.kind().value, b.numbers())) == 1;
+    return checked(Native.overlapF64(a.kind().value, Path.lent(a), b.kind().value, Path.lent(b))) == 1;
   }
 
   /** Do the insides of two shapes share a point? Touching does not count. Exact. */
   public static boolean interiorsOverlap(Shape a, Shape b) {
-    return checked(Native.interiorsOverlapF64(a.kind().value, a.numbers(), b.kind().value, b.numbers())) == 1;
+    return checked(Native.interiorsOverlapF64(a.kind().value, Path.lent(a), b.kind().value, Path.lent(b))) == 1;
   }
 
   /** How does a relate to b? Exact. */
   public static Relation relation(Shape a, Shape b) {
-    return Relation.of((int) checked(Native.relationF64(a.kind().value, a.numbers(), b.kind().value, b.numbers())));
+    return Relation.of((int) checked(Native.relationF64(a.kind().value, Path.lent(a), b.kind().value, Path.lent(b))));
   }
 
   /** Does a hold all of b? Equal shapes do. Exact. */
   public static boolean contains(Shape a, Shape b) {
-    return checked(Native.containsF64(a.kind().value, a.numbers(), b.kind().value, b.numbers())) == 1;
+    return checked(Native.containsF64(a.kind().value, Path.lent(a), b.kind().value, Path.lent(b))) == 1;
   }
 
   /** The places where the outlines meet. Their number is exact. */
   public static Crossings crossings(Shape a, Shape b) {
-    double[] out = new double[2 * Crossings.MOST];
     int[] shared = new int[1];
-    long count =
-        checked(
-            Native.crossingsF64(
-                a.kind().value, a.numbers(), b.kind().value, b.numbers(), out, Crossings.MOST, shared));
-    return new Crossings(Crossings.points(out, count), shared[0] != 0);
+    int kindA = a.kind().value, kindB = b.kind().value;
+    List<Point> places =
+        Crossings.points(
+            (out, room) -> checked(Native.crossingsF64(kindA, Path.lent(a), kindB, Path.lent(b), out, room, shared)));
+    return new Crossings(places, shared[0] != 0);
   }
 
   /** How far are the solid shapes apart, and which of their points are closest? */
   public static ClosestPoints nearest(Shape a, Shape b) {
     double[] out = new double[5];
-    checked(Native.nearestF64(a.kind().value, a.numbers(), b.kind().value, b.numbers(), out));
+    checked(Native.nearestF64(a.kind().value, Path.lent(a), b.kind().value, Path.lent(b), out));
     return ClosestPoints.of(out);
   }
 
   /** How far are the outlines apart, that of a shape inside another too? */
   public static ClosestPoints boundaryDistance(Shape a, Shape b) {
     double[] out = new double[5];
-    checked(Native.boundaryDistanceF64(a.kind().value, a.numbers(), b.kind().value, b.numbers(), out));
+    checked(Native.boundaryDistanceF64(a.kind().value, Path.lent(a), b.kind().value, Path.lent(b), out));
     return ClosestPoints.of(out);
   }
 
   /** How far and in which direction must b move until it only touches a? */
   public static Penetration depth(Shape a, Shape b) {
     double[] out = new double[3];
-    checked(Native.depthF64(a.kind().value, a.numbers(), b.kind().value, b.numbers(), out));
+    checked(Native.depthF64(a.kind().value, Path.lent(a), b.kind().value, Path.lent(b), out));
     return Penetration.of(out);
   }
 
   /** The area that a and b share. */
   public static double area(Shape a, Shape b) {
     double[] out = new double[1];
-    checked(Native.areaF64(a.kind().value, a.numbers(), b.kind().value, b.numbers(), out));
+    checked(Native.areaF64(a.kind().value, Path.lent(a), b.kind().value, Path.lent(b), out));
     return out[0];
   }
 
   /** Intersection over union, from 0 to 1. */
   public static double iou(Shape a, Shape b) {
     double[] out = new double[1];
-    checked(Native.iouF64(a.kind().value, a.numbers(), b.kind().value, b.numbers(), out));
+    checked(Native.iouF64(a.kind().value, Path.lent(a), b.kind().value, Path.lent(b), out));
     return out[0];
   }
 
   /** Throws, with the first rule that it breaks, if a shape is invalid. */
   public static void check(Shape shape) {
-    checked(Native.checkF64(shape.kind().value, shape.numbers()));
+    checked(Native.checkF64(shape.kind().value, Path.lent(shape)));
   }
 
   /** The area of one shape. */
   public static double shapeArea(Shape shape) {
     double[] out = new double[1];
-    checked(Native.shapeAreaF64(shape.kind().value, shape.numbers(), out));
+    checked(Native.shapeAreaF64(shape.kind().value, Path.lent(shape), out));
     return out[0];
   }
 
   /** The smallest box of doubles that contains a shape. */
   public static Aabb bounds(Shape shape) {
     double[] out = new double[4];
-    checked(Native.boundsF64(shape.kind().value, shape.numbers(), out));
+    checked(Native.boundsF64(shape.kind().value, Path.lent(shape), out));
     return Aabb.of(out);
   }
 

@@ -173,7 +173,7 @@ pub fn overlap_select<'b, S: Shape + ?Sized>(
     many: impl Into<Shapes<'b, S::Scalar>>,
     out: &mut [i64],
 ) -> Result<usize, Error> {
-    let (one, many) = (Shapes::packed(one.kind(), one.numbers())?, many.into());
+    let (one, many) = (Shapes::one(one), many.into());
     answer(|| unsafe { S::Scalar::overlap_select(&one.view, &many.view, out.as_mut_ptr(), out.len() as i64) })
 }
 
@@ -183,7 +183,7 @@ pub fn interiors_overlap_select<'b, S: Shape + ?Sized>(
     many: impl Into<Shapes<'b, S::Scalar>>,
     out: &mut [i64],
 ) -> Result<usize, Error> {
-    let (one, many) = (Shapes::packed(one.kind(), one.numbers())?, many.into());
+    let (one, many) = (Shapes::one(one), many.into());
     let (out, room) = (out.as_mut_ptr(), out.len() as i64);
     answer(|| unsafe { S::Scalar::interiors_overlap_select(&one.view, &many.view, out, room) })
 }

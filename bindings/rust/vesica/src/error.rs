@@ -26,6 +26,12 @@ pub enum Error {
     Range,
     /// Bytes are not an index of this version, or are damaged.
     Index,
+    /// A polygon has no vertex, or its offsets are negative, decrease, or exceed what they lead to.
+    Rings,
+    /// Edges of a polygon cross, or overlap along a stretch.
+    NotSimple,
+    /// A polygon is not convex, as the function requires.
+    NotConvex,
     /// Arrays in step have neither equal lengths nor one shape.
     Counts(usize, usize),
     /// An output has too little room.
@@ -53,6 +59,9 @@ impl Error {
             sys::VESICA_E_INVERTED => Error::Inverted,
             sys::VESICA_E_RANGE => Error::Range,
             sys::VESICA_E_INDEX => Error::Index,
+            sys::VESICA_E_RINGS => Error::Rings,
+            sys::VESICA_E_NOT_SIMPLE => Error::NotSimple,
+            sys::VESICA_E_NOT_CONVEX => Error::NotConvex,
             _ => Error::Unknown(code),
         }
     }
@@ -68,6 +77,9 @@ impl Error {
             Error::Inverted => sys::VESICA_E_INVERTED,
             Error::Range => sys::VESICA_E_RANGE,
             Error::Index => sys::VESICA_E_INDEX,
+            Error::Rings => sys::VESICA_E_RINGS,
+            Error::NotSimple => sys::VESICA_E_NOT_SIMPLE,
+            Error::NotConvex => sys::VESICA_E_NOT_CONVEX,
             Error::Unknown(code) => code,
             Error::Argument | Error::Counts(..) | Error::Room { .. } | Error::Older(_) => sys::VESICA_E_ARGUMENT,
         }
@@ -146,7 +158,7 @@ mod tests {
 
     #[test]
     fn codes_and_errors_agree() {
-        for code in sys::VESICA_E_INDEX..sys::VESICA_E_NULL {
+        for code in sys::VESICA_E_NOT_CONVEX..sys::VESICA_E_NULL {
             assert_eq!(Error::of(code).code(), code);
             assert!(!matches!(Error::of(code), Error::Unknown(_)));
         }

@@ -136,7 +136,7 @@ impl<'a, T: Scalar> Index<'a, T> {
 
     /// The items that one shape overlaps, in the index's order.
     pub fn select<S: Shape<Scalar = T> + ?Sized>(&self, one: &S) -> Result<Vec<i64>, Error> {
-        let one = Shapes::packed(one.kind(), one.numbers())?;
+        let one = Shapes::one(one);
         let (sets, count) = views(&self.sets);
         all_items(|to, room, state| {
             answer(|| unsafe { T::index_select(self.address(), sets, count, &one.view, to, room, state) })
@@ -145,7 +145,7 @@ impl<'a, T: Scalar> Index<'a, T> {
 
     /// The items that one moving shape touches, in the index's order.
     pub fn cast<S: Shape<Scalar = T> + ?Sized>(&self, one: &S, motion: Motion<T>) -> Result<Vec<i64>, Error> {
-        let one = Shapes::packed(one.kind(), one.numbers())?;
+        let one = Shapes::one(one);
         let ((sets, count), Motion { vx, vy, t_end }) = (views(&self.sets), motion);
         all_items(|to, room, state| {
             answer(|| unsafe { T::index_cast(self.address(), sets, count, &one.view, vx, vy, t_end, to, room, state) })
@@ -157,7 +157,7 @@ impl<'a, T: Scalar> Index<'a, T> {
     where
         S: Shape<Scalar = T> + ?Sized,
     {
-        let one = Shapes::packed(one.kind(), one.numbers())?;
+        let one = Shapes::one(one);
         let ((sets, count), Motion { vx, vy, t_end }) = (views(&self.sets), motion);
         let mut out = Impact::default();
         let (index, to) = (self.address(), &mut out);
@@ -170,7 +170,7 @@ impl<'a, T: Scalar> Index<'a, T> {
     where
         S: Shape<Scalar = T> + ?Sized,
     {
-        let one = Shapes::packed(one.kind(), one.numbers())?;
+        let one = Shapes::one(one);
         let k = k.min(self.len());
         let (mut items, mut distances) = (vec![0; k], vec![T::default(); k]);
         let (sets, count) = views(&self.sets);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //! Exact overlap queries between plain 2D shapes: points, segments, circles, boxes, rotated rectangles, ellipses,
-//! capsules and rounded rectangles, in `f64` and `f32`.
+//! capsules, rounded rectangles, polygons and polylines, in `f64` and `f32`.
 //!
 //! ```
 //! use vesica::{overlap, overlap_many, nearest, Circle, Rect};
@@ -34,6 +34,7 @@ mod error;
 mod index;
 mod measures;
 mod motion;
+mod path;
 mod query;
 mod shape;
 mod topology;
@@ -45,6 +46,7 @@ pub use error::Error;
 pub use index::{nearest_of_each, Index, JoinQuery};
 pub use measures::*;
 pub use motion::*;
+pub use path::{Polygon, Polyline};
 pub use query::*;
 pub use shape::{AnyShape, Kind, Shape, Shapes};
 pub use topology::*;

@@ -33,7 +33,7 @@ where
     B: Shape<Scalar = A::Scalar> + ?Sized,
 {
     let (kind_a, kind_b) = (a.kind() as i32, b.kind() as i32);
-    let (a, b) = (a.numbers().as_ptr().cast(), b.numbers().as_ptr().cast());
+    let (a, b) = (a.address(), b.address());
     filled(A::Scalar::default(), |out| unsafe { A::Scalar::ratio(which as i32, kind_a, a, kind_b, b, out) })
 }
 

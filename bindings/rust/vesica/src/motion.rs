@@ -52,7 +52,7 @@ where
     B: Shape<Scalar = A::Scalar> + ?Sized,
 {
     let (kind_a, kind_b) = (a.kind() as i32, b.kind() as i32);
-    let (a, b) = (a.numbers().as_ptr().cast(), b.numbers().as_ptr().cast());
+    let (a, b) = (a.address(), b.address());
     let (mut out, Motion { vx, vy, t_end }) = (Impact::default(), motion);
     let code = answer(|| unsafe { A::Scalar::cast(kind_a, a, kind_b, b, vx, vy, t_end, &mut out) })?;
     Ok((CASTS[code], out))
@@ -92,7 +92,7 @@ pub fn cast_first<'b, S: Shape + ?Sized>(
     many: impl Into<Shapes<'b, S::Scalar>>,
     motion: Motion<S::Scalar>,
 ) -> Result<Option<(usize, Impact<S::Scalar>)>, Error> {
-    let (one, many) = (Shapes::packed(one.kind(), one.numbers())?, many.into());
+    let (one, many) = (Shapes::one(one), many.into());
     let (mut out, Motion { vx, vy, t_end }) = (Impact::default(), motion);
     let item = answer(|| unsafe { S::Scalar::cast_first(&one.view, &many.view, vx, vy, t_end, &mut out) })?;
     Ok(first(item, many.len(), out))
@@ -123,7 +123,7 @@ where
     B: Shape<Scalar = A::Scalar> + ?Sized,
 {
     let (kind_a, kind_b) = (a.kind() as i32, b.kind() as i32);
-    let (a, b) = (a.numbers().as_ptr().cast(), b.numbers().as_ptr().cast());
+    let (a, b) = (a.address(), b.address());
     let (mut out, mut gap) = (Impact::default(), A::Scalar::default());
     let code = answer(|| unsafe {
         A::Scalar::impact_time(kind_a, a, &turn_a, kind_b, b, &turn_b, tolerance, &mut out, &mut gap)
@@ -133,6 +133,6 @@ where
 
 /// A box that holds a shape throughout its motion.
 pub fn sweep_bounds<S: Shape + ?Sized>(shape: &S, motion: Motion<S::Scalar>) -> Result<Aabb<S::Scalar>, Error> {
-    let (kind, numbers, Motion { vx, vy, t_end }) = (shape.kind() as i32, shape.numbers().as_ptr().cast(), motion);
-    filled(Aabb::default(), |out| unsafe { S::Scalar::sweep_bounds(kind, numbers, vx, vy, t_end, out) })
+    let (kind, address, Motion { vx, vy, t_end }) = (shape.kind() as i32, shape.address(), motion);
+    filled(Aabb::default(), |out| unsafe { S::Scalar::sweep_bounds(kind, address, vx, vy, t_end, out) })
 }

@@ -68,9 +68,12 @@ where
     B: Shape<Scalar = A::Scalar> + ?Sized,
 {
     let (kind_a, kind_b, mut found, mut shared) = (a.kind() as i32, b.kind() as i32, Crossings::default(), 0);
-    let (a, b) = (a.numbers().as_ptr().cast(), b.numbers().as_ptr().cast());
+    let (a, b) = (a.address(), b.address());
     let (to, room) = (found.places.as_mut_ptr().cast(), found.places.len() as i64);
     found.count = answer(|| unsafe { A::Scalar::crossings(kind_a, a, kind_b, b, to, room, &mut shared) })?;
+    if found.count > found.places.len() {
+        return Err(Error::Room { needed: found.count, given: found.places.len() });
+    }
     found.shared = shared == 1;
     Ok(found)
 }
@@ -85,7 +88,7 @@ where
     B: Shape<Scalar = A::Scalar> + ?Sized,
 {
     let (kind_a, kind_b) = (a.kind() as i32, b.kind() as i32);
-    answer(|| unsafe { function(kind_a, a.numbers().as_ptr().cast(), kind_b, b.numbers().as_ptr().cast()) })
+    answer(|| unsafe { function(kind_a, a.address(), kind_b, b.address()) })
 }
 
 #[inline]
@@ -95,7 +98,7 @@ where
     B: Shape<Scalar = A::Scalar> + ?Sized,
 {
     let (kind_a, kind_b) = (a.kind() as i32, b.kind() as i32);
-    let (a, b) = (a.numbers().as_ptr().cast(), b.numbers().as_ptr().cast());
+    let (a, b) = (a.address(), b.address());
     filled(R::default(), |out| unsafe { function(kind_a, a, kind_b, b, out) })
 }
 
@@ -140,17 +143,17 @@ of_two! {
 
 /// Is a shape valid? If not, the error is the first rule that it breaks.
 pub fn check<S: Shape + ?Sized>(shape: &S) -> Result<(), Error> {
-    answer(|| unsafe { S::Scalar::check(shape.kind() as i32, shape.numbers().as_ptr().cast()) }).map(drop)
+    answer(|| unsafe { S::Scalar::check(shape.kind() as i32, shape.address()) }).map(drop)
 }
 
 /// The area of one shape.
 pub fn shape_area<S: Shape + ?Sized>(shape: &S) -> Result<S::Scalar, Error> {
-    let (kind, numbers) = (shape.kind() as i32, shape.numbers());
-    filled(S::Scalar::default(), |out| unsafe { S::Scalar::shape_area(kind, numbers.as_ptr().cast(), out) })
+    let (kind, address) = (shape.kind() as i32, shape.address());
+    filled(S::Scalar::default(), |out| unsafe { S::Scalar::shape_area(kind, address, out) })
 }
 
 /// The smallest box of representable numbers that contains a shape.
 pub fn bounds<S: Shape + ?Sized>(shape: &S) -> Result<Aabb<S::Scalar>, Error> {
-    let (kind, numbers) = (shape.kind() as i32, shape.numbers());
-    filled(Aabb::default(), |out| unsafe { S::Scalar::bounds(kind, numbers.as_ptr().cast(), out) })
+    let (kind, address) = (shape.kind() as i32, shape.address());
+    filled(Aabb::default(), |out| unsafe { S::Scalar::bounds(kind, address, out) })
 }

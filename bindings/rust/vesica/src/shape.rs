@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //! One shape, and arrays of shapes as the library sees them.
 use crate::{Error, Scalar};
+use core::ffi::c_void;
 use core::marker::PhantomData;
 use core::slice;
 use vesica_sys::{self as sys, Aabb, Capsule, Circle, Ellipse, Point, Rect, RoundRect, Segment};
@@ -11,6 +12,10 @@ use vesica_sys::{self as sys, Aabb, Capsule, Circle, Ellipse, Point, Rect, Round
 /// `nearest`, `depth`, `signed_distance`, `within`, `cast`, `impact_time`, `sweep_bounds`, and `boundary_distance` but
 /// with an ellipse; the same holds of arrays. An index of them has joins by overlap or distance, `select`,
 /// `nearest` and casts. Other functions return [`Error::Kind`] for them.
+///
+/// [`Polygon`](crate::Polygon) and [`Polyline`](crate::Polyline) are for the same but `impact_time`, and for
+/// `boundary_distance` with any kind; polylines have no area. `depth` needs convex ones, else it is
+/// [`Error::NotConvex`]; so do `signed_distance` and `within` where they ask for a depth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[allow(missing_docs)]
 #[repr(i32)]
@@ -23,10 +28,12 @@ pub enum Kind {
     Ellipse = sys::VESICA_ELLIPSE,
     Capsule = sys::VESICA_CAPSULE,
     RoundRect = sys::VESICA_ROUND_RECT,
+    Polygon = sys::VESICA_POLYGON,
+    Polyline = sys::VESICA_POLYLINE,
 }
 
 impl Kind {
-    /// How many numbers a shape of this kind has.
+    /// How many numbers a shape of this kind has; 0 for polygons and polylines, which have any number.
     pub const fn fields(self) -> usize {
         match self {
             Kind::Point => 2,
@@ -35,6 +42,7 @@ impl Kind {
             Kind::Capsule => 5,
             Kind::Rect | Kind::Ellipse => 6,
             Kind::RoundRect => 7,
+            Kind::Polygon | Kind::Polyline => 0,
         }
     }
 }
@@ -42,7 +50,7 @@ impl Kind {
 /// One shape: a struct of the library's, or [`AnyShape`].
 ///
 /// # Safety
-/// `numbers` has at least as many numbers as the kind has.
+/// `numbers` has at least as many numbers as the kind has, and `address` leads to the kind's struct.
 pub unsafe trait Shape {
     /// `f64` or `f32`.
     type Scalar: Scalar;
@@ -50,6 +58,10 @@ pub unsafe trait Shape {
     fn kind(&self) -> Kind;
     /// Its numbers, in the order of its struct.
     fn numbers(&self) -> &[Self::Scalar];
+    /// Where its struct is.
+    fn address(&self) -> *const c_void {
+        self.numbers().as_ptr().cast()
+    }
 }
 
 /// A shape whose type says its kind, so that slices of it are arrays of shapes.
@@ -90,6 +102,9 @@ pub struct AnyShape<T> {
 impl<T: Scalar> AnyShape<T> {
     /// From a kind and as many numbers as it has.
     pub fn new(kind: Kind, numbers: &[T]) -> Result<Self, Error> {
+        if kind.fields() == 0 {
+            return Err(Error::Kind);
+        }
         if numbers.len() != kind.fields() {
             return Err(Error::Room { needed: kind.fields(), given: numbers.len() });
         }
@@ -116,7 +131,7 @@ unsafe impl<T: Scalar> Shape for AnyShape<T> {
 #[repr(transparent)]
 pub struct Shapes<'a, T> {
     pub(crate) view: sys::Shapes<T>,
-    memory: PhantomData<&'a T>,
+    pub(crate) memory: PhantomData<&'a T>,
 }
 
 impl<'a, T: Scalar> Shapes<'a, T> {
@@ -127,6 +142,9 @@ impl<'a, T: Scalar> Shapes<'a, T> {
 
     /// Records of `step` numbers each, of which the first are a shape's.
     pub fn records(kind: Kind, numbers: &'a [T], step: usize) -> Result<Self, Error> {
+        if kind.fields() == 0 {
+            return Err(Error::Kind);
+        }
         let longest = isize::MAX as usize / core::mem::size_of::<T>();
         if step < kind.fields() || step > longest || numbers.len() % step != 0 {
             return Err(Error::Room { needed: kind.fields().max(step), given: numbers.len() });
@@ -136,6 +154,9 @@ impl<'a, T: Scalar> Shapes<'a, T> {
 
     /// A column for each number of the kind, in its order, all of one length.
     pub fn columns(kind: Kind, columns: &[&'a [T]]) -> Result<Self, Error> {
+        if kind.fields() == 0 {
+            return Err(Error::Kind);
+        }
         if columns.len() != kind.fields() {
             return Err(Error::Room { needed: kind.fields(), given: columns.len() });
         }
@@ -150,8 +171,13 @@ impl<'a, T: Scalar> Shapes<'a, T> {
         Ok(shapes)
     }
 
+    /// An array of one shape.
+    pub(crate) fn one<S: Shape<Scalar = T> + ?Sized>(shape: &'a S) -> Self {
+        Self::at(shape.kind(), shape.address().cast(), 1, shape.kind().fields())
+    }
+
     /// `step` counts numbers. Fields lie one after the other.
-    fn at(kind: Kind, first: *const T, count: usize, step: usize) -> Self {
+    pub(crate) fn at(kind: Kind, first: *const T, count: usize, step: usize) -> Self {
         let mut field = [first; 8];
         for (i, place) in field.iter_mut().enumerate() {
             *place = first.wrapping_add(i);
@@ -175,7 +201,8 @@ impl<'a, T: Scalar> Shapes<'a, T> {
 
 impl<'a, S: KnownKind> From<&'a [S]> for Shapes<'a, S::Scalar> {
     fn from(shapes: &'a [S]) -> Self {
-        Shapes::at(S::KIND, shapes.as_ptr().cast(), shapes.len(), S::KIND.fields())
+        let step = core::mem::size_of::<S>() / core::mem::size_of::<S::Scalar>();
+        Shapes::at(S::KIND, shapes.as_ptr().cast(), shapes.len(), step)
     }
 }
 

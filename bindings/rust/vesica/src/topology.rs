@@ -32,7 +32,7 @@ where
     B: Shape<Scalar = A::Scalar> + ?Sized,
 {
     let (kind_a, kind_b) = (a.kind() as i32, b.kind() as i32);
-    let (a, b) = (a.numbers().as_ptr().cast(), b.numbers().as_ptr().cast());
+    let (a, b) = (a.address(), b.address());
     let code = answer(|| unsafe { A::Scalar::within(kind_a, a, kind_b, b, distance) })?;
     Ok([Within::No, Within::Yes, Within::Nearly][code])
 }
@@ -71,7 +71,7 @@ where
     B: Shape<Scalar = A::Scalar> + ?Sized,
 {
     let (kind_a, kind_b, mut text) = (a.kind() as i32, b.kind() as i32, [0; 10]);
-    let (a, b) = (a.numbers().as_ptr().cast(), b.numbers().as_ptr().cast());
+    let (a, b) = (a.address(), b.address());
     answer(|| unsafe { A::Scalar::de9im(kind_a, a, kind_b, b, text.as_mut_ptr()) })?;
     let mut matrix = [0; 9];
     matrix.copy_from_slice(&text[..9]);
@@ -113,9 +113,12 @@ where
     B: Shape<Scalar = A::Scalar> + ?Sized,
 {
     let (kind_a, kind_b, mut region) = (a.kind() as i32, b.kind() as i32, Region::default());
-    let (a, b) = (a.numbers().as_ptr().cast(), b.numbers().as_ptr().cast());
+    let (a, b) = (a.address(), b.address());
     let to = region.vertices.as_mut_ptr().cast();
     region.count = answer(|| unsafe { A::Scalar::intersection(kind_a, a, kind_b, b, to, 8) })?;
+    if region.count > region.vertices.len() {
+        return Err(Error::Room { needed: region.count, given: region.vertices.len() });
+    }
     Ok(region)
 }
 
