@@ -33,11 +33,11 @@ compile -r:Vesica.dll -out:VesicaTests.exe "$here"/tests/*.cs
   # The README's example, and what it gives.
   printf '%s\n' 'using System;' 'using System.Linq;' 'using Vesica;' 'static class Example { static void Main() {'
   sed -n '/^```csharp$/,/^```$/{/^```/!p}' "$here/README.md"
-  echo 'Console.WriteLine("{0} {1} {2} {3} {4} {5}", hit, far > 5, hits.All(x => x), ratio < 0, impact.T > 0,'
-  echo 'pairs.Length); } }'
+  echo 'Console.WriteLine("{0} {1} {2} {3} {4} {5} {6} {7}", hit, far > 5, hits.All(x => x), ratio < 0, impact.T > 0,'
+  echo 'pairs.Length, inside, met); } }'
 } >Example.cs
 compile -r:Vesica.dll -out:Example.exe Example.cs
-mono Example.exe | grep -Fx 'True True True True True 2'
+mono Example.exe | grep -Fx 'True True True True True 2 True 1'
 mono VesicaTests.exe "$here/../calls/calls.txt" "${VESICA_CALLS:-5000}"
 
 if [ -n "${VESICA_OLDER:-}" ]; then

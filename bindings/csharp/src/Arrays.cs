@@ -413,9 +413,7 @@ namespace Vesica
         internal static View ViewOf<S>(S one, double* numbers) where S : IShape
         {
             one.Write(numbers);
-            View view;
-            Shapes.At(one.Kind, one.IsDouble, (IntPtr)numbers, 1, 0).Pin(out view);
-            return view;
+            return Shapes.One(one.Kind, one.IsDouble, (IntPtr)numbers);
         }
 
         private static long[] Nms(Shapes shapes, void* scores, long given, bool wide, double threshold)

@@ -42,8 +42,8 @@ namespace Vesica
         internal delegate long PointQuery(bool wide, int kindA, void* a, int kindB, void* b, void* output,
             long capacity);
 
-        /// <summary>The points that a function of two shapes writes. No two of these kinds have more than
-        /// 8.</summary>
+        /// <summary>The points that a function of two shapes writes. It is asked again if they are more than 8, as only
+        /// those of polygons and polylines are.</summary>
         internal static Point[] PointsOf<A, B>(A a, B b, PointQuery function) where A : IShape where B : IShape
         {
             const int Most = 8;
@@ -52,7 +52,14 @@ namespace Vesica
             bool wide = Write(a, b, numbersA, numbersB);
             var points = new Point[Native.Checked(function(wide, (int)a.Kind, numbersA, (int)b.Kind, numbersB, n,
                 Most))];
-            for (int i = 0; i < points.Length; ++i) points[i] = new Point(At(wide, n, 2 * i), At(wide, n, 2 * i + 1));
+            fixed (double* more = points.Length > Most ? new double[2 * points.Length] : null)
+            {
+                if (more != null)
+                    Native.Checked(function(wide, (int)a.Kind, numbersA, (int)b.Kind, numbersB, more, points.Length));
+                double* all = more != null ? more : n;
+                for (int i = 0; i < points.Length; ++i)
+                    points[i] = new Point(At(wide, all, 2 * i), At(wide, all, 2 * i + 1));
+            }
             return points;
         }
 

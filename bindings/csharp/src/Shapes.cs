@@ -4,11 +4,14 @@ using System.Runtime.InteropServices;
 
 namespace Vesica
 {
-    /// <summary>One shape: the structs Point, Rect and the like in double, PointF and the like in float.</summary>
+    /// <summary>One shape: the structs Point, Rect and the like in double, PointF and the like in float, a Polygon or
+    /// a Polyline of either.</summary>
     /// <remarks>Capsules and rounded rectangles are for Check, Bounds, ShapeArea, Overlap, Relation, Contains,
     /// Nearest, Depth, Signed, Within, Area, Iou, ratios, suppression, Cast, ImpactTime, SweepBounds, and
-    /// BoundaryDistance but with an ellipse; the same holds of arrays. An index of them has joins by overlap or distance, Select, Nearest and casts. Other methods
-    /// throw a VesicaException for them.</remarks>
+    /// BoundaryDistance but with an ellipse; the same holds of arrays. An index of them has joins by overlap or distance,
+    /// Select, Nearest and casts. Polygons and polylines are for the same but ImpactTime, and for BoundaryDistance with
+    /// any kind; polylines have no area. Depth needs convex ones; so do Signed and Within where they ask for a depth.
+    /// Other methods throw a VesicaException for them.</remarks>
     public interface IShape
     {
         /// <summary>Its kind.</summary>
@@ -65,7 +68,8 @@ namespace Vesica
         internal long Each;
     }
 
-    /// <summary>An array of shapes of one kind, however it lies in memory. Nothing is copied.</summary>
+    /// <summary>An array of shapes of one kind, however it lies in memory. Nothing is copied but the vertices of
+    /// polygons and polylines, once.</summary>
     public sealed class Shapes
     {
         private static readonly int[] FieldCounts = { 2, 4, 3, 4, 6, 6, 5, 7 };
@@ -73,6 +77,7 @@ namespace Vesica
         private readonly Array array;
         private readonly IntPtr memory;
         private readonly long stride, step;
+        private readonly PathBlock block;
 
         private Shapes(Kind kind, bool isDouble, long count, long stride, long step, Array array, IntPtr memory)
         {
@@ -83,6 +88,13 @@ namespace Vesica
             this.step = step;
             this.array = array;
             this.memory = memory;
+        }
+
+        private unsafe Shapes(Kind kind, bool isDouble, PathBlock block)
+            : this(kind, isDouble, block.Count, sizeof(PathStruct), 0, null, (IntPtr)block.Structs)
+        {
+            if (kind != Kind.Polygon && kind != Kind.Polyline) throw new ArgumentException("a " + kind + " has no rings");
+            this.block = block;
         }
 
         /// <summary>Their kind.</summary>
@@ -97,6 +109,8 @@ namespace Vesica
         /// <summary>How many numbers a shape of a kind has.</summary>
         public static int Fields(Kind kind)
         {
+            if (kind == Kind.Polygon || kind == Kind.Polyline)
+                throw new ArgumentException("a " + kind + " has any number of vertices: Paths and EvenPaths take them");
             if (kind < Kind.Point || kind > Kind.RoundRect)
                 throw new ArgumentException(kind + " is not a kind of shapes");
             return FieldCounts[(int)kind];
@@ -185,10 +199,54 @@ namespace Vesica
             return new Shapes(kind, isDouble, count, stride, Size(isDouble), null, memory);
         }
 
+        /// <summary>Polygons or polylines of any number of vertices x y x y ..., which are copied, by the offsets of
+        /// GeoArrow: where each ring begins among the vertices, with the end, and where each shape begins among the
+        /// rings, with the end. If the latter are left out, a ring is a shape.</summary>
+        public static Shapes Paths(Kind kind, double[] vertices, int[] rings, int[] parts = null)
+        {
+            return new Shapes(kind, true, new PathBlock(vertices, rings, parts));
+        }
+
+        /// <summary>The same in float.</summary>
+        public static Shapes Paths(Kind kind, float[] vertices, int[] rings, int[] parts = null)
+        {
+            return new Shapes(kind, false, new PathBlock(vertices, rings, parts));
+        }
+
+        /// <summary>Polygons or polylines of as many vertices each, in one ring or chain: 4 of quads, 3 of
+        /// triangles.</summary>
+        public static Shapes EvenPaths(Kind kind, double[] vertices, int each)
+        {
+            return Paths(kind, vertices, Even(vertices, each));
+        }
+
+        /// <summary>The same in float.</summary>
+        public static Shapes EvenPaths(Kind kind, float[] vertices, int each)
+        {
+            return Paths(kind, vertices, Even(vertices, each));
+        }
+
+        private static int[] Even(Array vertices, int each)
+        {
+            int count = PathBlock.CountOf(vertices);
+            if (each < 1 || count % each != 0) throw new ArgumentException(count + " vertices are no paths of " + each);
+            var rings = new int[count / each + 1];
+            for (int i = 0; i < rings.Length; ++i) rings[i] = i * each;
+            return rings;
+        }
+
+        /// <summary>An array of one shape at an address, which must stay.</summary>
+        internal static View One(Kind kind, bool isDouble, IntPtr memory)
+        {
+            View view;
+            new Shapes(kind, isDouble, 1, 0, Size(isDouble), null, memory).Pin(out view);
+            return view;
+        }
+
         /// <summary>Whether numbers of this array lie where so many bytes of output do.</summary>
         internal unsafe bool Meets(void* output, long bytes)
         {
-            if (Count == 0 || bytes == 0) return false;
+            if (Count == 0 || bytes == 0 || block != null) return false;
             View view;
             GCHandle handle = Pin(out view);
             try
@@ -208,6 +266,7 @@ namespace Vesica
         {
             var handle = default(GCHandle);
             var first = (byte*)memory;
+            if (block != null) handle = GCHandle.Alloc(block);
             if (array != null && array.Length > 0)
             {
                 handle = GCHandle.Alloc(array, GCHandleType.Pinned);

@@ -591,6 +591,7 @@ internal static unsafe class Arguments
         }
         Calls.Test(arguments[0]);
         Refusals();
+        PathTests.Test();
         Results();
         PinsAreReleased();
         DisposedDuringCalls();
