@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "wkb.h"
 #include "wkt.h"
 
 __attribute__((format(printf, 2, 3))) static int fail(char* fault, const char* format, ...) {
@@ -48,14 +49,26 @@ const void* shape_data(const struct shape* shape) {
   return shape_has_path(shape->kind) ? (const void*)&shape->path : shape->numbers;
 }
 
-static int parse_geometry(const char* text, struct vertices* vertices, struct shape* out, char* fault) {
-  int32_t kind, error;
-  double numbers[4];
-  if (!parse_wkt(text, vertices, &kind, numbers, fault)) return 0;
+static int take_geometry(int32_t kind, const double* numbers, const struct vertices* vertices, struct shape* out,
+                         char* fault) {
+  int32_t error;
   if (!shape_has_path(kind)) return shape_from_numbers(kind, numbers, out, fault);
   *out = (struct shape){.kind = kind, .path = view_vertices(vertices)};
   error = vesica_check_f64(kind, &out->path);
   return error == 0 || fail(fault, "invalid %s: %s", vesica_kind_name(kind), vesica_strerror(error));
+}
+
+static int parse_geometry(const char* text, struct vertices* vertices, struct shape* out, char* fault) {
+  int32_t kind;
+  double numbers[4];
+  return parse_wkt(text, vertices, &kind, numbers, fault) && take_geometry(kind, numbers, vertices, out, fault);
+}
+
+int shape_from_wkb(const unsigned char* bytes, int64_t count, struct vertices* vertices, struct shape* out,
+                   char fault[shape_fault_room]) {
+  int32_t kind;
+  double numbers[4];
+  return parse_wkb(bytes, count, vertices, &kind, numbers, fault) && take_geometry(kind, numbers, vertices, out, fault);
 }
 
 static int parse_words(const char* text, struct shape* out, char* fault) {

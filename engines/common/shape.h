@@ -31,6 +31,10 @@ const void* shape_data(const struct shape* shape);
 /// Returns 1, or 0 with the reason in `fault`.
 int shape_from_text(const char* text, struct vertices* vertices, struct shape* out, char fault[shape_fault_room]);
 
+/// Reads a valid shape from well-known binary, the same way.
+int shape_from_wkb(const unsigned char* bytes, int64_t count, struct vertices* vertices, struct shape* out,
+                   char fault[shape_fault_room]);
+
 /// Writes it in the same form, each number with the digits, 15 to 17, that give the same bits back.
 void shape_to_text(const struct shape* shape, char* out);
 

@@ -38,6 +38,10 @@ SELECT vs_text(shape), vs_overlap(shape, vs_point(4, 4)), vs_distance(shape, vs_
 SQL
 )"
 # At a height of 0.5, 5 of 8 quarters of two teeth are inside.
+check 'well-known binary' '["POLYGON ((0 0, 8 0, 8 8, 0 8, 0 0), (2 2, 6 2, 4 6, 2 2))","point 1 2"]' "$(sql <<'SQL'
+SELECT vs_text(vs_from_wkb(unhex('0103000000020000000500000000000000000000000000000000000000000000000000204000000000000000000000000000002040000000000000204000000000000000000000000000002040000000000000000000000000000000000400000000000000000000400000000000000040000000000000184000000000000000400000000000001040000000000000184000000000000000400000000000000040'))), vs_text(vs_from_wkb(unhex('00a0000001000010e63ff000000000000040000000000000004022000000000000')));
+SQL
+)"
 check 'long ones' '["1"]
 ["POLYGON","5004","12501",true]' "$(sql <<'SQL'
 CREATE TABLE coast AS SELECT vs_shape('POLYGON ((' || string_agg(i || ' ' || i % 2, ', ' ORDER BY i) || ', 5000 9, 0 9, 0 0))') AS shape
@@ -61,6 +65,7 @@ bad "vs_shape('square 1 2')" "unknown kind 'square'"
 bad "vs_shape('')" "unknown kind ''"
 bad "vs_shape('point 0 0' || chr(0))" "unknown kind ''"
 bad "vs_shape('POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))')" 'invalid polygon: edges of a polygon cross or overlap'
+bad "vs_from_wkb('\\x01\\x07'::BLOB)" 'no well-known binary of points, lines or polygons'
 bad "vs_text('\\x08\\x01'::BLOB)" "not a shape: a BLOB of vs_shape's, or words as 'circle 0 0 1'"
 bad "vs_shape('point 1')" 'point: number 2 of 2 is missing'
 bad "vs_shape('point 1 2 3')" "'3' after the shape"

@@ -101,6 +101,14 @@ static enum outcome from_words(const struct function* self, const union value* v
   return put_shape(read_words(v, m, &shape, fault), &shape, &m->result, fault);
 }
 
+static enum outcome from_wkb(const struct function* self, const union value* v, struct memory* m, char* fault) {
+  struct shape shape;
+  (void)self;
+  return put_shape(
+      shape_from_wkb((const unsigned char*)v[0].text.data, (int64_t)v[0].text.length, &m->vertices[0], &shape, fault),
+      &shape, &m->result, fault);
+}
+
 static enum outcome from_numbers(const struct function* self, const union value* v, struct memory* m, char* fault) {
   double numbers[shape_numbers];
   struct shape shape;
@@ -200,7 +208,7 @@ static int read_value(const struct function* f, duckdb_vector vector, idx_t row,
     out->number = ((double*)data)[row];
     return 1;
   }
-  if (f->takes == DUCKDB_TYPE_BLOB)
+  if (f->takes == DUCKDB_TYPE_BLOB && f->answer != from_wkb)
     return shape_from_blob((const unsigned char*)duckdb_string_t_data(string), duckdb_string_t_length(*string),
                            vertices, &out->shape, fault);
   out->text.data = duckdb_string_t_data(string);
@@ -279,6 +287,7 @@ static bool add(duckdb_connection connection, const struct function* f) {
 
 static const struct function functions[] = {
     {"vs_shape", 1, DUCKDB_TYPE_VARCHAR, DUCKDB_TYPE_BLOB, from_words, 0},
+    {"vs_from_wkb", 1, DUCKDB_TYPE_BLOB, DUCKDB_TYPE_BLOB, from_wkb, 0},
     {"vs_valid", 1, DUCKDB_TYPE_VARCHAR, DUCKDB_TYPE_BOOLEAN, valid, 0},
     {"vs_text", 1, DUCKDB_TYPE_BLOB, DUCKDB_TYPE_VARCHAR, to_words, 0},
     {"vs_point", 2, DUCKDB_TYPE_DOUBLE, DUCKDB_TYPE_BLOB, from_numbers, VESICA_POINT},

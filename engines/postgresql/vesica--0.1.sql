@@ -19,6 +19,7 @@ CREATE TYPE vshape (
   SEND = vshape_send
 );
 
+CREATE FUNCTION vs_from_wkb(bytea) RETURNS vshape LANGUAGE C STRICT IMMUTABLE PARALLEL SAFE AS 'MODULE_PATHNAME';
 CREATE FUNCTION vs_valid(text) RETURNS bool LANGUAGE C STRICT IMMUTABLE PARALLEL SAFE AS 'MODULE_PATHNAME';
 COMMENT ON FUNCTION vs_valid(text) IS 'are these the words of a valid shape?';
 

@@ -68,6 +68,20 @@ Datum vshape_in(PG_FUNCTION_ARGS) {
   return value;
 }
 
+PG_FUNCTION_INFO_V1(vs_from_wkb);
+Datum vs_from_wkb(PG_FUNCTION_ARGS) {
+  bytea* bytes = PG_GETARG_BYTEA_PP(0);
+  char fault[shape_fault_room];
+  struct vertices vertices = {0};
+  struct shape shape;
+  const int good =
+      shape_from_wkb((const unsigned char*)VARDATA_ANY(bytes), VARSIZE_ANY_EXHDR(bytes), &vertices, &shape, fault);
+  const Datum value = good ? value_of(&shape) : (Datum)0;
+  free_vertices(&vertices);
+  if (!good) ereport(ERROR, (errcode(ERRCODE_INVALID_BINARY_REPRESENTATION), errmsg("vshape: %s", fault)));
+  return value;
+}
+
 PG_FUNCTION_INFO_V1(vshape_out);
 Datum vshape_out(PG_FUNCTION_ARGS) {
   const struct shape* shape = PG_GETARG_VSHAPE(0);

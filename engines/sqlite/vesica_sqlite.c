@@ -76,6 +76,19 @@ static void to_shape(sqlite3_context* context, int count, sqlite3_value** values
   free_shapes(&taken);
 }
 
+static void from_wkb(sqlite3_context* context, int count, sqlite3_value** values) {
+  struct shape shape;
+  struct vertices vertices = {0};
+  char fault[shape_fault_room];
+  (void)count;
+  if (sqlite3_value_type(values[0]) == SQLITE_NULL) return;
+  if (shape_from_wkb(sqlite3_value_blob(values[0]), sqlite3_value_bytes(values[0]), &vertices, &shape, fault))
+    return_shape(context, &shape);
+  else
+    sqlite3_result_error(context, fault, -1);
+  free_vertices(&vertices);
+}
+
 static void to_text(sqlite3_context* context, int count, sqlite3_value** values) {
   struct arguments taken;
   if (take_shapes(context, count, values, &taken)) {
@@ -230,11 +243,11 @@ int sqlite3_vesicasqlite_init(sqlite3* db, char** error, const sqlite3_api_routi
     void* user;
     function* body;
   } functions[] = {
-      {"vs_shape", 1, NULL, to_shape},    {"vs_text", 1, NULL, to_text},      {"vs_valid", 1, NULL, is_valid},
-      {"vs_overlap", 2, NULL, overlap},   {"vs_contains", 2, NULL, contains}, {"vs_relation", 2, NULL, relation},
-      {"vs_distance", 2, NULL, distance}, {"vs_area", 1, NULL, area},         {"vs_area", 2, NULL, area},
-      {"vs_iou", 2, NULL, iou},           {"vs_min_x", 1, &sides[0], bound},  {"vs_min_y", 1, &sides[1], bound},
-      {"vs_max_x", 1, &sides[2], bound},  {"vs_max_y", 1, &sides[3], bound},
+      {"vs_from_wkb", 1, NULL, from_wkb}, {"vs_shape", 1, NULL, to_shape},    {"vs_text", 1, NULL, to_text},
+      {"vs_valid", 1, NULL, is_valid},    {"vs_overlap", 2, NULL, overlap},   {"vs_contains", 2, NULL, contains},
+      {"vs_relation", 2, NULL, relation}, {"vs_distance", 2, NULL, distance}, {"vs_area", 1, NULL, area},
+      {"vs_area", 2, NULL, area},         {"vs_iou", 2, NULL, iou},           {"vs_min_x", 1, &sides[0], bound},
+      {"vs_min_y", 1, &sides[1], bound},  {"vs_max_x", 1, &sides[2], bound},  {"vs_max_y", 1, &sides[3], bound},
   };
   int code;
   SQLITE_EXTENSION_INIT2(api);
