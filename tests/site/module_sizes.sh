@@ -14,9 +14,9 @@ limit() {
 }
 
 modules=$1
-limit "$modules/vesica.wasm" 1570 490
-limit "$modules/simd/vesica.wasm" 1740 540
-limit "$modules/vesica-overlap.wasm" 775 238
-limit "$modules/simd/vesica-overlap.wasm" 855 252
-limit "$modules/vesica-methods.wasm" 126 59
+limit "$modules/vesica.wasm" 1935 597
+limit "$modules/simd/vesica.wasm" 2092 640
+limit "$modules/vesica-overlap.wasm" 722 225
+limit "$modules/simd/vesica-overlap.wasm" 801 238
+limit "$modules/vesica-methods.wasm" 106 49
 [ $failures = 0 ]
