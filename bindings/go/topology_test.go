@@ -111,7 +111,7 @@ func TestCapsulesAndRoundedRectangles(t *testing.T) {
 	if holds, err := Contains(rounded, Ellipse[float64]{10, 0, 1, 0, 1, 1}); !holds || err != nil {
 		t.Error(holds, err)
 	}
-	if _, err := BoundaryDistance(rounded, Ellipse[float64]{10, 0, 1, 0, 1, 1}); err != ErrKind {
-		t.Error(err)
+	if found, err := BoundaryDistance(rounded, Ellipse[float64]{10, 0, 1, 0, 1, 1}); found.Distance != 0.5 || err != nil {
+		t.Error(found, err)
 	}
 }

@@ -9,8 +9,7 @@
 ///
 /// Accuracy: within 64u times the smaller shape's area times the larger aspect ratio (longer size over shorter), u =
 /// 2^-53, for aspect ratios up to 10^4, even where the outlines nearly touch or coincide. With a capsule or a rounded
-/// rectangle: if neither shape is more than 10^12 times as long as the other. Whether one of these contains an ellipse,
-/// or is inside, is not decided: such an area is accurate all the same.
+/// rectangle: if neither shape is more than 10^12 times as long as the other.
 #pragma once
 
 #include <cstring>
@@ -157,13 +156,7 @@ std::int32_t relation_of(const A& a, const B& b) noexcept {
     if (std::memcmp(&a, &b, sizeof a) == 0)  // NOLINT(bugprone-suspicious-memory-comparison)
       return check(a) == 0 ? static_cast<std::int32_t>(Relation::equal) : error_shape;
   }
-  if constexpr (is_oval<A> && form::is_inflated<B>) {
-    // Their relation is unknown: `cross` includes that one contains the other.
-    const std::int32_t meet = interiors_overlap_or_error(a, b);
-    return meet == 1 ? static_cast<std::int32_t>(Relation::cross) : meet;
-  } else {
-    return relation_or_error(a, b);
-  }
+  return relation_or_error(a, b);
 }
 
 template <class A, class B>

@@ -21,6 +21,7 @@
 #include <vesica/boundary_distance/box_box.hpp>
 #include <vesica/boundary_distance/common_point.hpp>
 #include <vesica/boundary_distance/inflated.hpp>
+#include <vesica/boundary_distance/inflated_ellipse.hpp>
 #include <vesica/boundary_distance/lane_pairs.hpp>
 #include <vesica/boundary_distance/nested.hpp>
 #include <vesica/nearest.hpp>
@@ -141,12 +142,13 @@ namespace detail::boundary_distance {
 /// Shapes of which one is a core with a radius, valid and overlapping. Kinds that need no radius are asked instead.
 template <class A, class B>
 std::int32_t inflated_outlines(Relation relation, const A& a, const B& b, ClosestPoints<double>& out) noexcept {
+  if constexpr (ShapeTraits<A>::kind == Kind::ellipse) {
+    if (a.a == 0 || a.b == 0) return boundary_distance_or_error(Rect<double>{a.cx, a.cy, a.ux, a.uy, a.a, a.b}, b, out);
+  }
   return form::with_simplest(a, [&](const auto& p) {
     return form::with_simplest(b, [&](const auto& q) -> std::int32_t {
       if constexpr (std::is_same_v<decltype(p), const A&> && std::is_same_v<decltype(q), const B&>) {
-        const auto corners = [](const auto& s) { return form::corners(form::of(form::inflated(s).core).place); };
-        const ClosestPoints<double> found =
-            closest_outlines(relation, nearest::scaled_pair(a, b), corners(a), corners(b));
+        const ClosestPoints<double> found = closest_outlines(relation, a, b);
         return nearest::rounded_to(found, found.distance == 0, out) ? 0 : error_range;
       } else {
         return boundary_distance_or_error(p, q, out);

@@ -188,6 +188,10 @@ void direction_of_touching(const A& a, const B& b, Penetration<double>& out) noe
   }
 }
 
+inline Penetration<double> turned_round(const Penetration<double>& p) noexcept {
+  return {p.depth, 0.0 - p.x, 0.0 - p.y};
+}
+
 /// With a core and a radius (form/inflated.hpp). The points of b less those of a are the cores' with a disc of both
 /// radii added, so the radii add to the depth of cores that overlap. Where the cores are apart, the shortest move is
 /// along their connection.
@@ -198,6 +202,14 @@ VESICA_CALLED std::int32_t depth_in_order(const A& a, const B& b, std::int32_t o
   if (overlapping < 0) return overlapping;
   const auto p = form::inflated(a);
   const auto q = form::inflated(b);
+  if constexpr (std::is_same_v<A, B>) {
+    // Equal cores have one direction in either order, so the lesser radius comes first.
+    if (p.radius > q.radius) {
+      const std::int32_t error = depth_in_order(b, a, overlapping, out);
+      if (error == 0) out = turned_round(out);
+      return error;
+    }
+  }
   Penetration<double> found{0, 0, 0};
   if (overlapping == 0) {
     out = found;
@@ -219,10 +231,6 @@ VESICA_CALLED std::int32_t depth_in_order(const A& a, const B& b, std::int32_t o
   if (!all_finite(found.depth)) return error_range;
   out = found;
   return 0;
-}
-
-inline Penetration<double> turned_round(const Penetration<double>& p) noexcept {
-  return {p.depth, 0.0 - p.x, 0.0 - p.y};
 }
 
 /// Rounds once. A depth that is not 0 stays so. Returns false where it would exceed the finite numbers.

@@ -10,7 +10,8 @@
 /// scale at any aspect ratio (in tests always within 2u, beyond aspect 1e15 too); within a relative 2u if it is above
 /// 1e-10 scale at aspects up to 1e6, above 1e-14 scale at aspects up to 1000; and never rounded to 0 where shapes are
 /// disjoint. Each closest point is within 4u scale of its shape's outline, a common point within 8u scale of both
-/// shapes, before the rounding of its coordinates.
+/// shapes, before the rounding of its coordinates. Points of capsules and rounded rectangles are rounded twice: the
+/// core's point, and the sum with the radius.
 ///
 /// Laws, each tested: nearest(b, a) has the same bits with the points exchanged; the distance is unchanged when both
 /// shapes are moved alike without rounding, and is multiplied by a power of two when they are, unless a size or the

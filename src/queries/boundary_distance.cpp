@@ -10,9 +10,8 @@ namespace {
 
 struct BoundaryDistanceOfPair {
   static constexpr Reversal reversal = Reversal::points;
-  /// Pairs in order: not yet an ellipse and a core with a radius.
   template <class A, class B>
-  static constexpr bool answers = HasCore<A>&& HasCore<B> && (HasForm<B> || ShapeTraits<A>::kind != Kind::ellipse);
+  static constexpr bool answers = HasCore<A>&& HasCore<B>;
   template <class T>
   using Result = ClosestPoints<T>;
   template <class A, class B, class Result>

@@ -77,4 +77,13 @@ TEST(BoundaryDistanceAccuracy, InBoxes) {
   for (int inner = VESICA_POINT; inner <= VESICA_ELLIPSE; ++inner) run(VESICA_RECT, inner, 30);
 }
 
+TEST(BoundaryDistanceAccuracy, WithACoreAndARadius) {
+  for (const int outer : {VESICA_CAPSULE, VESICA_ROUND_RECT}) {
+    for (int inner = VESICA_POINT; inner <= VESICA_ROUND_RECT; ++inner) run(outer, inner, 40);
+  }
+  for (int outer = VESICA_CIRCLE; outer <= VESICA_ELLIPSE; ++outer) {
+    for (const int inner : {VESICA_CAPSULE, VESICA_ROUND_RECT}) run(outer, inner, 40);
+  }
+}
+
 }  // namespace

@@ -45,8 +45,9 @@ void expect_points_on_outlines(const Pair& p, const Points& c) {
   // A common point is worked out on one of the two outlines: the greater aspect ratio counts for both.
   const double aspect = std::max(outline_reference::aspect(a), outline_reference::aspect(b));
   if (!(aspect <= 1e6)) return;
-  EXPECT_LE(on_a, 4 * unit * aspect + rounding + denormal) << properties::describe(p);
-  EXPECT_LE(on_b, 4 * unit * aspect + rounding + denormal) << properties::describe(p);
+  const double most = properties::is_inflated(p.kind_a) || properties::is_inflated(p.kind_b) ? 12 : 4;
+  EXPECT_LE(on_a, most * unit * aspect + rounding + denormal) << properties::describe(p);
+  EXPECT_LE(on_b, most * unit * aspect + rounding + denormal) << properties::describe(p);
 }
 
 void expect_laws(const Pair& p) {
@@ -84,8 +85,8 @@ class Laws : public testing::TestWithParam<Workload> {};
 
 TEST_P(Laws, EveryPairOfKinds) {
   const int pairs = (GetParam() == Workload::near_contact ? 20 : 200) * properties::repeat();
-  for (int ka = VESICA_POINT; ka <= VESICA_ELLIPSE; ++ka) {
-    for (int kb = ka; kb <= VESICA_ELLIPSE; ++kb) {
+  for (int ka = 0; ka < properties::kinds; ++ka) {
+    for (int kb = ka; kb < properties::kinds; ++kb) {
       properties::Stream stream(GetParam(), ka, kb, Scalar::f64, properties::seed());
       for (int i = 0; i < pairs && !HasFatalFailure(); ++i) expect_laws(stream.next());
     }
@@ -97,8 +98,8 @@ INSTANTIATE_TEST_SUITE_P(BoundaryDistance, Laws, testing::ValuesIn(properties::a
 
 TEST(BoundaryDistance, NestedPairsKeepTheLaws) {
   properties::Random random(properties::seed());
-  for (int outer = VESICA_CIRCLE; outer <= VESICA_ELLIPSE; ++outer) {
-    for (int inner = VESICA_POINT; inner <= VESICA_ELLIPSE; ++inner) {
+  for (int outer = VESICA_CIRCLE; outer < properties::kinds; ++outer) {
+    for (int inner = 0; inner < properties::kinds; ++inner) {
       for (const nested_pairs::Style style : nested_pairs::all_styles) {
         for (int i = 0; i < 20 * properties::repeat(); ++i) {
           const auto pair = nested_pairs::draw(style, outer, inner, random);
@@ -123,8 +124,8 @@ Numbers on_grid(int kind, Numbers n, double dx, double dy) {
 TEST(BoundaryDistance, ExactTranslationsChangeNoBit) {
   properties::Random random(properties::seed());
   int nested = 0;
-  for (int ka = VESICA_POINT; ka <= VESICA_ELLIPSE; ++ka) {
-    for (int kb = VESICA_POINT; kb <= VESICA_ELLIPSE; ++kb) {
+  for (int ka = 0; ka < properties::kinds; ++ka) {
+    for (int kb = 0; kb < properties::kinds; ++kb) {
       properties::Stream stream(Workload::random, std::min(ka, kb), std::max(ka, kb), Scalar::f64, properties::seed());
       for (int i = 0; i < 60 * properties::repeat(); ++i) {
         Pair p = stream.next();

@@ -20,7 +20,7 @@ inline constexpr Style all_styles[] = {Style::any, Style::thin, Style::nearly_co
                                        Style::near_osculating};
 const char* name(Style style);
 
-/// Outer and inner: kinds with area (2 to 5) and any. Sizes about 1; gaps from 1 down to 1e-15. No result where a draw
+/// Outer and inner: kinds with area (2 to 7) and any. Sizes about 1; gaps from 1 down to 1e-15. No result where a draw
 /// could not be brought inside.
 std::optional<properties::Pair> draw(Style style, int outer, int inner, properties::Random& random);
 

@@ -236,9 +236,10 @@ double distance_from_outline(const Shape& s, double px, double py) {
     const Real excess = p * p + q * q - 1, off = abs(excess) / (2 * slope);
     return excess < 0 ? std::min(off.get_d(), centre) : off.get_d();
   }
-  const double gap_x = Real(x - s.a).get_d(), gap_y = Real(y - s.b).get_d();
-  if (gap_x < 0 && gap_y < 0) return std::min(-gap_x, -gap_y);
-  return std::hypot(std::max(gap_x, 0.0), std::max(gap_y, 0.0));
+  const Real gap_x = x - s.a, gap_y = y - s.b;
+  if (gap_x < 0 && gap_y < 0) return Real(s.radius - (gap_x < gap_y ? gap_y : gap_x)).get_d();
+  const Real over_x = gap_x < 0 ? real(0) : gap_x, over_y = gap_y < 0 ? real(0) : gap_y;
+  return std::fabs(Real(sqrt(Real(over_x * over_x + over_y * over_y)) - s.radius).get_d());
 }
 
 double aspect(const Shape& s) {

@@ -19,7 +19,7 @@ struct Pinned {
   const char* pairs;  ///< the lower kind first
 };
 constexpr Pinned pinned[] = {
-    {Question::boundary_distance, "ellipse-capsule ellipse-round_rect "},
+    {Question::boundary_distance, ""},
     {Question::crossings, "ellipse-capsule ellipse-round_rect "},
     {Question::intersection,
      "circle-circle circle-aabb circle-rect circle-ellipse circle-capsule circle-round_rect aabb-ellipse aabb-capsule "

@@ -76,13 +76,20 @@ void demand_scaled(Judge& j, const Case& c, const Answer& r) {
 /// The error that every point has.
 Real coordinate_rounding(double x, double y) { return Real(u) * (abs(Real(x)) + abs(Real(y))) + 2 * Real(last_place); }
 
+bool is_inflated(int kind) { return kind == VESICA_CAPSULE || kind == VESICA_ROUND_RECT; }
+/// The same for the closest point of a shape, whose core's point is rounded before the radius is added.
+Real coordinate_rounding(int kind, double x, double y) {
+  return (is_inflated(kind) ? 2 : 1) * coordinate_rounding(x, y);
+}
+
 std::string in_units(const Real& error, const Real& unit) {
   return unit > 0 ? std::to_string(Real(error / unit).get_d()) : "any of 0";
 }
 
-void judge_common_point(Judge& j, const Shape& a, const Shape& b, const Answer& r) {
+void judge_common_point(Judge& j, const Pair& p, const Shape& a, const Shape& b, const Answer& r) {
   const double x = r.numbers[1], y = r.numbers[2];
-  const Real scale = nearest_reference::scale(a, b), rounding = coordinate_rounding(x, y);
+  const Real scale = nearest_reference::scale(a, b);
+  const Real rounding = coordinate_rounding(std::max(p.kind_a, p.kind_b), x, y);
   for (const Shape* s : {&a, &b}) {
     const Real off = nearest_reference::beyond_outline(*s, x, y, rounding) - rounding;
     j.demand(off <= Real(8 * u) * scale, "common_point", "8 u scale", in_units(off, Real(u) * scale));
@@ -95,7 +102,7 @@ bool promised_of_itself(const Real& distance, const Real& scale, const Real& asp
          (aspect <= Real(1000) && distance > Real(1e-14) * scale);
 }
 
-void judge_disjoint(Judge& j, const Shape& a, const Shape& b, const Answer& r) {
+void judge_disjoint(Judge& j, const Pair& p, const Shape& a, const Shape& b, const Answer& r) {
   const auto& n = r.numbers;
   const auto exact = nearest_reference::distance(a, b, n[3] - n[1], n[4] - n[2]);
   if (!exact.proved()) return;
@@ -107,8 +114,8 @@ void judge_disjoint(Judge& j, const Shape& a, const Shape& b, const Answer& r) {
   if (normal && promised_of_itself(exact.upper, scale, aspect)) {
     j.demand(error <= Real(2 * u) * exact.upper, "of_itself", "2 u of itself", in_units(error, Real(u) * exact.upper));
   }
-  for (const auto& [s, x, y] : {std::tuple{&a, n[1], n[2]}, {&b, n[3], n[4]}}) {
-    const Real rounding = coordinate_rounding(x, y);
+  for (const auto& [s, kind, x, y] : {std::tuple{&a, p.kind_a, n[1], n[2]}, {&b, p.kind_b, n[3], n[4]}}) {
+    const Real rounding = coordinate_rounding(kind, x, y);
     const Real off = abs(nearest_reference::beyond_outline(*s, x, y, Real(rounding + Real(u) * scale))) - rounding;
     j.demand(off <= Real(4 * u) * scale, "off_outline", "4 u scale", in_units(off, Real(u) * scale));
   }
@@ -204,9 +211,9 @@ void judge_nearest(Judge& j, const Case& c, Effort effort) {
   const Shape a = nearest_reference::shape(c.pair.kind_a, c.pair.a),
               b = nearest_reference::shape(c.pair.kind_b, c.pair.b);
   if (overlap) {
-    judge_common_point(j, a, b, r);
+    judge_common_point(j, c.pair, a, b, r);
   } else {
-    judge_disjoint(j, a, b, r);
+    judge_disjoint(j, c.pair, a, b, r);
   }
 }
 

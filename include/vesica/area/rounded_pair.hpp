@@ -162,12 +162,7 @@ VESICA_CALLED inline Measure precise_rounded_area(const Core& a, const Core& b, 
   const RoundedBox<DoubleDouble> s = a.in_units<DoubleDouble>(unit), t = b.in_units<DoubleDouble>(unit);
   const filter::Centre<DoubleDouble> apart = offset_in_units<DoubleDouble>(a, b, lift, unit);
   const bool first = is_frame(s, t, apart);
-  const double area = first ? area_in_rounded_box(s, t, apart) : area_in_rounded_box(t, s, {-apart.x, -apart.y});
-  if (!(a.is_oval || b.is_oval)) return {area, 2 * unit};
-  // The exact relation of these is unknown. If all of one but a rounding error is inside, it counts as inside.
-  const RoundedBox<double>& lesser = first ? p : q;
-  const double whole = approximate_area(lesser), most = max(lesser.hx, lesser.hy) + lesser.r;
-  return {whole - area <= 0x1p-48 * pi_high * (most * most) ? 2 * whole : area, 2 * unit};
+  return {first ? area_in_rounded_box(s, t, apart) : area_in_rounded_box(t, s, {-apart.x, -apart.y}), 2 * unit};
 }
 
 template <class A, class B>

@@ -82,12 +82,25 @@ struct RoundedOutline {
     const double sign = (k & 1) != 0 ? 1 : -1, along = second ? 1 : -1;
     return (k & 2) != 0 ? at(sign * (hx + radius), along * hy) : at(along * hx, sign * (hy + radius));
   }
-  double off(const PlaneVector& p) const noexcept {
+  /// How far a point is out of the shape, or below 0 from the outline.
+  double beyond(const PlaneVector& p) const noexcept {
     const PlaneVector seen = support_minimum::into_frame(axis, p + -centre);
     const double x = lane::abs(seen.x) - hx, y = lane::abs(seen.y) - hy;
     const double beyond_x = lane::positive_part(x), beyond_y = lane::positive_part(y);
     const double outside = lane::sqrt(beyond_x * beyond_x + beyond_y * beyond_y);
-    return lane::abs(outside > 0 ? outside - radius : lane::max(x, y) - radius);
+    return outside > 0 ? outside - radius : lane::max(x, y) - radius;
+  }
+  double off(const PlaneVector& p) const noexcept { return lane::abs(beyond(p)); }
+  /// The point of the outline closest to another point.
+  PlaneVector closest(const PlaneVector& p) const noexcept {
+    const PlaneVector seen = support_minimum::into_frame(axis, p + -centre);
+    const double x = lane::abs(seen.x) - hx, y = lane::abs(seen.y) - hy;
+    PlaneVector foot{lane::min(lane::abs(seen.x), hx), lane::min(lane::abs(seen.y), hy)};
+    PlaneVector normal = x > y ? PlaneVector{1, 0} : PlaneVector{0, 1};
+    if (x > 0 && y > 0) normal = support_minimum::unit_of_any({x, y});
+    if (x <= 0 && y <= 0) (x > y ? foot.x : foot.y) = x > y ? hx : hy;
+    const PlaneVector at_foot = foot + radius * normal;
+    return at(lane::flip_sign(at_foot.x, seen.x), lane::flip_sign(at_foot.y, seen.y));
   }
 };
 
@@ -153,7 +166,7 @@ inline bool out_of_order(const nearest::ScaledPair& p) noexcept {
   return key(p.b, -1, p.d) < key(p.a, 1, p.d);
 }
 
-/// For shapes that overlap, by their relation. Not for an ellipse. The centres lie amid two stored points.
+/// For shapes that overlap, by their relation. The centres lie amid two stored points.
 inline ClosestPoints<double> closest_outlines(Relation relation, const nearest::ScaledPair& p,
                                               const form::Corners<double>& a, const form::Corners<double>& b) noexcept {
   const auto located = [&p](const form::Corners<double>& from, const PlaneVector& offset) {
@@ -175,6 +188,11 @@ inline ClosestPoints<double> closest_outlines(Relation relation, const nearest::
       second(exchanged ? p.a : p.b, {turn * p.d.x.high, turn * p.d.y.high});
   const PlaneVector at = located(exchanged ? b : a, CommonOutlinePoint(first, second).best());
   return {0, at.x, at.y, at.x, at.y};
+}
+template <class A, class B>
+ClosestPoints<double> closest_outlines(Relation relation, const A& a, const B& b) noexcept {
+  const auto corners = [](const auto& s) { return form::corners(form::of(form::inflated(s).core).place); };
+  return closest_outlines(relation, nearest::scaled_pair(a, b), corners(a), corners(b));
 }
 
 }  // namespace vesica::detail::boundary_distance

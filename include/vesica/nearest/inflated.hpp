@@ -43,8 +43,9 @@ ClosestCores closest_cores(const A& a, const B& b) noexcept {
   const auto core_a = form::inflated(a).core;
   const auto core_b = form::inflated(b).core;
   const double larger = max(abs(c.nx), abs(c.ny));
-  // No direction: so near that any will do.
-  const double x = larger == 0 ? 1 : c.nx / larger, y = larger == 0 ? 0 : c.ny / larger;
+  // No direction: so near that any will do, but for its sign when the shapes are exchanged.
+  const bool is_back = p.d.x.high < 0 || (p.d.x.high == 0 && p.d.y.high < 0);
+  const double x = larger == 0 ? (is_back ? -1 : 1) : c.nx / larger, y = larger == 0 ? 0 : c.ny / larger;
   const double length = sqrt(x * x + y * y);
   return {located(core_a, p.a, c.a, p.exponent),
           located(core_b, p.b, c.b, p.exponent),

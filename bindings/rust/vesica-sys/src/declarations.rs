@@ -540,8 +540,7 @@ extern "C" {
     /// Accuracy: right to 64 u times the smaller shape's area times the larger aspect ratio, at aspect ratios up to
     /// 10^4, even if the outlines nearly touch or coincide and whatever the sizes are. Beyond 10^4 no bound is stated;
     /// what is said above holds at any ratio. With a capsule or a rounded rectangle the bound holds if neither shape is
-    /// more than 10^12 times as long as the other. If the other shape is an ellipse, it is not decided whether one
-    /// contains the other: such an area is right to the bound.
+    /// more than 10^12 times as long as the other.
     /// Polygons: their edges must not cross. Rings have any order and direction. An area within its error bound of 0 is
     /// 0, and one within it of the smaller shape's area is that area; if both hold, the exact relation decides. So it
     /// is exactly 0 if shapes only touch, and exactly the inner one's area if one contains the other; but insides that
@@ -1812,8 +1811,7 @@ extern "C" {
     /// Accuracy: right to 64 u times the smaller shape's area times the larger aspect ratio, at aspect ratios up to
     /// 10^4, even if the outlines nearly touch or coincide and whatever the sizes are. Beyond 10^4 no bound is stated;
     /// what is said above holds at any ratio. With a capsule or a rounded rectangle the bound holds if neither shape is
-    /// more than 10^12 times as long as the other. If the other shape is an ellipse, it is not decided whether one
-    /// contains the other: such an area is right to the bound.
+    /// more than 10^12 times as long as the other.
     /// Polygons: their edges must not cross. Rings have any order and direction. An area within its error bound of 0 is
     /// 0, and one within it of the smaller shape's area is that area; if both hold, the exact relation decides. So it
     /// is exactly 0 if shapes only touch, and exactly the inner one's area if one contains the other; but insides that
