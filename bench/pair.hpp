@@ -18,6 +18,16 @@ namespace vesica::bench {
 /// long enough (1 us and more) that reading the clock costs 1 or 2%, the same for both sides of a ratio.
 constexpr std::size_t pairs_per_pass = 256;
 
+/// The function of any two kinds, for those without a typed one.
+template <class A, class B>
+std::int32_t overlap_by_kind(const A* a, const B* b) {
+  if constexpr (std::is_same_v<typename Described<A>::Scalar, double>) {
+    return vesica_overlap_f64(kind_of<A>, a, kind_of<B>, b);
+  } else {
+    return vesica_overlap_f32(kind_of<A>, a, kind_of<B>, b);
+  }
+}
+
 template <class Function>
 struct Arguments;
 template <class A_, class B_>

@@ -40,8 +40,12 @@ ScalarCall scalar_call() {
 
 #define VESICA_CALLS(a, A, b, B) \
   scalar_call<vesica_overlap_##a##_##b##_f64>(), scalar_call<vesica_overlap_##a##_##b##_f32>(),
-const ScalarCall calls[] = {VESICA_EACH_PAIR_OF_FORMS(VESICA_CALLS)};
+#define VESICA_CALLS_BY_KIND(a, A, b, B)                              \
+  scalar_call<overlap_by_kind<vesica_##a##_f64, vesica_##b##_f64>>(), \
+      scalar_call<overlap_by_kind<vesica_##a##_f32, vesica_##b##_f32>>(),
+const ScalarCall calls[] = {VESICA_EACH_PAIR_OF_FORMS(VESICA_CALLS) VESICA_EACH_PAIR_INFLATED(VESICA_CALLS_BY_KIND)};
 #undef VESICA_CALLS
+#undef VESICA_CALLS_BY_KIND
 
 double measured(const Spec& spec) {
   for (const ScalarCall& call : calls) {

@@ -5,8 +5,8 @@
 
 namespace vesica::bench {
 
-/// Nanoseconds a pair of the typed scalar function of the row's pair and scalar, called through the shared library on
-/// fresh mixed pairs. Measured once a pair and scalar.
+/// Nanoseconds a pair of the scalar function of the row's pair and scalar, called through the shared library on fresh
+/// mixed pairs: the typed one, where there is one. Measured once a pair and scalar.
 double scalar_time(const Spec& spec);
 
 }  // namespace vesica::bench

@@ -171,8 +171,8 @@ std::vector<Spec> all_specs() {
   specs.best(main_pairs[0], true, Layout::two_threads);
   for (const Pair& pair : main_pairs) specs.near_contact(pair);
   specs.touching(main_pairs[0]);
-  for (std::int32_t a = VESICA_POINT; a <= VESICA_ELLIPSE; ++a) {
-    for (std::int32_t b = a; b <= VESICA_ELLIPSE; ++b) {
+  for (std::int32_t a = VESICA_POINT; a <= VESICA_ROUND_RECT; ++a) {
+    for (std::int32_t b = a; b <= VESICA_ROUND_RECT; ++b) {
       if (is_main({a, b})) continue;
       specs.everywhere({a, b}, Layout::one_many, Workload::mixed);
       specs.everywhere({a, b}, Layout::in_step, Workload::mixed);

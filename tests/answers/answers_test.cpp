@@ -76,7 +76,7 @@ class Answers : public testing::TestWithParam<Kinds> {
     static Table pinned = answers::read_table("hashes.txt");
     for (const auto& [name, hash] : hashes_) {
       auto& line = pinned[name][properties::kind_name(GetParam().a)];
-      line.resize(properties::kinds_with_form);
+      line.resize(properties::kinds);
       answers::judge(line[static_cast<std::size_t>(GetParam().b)], hash.value(), name + " of " + kinds());
     }
     answers::write_table("hashes.txt", pinned);
@@ -109,8 +109,8 @@ TEST_P(Answers, ByTheCLibrary) {
 
 std::vector<Kinds> ordered_pairs() {
   std::vector<Kinds> pairs;
-  for (int a = 0; a < properties::kinds_with_form; ++a) {
-    for (int b = 0; b < properties::kinds_with_form; ++b) pairs.push_back({a, b});
+  for (int a = 0; a < properties::kinds; ++a) {
+    for (int b = 0; b < properties::kinds; ++b) pairs.push_back({a, b});
   }
   return pairs;
 }

@@ -17,9 +17,10 @@ using namespace cast_test;
 double size_of(int kind, const Numbers& n) {
   if (kind == VESICA_POINT) return 0;
   if (kind == VESICA_CIRCLE) return n[2];
-  if (kind == VESICA_SEGMENT || kind == VESICA_AABB)
-    return std::max(std::fabs(n[2] - n[0]), std::fabs(n[3] - n[1])) / 2;
-  return std::hypot(n[2], n[3]) * std::max(n[4], n[5]);
+  const double radius = properties::is_inflated(kind) ? properties::radius(kind, n) : 0;
+  if (kind == VESICA_SEGMENT || kind == VESICA_AABB || kind == VESICA_CAPSULE)
+    return std::max(std::fabs(n[2] - n[0]), std::fabs(n[3] - n[1])) / 2 + radius;
+  return std::hypot(n[2], n[3]) * std::max(n[4], n[5]) + radius;
 }
 
 /// The greatest radius of curvature of an ellipse with an area, else 0: straight sides are met where they are.
@@ -33,7 +34,8 @@ double bend_of(int kind, const Numbers& n) {
 /// promises the face's corner.
 bool meets_faces(int kind, const Numbers& n, const Motion& m) {
   if (properties::is_round(kind)) return true;
-  const bool is_segment = kind == VESICA_SEGMENT, has_axis = kind == VESICA_RECT;
+  const bool is_segment = kind == VESICA_SEGMENT || kind == VESICA_CAPSULE;
+  const bool has_axis = kind == VESICA_RECT || kind == VESICA_ROUND_RECT;
   const double ux = is_segment ? n[2] - n[0] : has_axis ? n[2] : 1, uy = is_segment ? n[3] - n[1] : has_axis ? n[3] : 0;
   const double length = std::hypot(ux, uy), speed = std::hypot(m.vx, m.vy);
   const double c = (ux / length) * (m.vx / speed) + (uy / length) * (m.vy / speed);
@@ -55,8 +57,8 @@ TEST(Accuracy, OfThePoint) {
   int hits = 0;
   for (const properties::Workload workload : {properties::Workload::random, properties::Workload::grid,
                                               properties::Workload::degenerate, properties::Workload::thin}) {
-    for (int a = 0; a < properties::kinds_with_form; ++a) {
-      for (int b = 0; b < properties::kinds_with_form; ++b) {
+    for (int a = 0; a < properties::kinds; ++a) {
+      for (int b = 0; b < properties::kinds; ++b) {
         properties::Stream stream(workload, a, b, Scalar::f64, properties::seed() + 41);
         properties::Random random(properties::seed() + 42);
         for (int i = 0; i < 60 * properties::repeat(); ++i) {
@@ -88,7 +90,7 @@ TEST(Accuracy, AlongTheOutline) {
   int hits = 0, needles = 0;
   for (const properties::Workload workload : {properties::Workload::random, properties::Workload::grid,
                                               properties::Workload::degenerate, properties::Workload::thin}) {
-    for (int a = 0; a < properties::kinds_with_form; ++a) {
+    for (int a = 0; a < properties::kinds; ++a) {
       properties::Stream stream(workload, a, VESICA_POINT, Scalar::f64, properties::seed() + 43);
       properties::Random random(properties::seed() + 44);
       for (int i = 0; i < 400 * properties::repeat(); ++i) {

@@ -25,8 +25,8 @@ TYPED_TEST_SUITE(Batches, Scalars);
 
 TYPED_TEST(Batches, HaveTheBitsOfSingleCalls) {
   using T = TypeParam;
-  for (int kind_a = 0; kind_a < properties::kinds_with_form; ++kind_a) {
-    for (int kind_b = 0; kind_b < properties::kinds_with_form; ++kind_b) {
+  for (int kind_a = 0; kind_a < properties::kinds; ++kind_a) {
+    for (int kind_b = 0; kind_b < properties::kinds; ++kind_b) {
       Arrays<T> s(properties::Workload::random, kind_a, kind_b, 40);
       check_many<T>(s, T(3));
       Arrays<T> grid(properties::Workload::grid, kind_a, kind_b, 20);
@@ -48,7 +48,7 @@ TYPED_TEST(Batches, OfWhichSomeElementsAreWrong) {
 TYPED_TEST(Batches, FirstIsTheEarliestOfAll) {
   using T = TypeParam;
   int found = 0;
-  for (int kind = 0; kind < properties::kinds_with_form; ++kind) {
+  for (int kind = 0; kind < properties::kinds; ++kind) {
     Arrays<T> s(properties::Workload::random, kind, VESICA_POINT, 60);
     s.shapes_b.count = 1;
     const T vx = s.v[0][0] * 8, vy = s.v[0][1] * 8;
@@ -143,8 +143,8 @@ TEST(FirstHits, AgreeWithSingleCastsAboutTheRange) {
   int out_of_range = 0, beside_out_of_range = 0, found = 0, told_faster = 0;
   for (const properties::Workload workload :
        {properties::Workload::mixed_scale, properties::Workload::axis_length, properties::Workload::near_contact}) {
-    for (int kind_a = 0; kind_a < properties::kinds_with_form; ++kind_a) {
-      for (int kind_b = 0; kind_b < properties::kinds_with_form; ++kind_b) {
+    for (int kind_a = 0; kind_a < properties::kinds; ++kind_a) {
+      for (int kind_b = 0; kind_b < properties::kinds; ++kind_b) {
         Arrays<double> s(workload, kind_a, kind_b, 24);
         const Index index(s.shapes_a);
         for (std::size_t k = 0; k < 4; ++k) {

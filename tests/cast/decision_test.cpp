@@ -23,9 +23,7 @@ bool meets(const Pair& p, const Motion& m, double time, int less = 0) {
 }
 
 /// Of two such with an area the oracle is slow.
-bool has_round_outline(int kind, const Numbers& n) {
-  return kind == VESICA_CIRCLE ? n[2] > 0 : kind == VESICA_ELLIPSE && n[4] > 0 && n[5] > 0;
-}
+bool has_round_outline(int kind, const Numbers& n) { return properties::is_curved(kind, n); }
 
 /// By how many powers of two the numbers of a moving pair differ, zeros left out.
 int spread(const Pair& p, const Motion& m, double t) {
@@ -97,7 +95,8 @@ TEST_P(Decision, EveryWorkload) {
                       workload == properties::Workload::thin;
     properties::Stream stream(workload, k.a, k.b, k.scalar, properties::seed() + 11);
     properties::Random random(properties::seed() + 12);
-    const bool slow = properties::is_round(k.a) && properties::is_round(k.b);
+    const auto has_arcs = [](int kind) { return properties::is_round(kind) || properties::is_inflated(kind); };
+    const bool slow = has_arcs(k.a) && has_arcs(k.b);
     const int count = (wild ? 5 : 25) / (slow ? 5 : 1);
     for (int i = 0; i < count * properties::repeat(); ++i) {
       const Pair p = stream.next();
@@ -123,7 +122,6 @@ TEST_P(Decision, EveryWorkload) {
   std::printf("%d cases, %d hits\n", cases_, hits_);
 }
 
-INSTANTIATE_TEST_SUITE_P(Cast, Decision, testing::ValuesIn(properties::all_pairs_of_kinds(properties::kinds_with_form)),
-                         properties::test_name);
+INSTANTIATE_TEST_SUITE_P(Cast, Decision, testing::ValuesIn(properties::all_pairs_of_kinds()), properties::test_name);
 
 }  // namespace

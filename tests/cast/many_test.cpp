@@ -30,8 +30,8 @@ TYPED_TEST_SUITE(CastsOfArrays, Scalars);
 
 template <class Action>
 void each_pair_of_kinds(const Action& action) {
-  for (int kind_a = 0; kind_a < properties::kinds_with_form; ++kind_a) {
-    for (int kind_b = 0; kind_b < properties::kinds_with_form; ++kind_b) action(kind_a, kind_b);
+  for (int kind_a = 0; kind_a < properties::kinds; ++kind_a) {
+    for (int kind_b = 0; kind_b < properties::kinds; ++kind_b) action(kind_a, kind_b);
   }
 }
 

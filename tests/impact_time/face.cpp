@@ -27,10 +27,10 @@ Numbers draw_shape(int kind, Style style, properties::Random& random) {
 }  // namespace
 
 Placed placed_at(int kind, const Numbers& n, const Turn& turn, double t, double grown) {
-  const bool corners = kind == VESICA_SEGMENT || kind == VESICA_AABB;
+  const bool is_line = kind == VESICA_SEGMENT || kind == VESICA_CAPSULE, corners = is_line || kind == VESICA_AABB;
   const double x = corners ? 0.5 * (n[0] + n[2]) : n[0], y = corners ? 0.5 * (n[1] + n[3]) : n[1];
   double ux = 1, uy = 0, hx = 0, hy = 0;
-  if (kind == VESICA_SEGMENT) {
+  if (is_line) {
     ux = n[2] - n[0], uy = n[3] - n[1], hx = 0.5;
   } else if (kind == VESICA_CIRCLE) {
     hx = hy = n[2];
@@ -41,10 +41,12 @@ Placed placed_at(int kind, const Numbers& n, const Turn& turn, double t, double 
   }
   const long double angle = static_cast<long double>(turn.angle) * static_cast<long double>(t);
   const double c = static_cast<double>(std::cos(angle)), s = static_cast<double>(std::sin(angle));
-  const bool round = properties::is_round(kind);
-  return {round ? VESICA_ELLIPSE : VESICA_RECT,
+  const bool inflated = properties::is_inflated(kind);
+  return {properties::is_round(kind) ? VESICA_ELLIPSE
+          : inflated                 ? VESICA_ROUND_RECT
+                                     : VESICA_RECT,
           {std::fma(t, turn.vx, x), std::fma(t, turn.vy, y), c * ux - s * uy, s * ux + c * uy, hx * (1 + grown),
-           hy * (1 + grown)}};
+           hy * (1 + grown), inflated ? properties::radius(kind, n) * (1 + grown) : 0}};
 }
 
 bool cores_overlap(const Turning& s, double t) {

@@ -129,7 +129,7 @@ TEST_P(Laws, HoldForEveryWorkload) {
 
 std::vector<properties::Kinds> pairs_in_double() {
   std::vector<properties::Kinds> result;
-  for (const properties::Kinds& k : properties::all_pairs_of_kinds(properties::kinds_with_form)) {
+  for (const properties::Kinds& k : properties::all_pairs_of_kinds()) {
     if (k.scalar == Scalar::f64) result.push_back(k);
   }
   return result;

@@ -106,8 +106,7 @@ TEST_P(Samples, NoneOverlapBefore) {
   EXPECT_GE(near_enough_, ends_ * 9 / 10);
 }
 
-INSTANTIATE_TEST_SUITE_P(ImpactTime, Samples,
-                         testing::ValuesIn(properties::all_pairs_of_kinds(properties::kinds_with_form)),
+INSTANTIATE_TEST_SUITE_P(ImpactTime, Samples, testing::ValuesIn(properties::all_pairs_of_kinds()),
                          properties::test_name);
 
 }  // namespace

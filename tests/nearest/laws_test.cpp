@@ -146,7 +146,6 @@ TEST(NearestLaws, BesideTheEndOfAFace) {
   EXPECT_GT(beyond, 20 * properties::repeat());
 }
 
-INSTANTIATE_TEST_SUITE_P(Nearest, Laws, testing::ValuesIn(properties::all_pairs_of_kinds(properties::kinds_with_form)),
-                         properties::test_name);
+INSTANTIATE_TEST_SUITE_P(Nearest, Laws, testing::ValuesIn(properties::all_pairs_of_kinds()), properties::test_name);
 
 }  // namespace

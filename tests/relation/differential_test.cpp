@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <cstdio>
+#include <vector>
 
 #include "oracle/oracle.hpp"
 #include "properties/answers.hpp"
@@ -81,7 +82,12 @@ TEST_P(RelationDifferential, AgreesWithOracle) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Pairs, RelationDifferential,
-                         testing::ValuesIn(all_pairs_of_kinds(properties::kinds_with_form)), test_name);
+/// The oracle does not know an ellipse with a core that has a radius: inflated_test.cpp asks about these.
+std::vector<Kinds> pairs_of_the_oracle() {
+  std::vector<Kinds> result = all_pairs_of_kinds();
+  std::erase_if(result, [](const Kinds& k) { return k.a == VESICA_ELLIPSE && is_inflated(k.b); });
+  return result;
+}
+INSTANTIATE_TEST_SUITE_P(Pairs, RelationDifferential, testing::ValuesIn(pairs_of_the_oracle()), test_name);
 
 }  // namespace

@@ -135,8 +135,7 @@ TEST_P(SignedDistance, IsDistanceOrDepth) {
   GetParam().scalar == Scalar::f64 ? check<double>(GetParam()) : check<float>(GetParam());
 }
 
-INSTANTIATE_TEST_SUITE_P(All, SignedDistance,
-                         testing::ValuesIn(properties::all_pairs_of_kinds(properties::kinds_with_form)),
+INSTANTIATE_TEST_SUITE_P(All, SignedDistance, testing::ValuesIn(properties::all_pairs_of_kinds()),
                          properties::test_name);
 
 TEST(SignedDistanceKnown, Literals) {

@@ -112,8 +112,8 @@ TEST_P(WithinContact, LeastDistance) {
 
 std::vector<properties::Kinds> with_an_ellipse() {
   std::vector<properties::Kinds> result;
-  for (const properties::Kinds& k : properties::all_pairs_of_kinds(properties::kinds_with_form)) {
-    if (k.b == VESICA_ELLIPSE && k.a != VESICA_ELLIPSE) result.push_back(k);
+  for (const properties::Kinds& k : properties::all_pairs_of_kinds()) {
+    if ((k.a == VESICA_ELLIPSE) != (k.b == VESICA_ELLIPSE)) result.push_back(k);
   }
   return result;
 }

@@ -95,13 +95,19 @@ class Within : public testing::TestWithParam<properties::Kinds> {
 TEST_P(Within, EveryWorkload) {
   std::printf("VESICA_SEED=%llu\n", static_cast<unsigned long long>(properties::seed()));
   const properties::Kinds k = GetParam();
-  const bool curved = k.b == VESICA_ELLIPSE, both_curved = curved && k.a == VESICA_ELLIPSE;
+  const bool both_curved = k.a == VESICA_ELLIPSE && k.b == VESICA_ELLIPSE;
+  const bool curved = k.a == VESICA_ELLIPSE || k.b == VESICA_ELLIPSE;
   for (const properties::Workload workload : properties::all_workloads) {
     const bool wild = workload == properties::Workload::mixed_scale || workload == properties::Workload::axis_length ||
                       workload == properties::Workload::thin;
     properties::Stream stream(workload, k.a, k.b, k.scalar, properties::seed() + 21);
     properties::Random random(properties::seed() + 22);
-    const int count = both_curved ? (wild ? 4 : 3) : curved ? (wild ? 2 : 10) : (wild ? 8 : 40);
+    // The oracle is slowest where an ellipse is the first: beside a core with a radius.
+    const int count = both_curved ? (wild ? 4 : 3)
+                      : curved    ? (wild                    ? 2
+                                     : k.a == VESICA_ELLIPSE ? 4
+                                                             : 10)
+                                  : (wild ? 8 : 40);
     for (int i = 0; i < count * properties::repeat(); ++i) {
       const Pair p = stream.next();
       for (const double distance : distances(p, random)) check(p, distance);
@@ -115,7 +121,6 @@ TEST_P(Within, EveryWorkload) {
   std::printf("%d cases, %d yes, %d nearly\n", cases_, yes_, nearly_);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Within, testing::ValuesIn(properties::all_pairs_of_kinds(properties::kinds_with_form)),
-                         properties::test_name);
+INSTANTIATE_TEST_SUITE_P(All, Within, testing::ValuesIn(properties::all_pairs_of_kinds()), properties::test_name);
 
 }  // namespace

@@ -29,8 +29,8 @@ struct ClosestCores {
   /// is the same whichever shape is the first.
   Located common() const noexcept {
     const double sum = rounded(radii);
-    if (sum == 0) return a;
     const bool a_first = a.x < b.x || (a.x == b.x && a.y < b.y);
+    if (sum == 0) return a_first ? a : b;
     return a_first ? from_a(rounded(distance) * (radius_a / sum)) : from_b(rounded(distance) * (radius_b / sum));
   }
 };
