@@ -77,6 +77,8 @@ TEST_P(RelationDifferential, AgreesWithOracle) {
   }
   if (!point) {
     for (const int code : {VESICA_TOUCH, VESICA_CROSS, VESICA_CONTAINS, VESICA_CONTAINS_TOUCH}) {
+      // A segment contains a capsule only if that has no radius.
+      if (code == VESICA_CONTAINS && kinds.a == VESICA_SEGMENT && kinds.b == VESICA_CAPSULE) continue;
       EXPECT_GT(seen_[static_cast<std::size_t>(code)], 0) << code;
     }
   }
