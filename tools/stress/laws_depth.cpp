@@ -74,9 +74,8 @@ void judge_accuracy(Judge& j, const Pair& p, const Answer& r, Effort effort) {
                      : std::to_string(Real(error / unit).get_d()) + " u scale";
   };
   const Real needed = needed_along(a, b, r.numbers[1], r.numbers[2]);
-  const bool rounded = p.kind_a >= VESICA_CAPSULE || p.kind_b >= VESICA_CAPSULE;
-  const char* const law = subnormal ? "subnormal_moves_clear" : rounded ? "rounded_moves_clear" : "moves_clear";
-  j.demand(needed - depth <= allowed + 4 * unit, law, "8 u scale", in_units(needed - depth));
+  j.demand(needed - depth <= allowed + 4 * unit, subnormal ? "subnormal_moves_clear" : "moves_clear", "8 u scale",
+           in_units(needed - depth));
   if (effort == Effort::quick) return;
   const Real error = abs(Real(depth - outline_reference::least(a, b, 1).value));
   j.demand(error <= allowed, subnormal ? "subnormal_accuracy" : "accuracy", "4 u scale", in_units(error));
