@@ -5,6 +5,7 @@ import ctypes
 import numpy
 
 from . import _declarations
+from .arrow import of_geoarrow
 from .shapes import VIEWS, Kind, Shapes, _floats, new_shapes
 
 # The C struct of a polygon, as numbers of the size of a pointer: x, y, stride, rings, count.
@@ -86,7 +87,8 @@ def polygons(vertices, *offsets):
     """Polygons. Their holes, and what is inside, follow from the even-odd rule, in whatever order the rings are.
 
     vertices: (n, k, 2), so that (n, 4, 2) are quads and (n, 3, 2) triangles; (k, 2) for a single polygon; a list of
-    polygons, each (k, 2) or a list of rings; or (m, 2) with offsets. Arrays are read where they lie.
+    polygons, each (k, 2) or a list of rings; (m, 2) with offsets; or an array of Arrow in GeoArrow's form, which has
+    __arrow_c_array__. Arrays are read where they lie.
     offsets: where each ring begins among the vertices, with the end: one ring a polygon. With a second array, where each
     polygon begins among the rings: those of GeoArrow, and of shapely.to_ragged_array.
     """
@@ -98,7 +100,20 @@ def polylines(vertices, *offsets):
     return _make(Kind.POLYLINE, vertices, offsets)
 
 
+# The types of GeoArrow that each kind is made of.
+_GEOARROW = {Kind.POLYGON: ("polygon", "multipolygon"), Kind.POLYLINE: ("linestring", "multilinestring")}
+
+
+def _of_arrow(kind, array):
+    vertices, (rings, *parts) = of_geoarrow(array, _GEOARROW[kind])
+    if len(parts) > 1:  # parts of parts of rings: the latter's offsets follow
+        parts = [parts[0][_sound(parts[1], len(parts[0]) - 1, "offsets of parts")]]
+    return _of_offsets(kind, vertices, rings, *parts)
+
+
 def _make(kind, vertices, offsets):
+    if not offsets and hasattr(vertices, "__arrow_c_array__"):
+        return _of_arrow(kind, vertices)
     if len(offsets) == 1 and isinstance(offsets[0], tuple):
         offsets = offsets[0]
     if offsets:
