@@ -420,7 +420,8 @@ VESICA_API int64_t vesica_crossings_f64(int32_t kind_a, const void *a, int32_t k
  * Returns: 0.
  * Accuracy: at aspect ratios up to 1e6 the distance is right to 4 u scale, and the points are that far apart to 16 u
  * scale. At any ratio it is above 0 unless outlines meet, and points are on them to 12 u scale before they are rounded.
- * Cost: as vesica_nearest_f64 for disjoint shapes; up to three times as much if outlines meet or are nested.
+ * Cost: as vesica_nearest_f64 for disjoint shapes; up to three times as much if outlines meet or are nested, with a
+ * capsule or a rounded rectangle up to twenty times.
  */
 VESICA_API int32_t vesica_boundary_distance_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b,
                                                 vesica_closest_points_f64 *out);

@@ -656,7 +656,8 @@ extern "C" {
     /// largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of
     /// at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
-    /// Cost: as vesica_nearest_f64 for disjoint shapes; up to three times as much if outlines meet or are nested.
+    /// Cost: as vesica_nearest_f64 for disjoint shapes; up to three times as much if outlines meet or are nested, with
+    /// a capsule or a rounded rectangle up to twenty times.
     ///
     /// Since: 0.1.
     pub fn vesica_boundary_distance_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
@@ -1729,7 +1730,8 @@ extern "C" {
     /// between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the
     /// scale. An aspect ratio is longer over shorter size.
     ///
-    /// Cost: as vesica_nearest_f32 for disjoint shapes; up to three times as much if outlines meet or are nested.
+    /// Cost: as vesica_nearest_f32 for disjoint shapes; up to three times as much if outlines meet or are nested, with
+    /// a capsule or a rounded rectangle up to twenty times.
     ///
     /// Since: 0.1.
     pub fn vesica_boundary_distance_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
