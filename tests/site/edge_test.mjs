@@ -71,6 +71,47 @@ test("exact answers are the oracle's", async () => {
   await closeQuietly(page);
 });
 
+test('polygons: the exact strip turns once, and textbooks are right away from contact', async () => {
+  const page = await openPlayground();
+  for (const [a, b] of [
+    ['polygon', 'triangle'],
+    ['frame', 'ellipse'],
+    ['polyline', 'circle'],
+    ['quad', 'rect'],
+  ]) {
+    await page.click('#tab-two');
+    await page.select('#kind-a', a);
+    await page.select('#kind-b', b);
+    await page.click('#tab-edge');
+    await page.waitForSelector('.strips');
+    const exact = await page.$$eval('#exact [data-answer]', (all) => all.map(({ dataset }) => dataset.answer));
+    assert.equal(exact.length, 131);
+    assert.equal(exact.filter((answer, i) => i > 0 && answer !== exact[i - 1]).length, 1, `${a} ${b}`);
+  }
+  const wrong = await page.evaluate(async () => {
+    const { load } = await import('../vesica/vesica.mjs'),
+      { double, float, overlap } = await import('./edge/textbook.mjs'),
+      { asKind, choices } = await import('./shape.mjs'),
+      { random } = await import('./crowd/motion.mjs');
+    const vesica = await load(),
+      next = random(3),
+      sorts = Object.keys(choices).filter((sort) => sort !== 'point');
+    const shape = () =>
+      asKind(
+        { kind: 'rect', cx: 8 * next(), cy: 8 * next(), ux: 1, uy: next(), hx: 2, hy: 1 },
+        sorts[Math.floor(sorts.length * next())],
+      );
+    let differ = 0;
+    for (let i = 0; i < 3000; ++i) {
+      const [a, b] = [shape(), shape()];
+      for (const arithmetic of [double, float]) differ += overlap(arithmetic, a, b) !== vesica.overlap(a, b);
+    }
+    return differ;
+  });
+  assert.equal(wrong, 0);
+  await closeQuietly(page);
+});
+
 test('the example: textbooks fail in double and in float', async () => {
   const page = await openPlayground('#tab=edge');
   await page.click('#edge-example');

@@ -7,6 +7,7 @@ import { test } from 'node:test';
 import { closeQuietly, middle, openPlayground, text } from './browser.mjs';
 
 const kinds = ['point', 'segment', 'circle', 'aabb', 'rect', 'ellipse', 'capsule', 'round_rect'];
+const paths = ['triangle', 'quad', 'polygon', 'frame', 'polyline'];
 const value = (page, id) => text(page, `#answer-${id} strong`);
 const number = (page, name, field) => page.$eval(`#number-${name}-${field}`, (input) => Number(input.value));
 const choose = (page, name, kind) => page.select(`#kind-${name}`, kind);
@@ -74,6 +75,92 @@ test('handles of a capsule and a rounded rectangle: ends, and the radius', async
   assert.ok((await number(page, 'b', 'r')) < corner);
   assert.equal(await number(page, 'b', 'hx'), hx);
   await closeQuietly(page);
+});
+
+const drag = async (page, handle, dx, dy) => {
+  const [x, y] = await middle(page, handle);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + dx, y + dy, { steps: 5 });
+  await page.mouse.up();
+};
+const handles = (page, name) => page.$$eval(`#panel-two .handle.${name}`, (all) => all.length);
+
+test('corners of a polygon are dragged, added and taken away', async () => {
+  const page = await openPlayground();
+  await choose(page, 'b', 'frame');
+  assert.equal(await handles(page, 'b'), 9);
+  const [x3, x4] = [await number(page, 'b', 'x3'), await number(page, 'b', 'x4')];
+  await drag(page, '#two-b-corner-3', -50, 0);
+  assert.ok((await number(page, 'b', 'x3')) < x3);
+  assert.equal(await number(page, 'b', 'x4'), x4);
+  // On the edge between the first two corners, by the mouse.
+  await middle(page, '#two-b-move');
+  const [from, to] = await page.$$eval('#two-b-corner-0, #two-b-corner-1', (all) =>
+    all.map((one) => one.getBoundingClientRect()).map(({ x, y, width, height }) => [x + width / 2, y + height / 2]),
+  );
+  await page.mouse.click(from[0] * 0.3 + to[0] * 0.7, from[1] * 0.3 + to[1] * 0.7, { clickCount: 2 });
+  assert.equal(await handles(page, 'b'), 10);
+  const [x0, x1, x2] = await Promise.all(['x0', 'x1', 'x2'].map((field) => number(page, 'b', field)));
+  assert.ok(Math.abs(x1 - (0.3 * x0 + 0.7 * x2)) < 0.05);
+  await page.mouse.click(...(await middle(page, '#two-b-corner-1')), { clickCount: 2 });
+  assert.equal(await handles(page, 'b'), 9);
+  // By keys; three corners stay.
+  await choose(page, 'b', 'quad');
+  await page.focus('#two-b-corner-0');
+  await page.keyboard.press('Insert');
+  assert.equal(await handles(page, 'b'), 6);
+  for (const [key, count] of [
+    ['Delete', 5],
+    ['Backspace', 4],
+    ['Delete', 4],
+  ]) {
+    await page.focus('#two-b-corner-1');
+    await page.keyboard.press(key);
+    assert.equal(await handles(page, 'b'), count);
+  }
+  await closeQuietly(page);
+});
+
+test('a hole goes with its third last corner', async () => {
+  const page = await openPlayground();
+  await choose(page, 'a', 'frame');
+  for (const count of [8, 5]) {
+    await page.focus('#two-a-corner-7, #two-a-corner-6');
+    await page.keyboard.press('Delete');
+    assert.equal(await handles(page, 'a'), count);
+  }
+  assert.equal(await page.$eval('#kind-a', ({ value }) => value), 'quad');
+  await closeQuietly(page);
+});
+
+test('a polygon whose edges cross is not taken, and its answers are those before', async () => {
+  const page = await openPlayground();
+  await choose(page, 'a', 'quad');
+  const x2 = await number(page, 'a', 'x2');
+  await page.$eval('#number-a-x2', (input) => (input.value = ''));
+  await page.type('#number-a-x2', '-100\n');
+  assert.match(await text(page, '#panel-two .error'), /edges of a polygon cross/);
+  assert.equal(await page.evaluate(() => location.hash.includes('-0x1.9p+6')), false);
+  await page.focus('#tab-two');
+  await page.focus('#two-a-move');
+  await page.keyboard.press('ArrowUp');
+  assert.equal(await number(page, 'a', 'x2'), x2);
+  await closeQuietly(page);
+});
+
+test('a link holds a polygon with a hole, and a polyline', async () => {
+  const page = await openPlayground();
+  await choose(page, 'a', 'frame');
+  await choose(page, 'b', 'polyline');
+  await page.waitForFunction(() => /a=polygon,[^&]*;[^&]*&b=polyline,/.test(location.hash));
+  const told = (one) => one.$$eval('.answers .exact', (all) => all.map(({ textContent }) => textContent));
+  const again = await openPlayground(await page.evaluate(() => location.hash));
+  assert.equal(await handles(again, 'a'), 9);
+  assert.equal(await handles(again, 'b'), 5);
+  assert.deepEqual(await told(again), await told(page));
+  await closeQuietly(page);
+  await closeQuietly(again);
 });
 
 test('keys alone: from the first tab to one last-place unit', async () => {
@@ -192,14 +279,14 @@ function said({ id, value, exact }) {
 test('all pairs of kinds: the calls to copy compile, and answer what the page says', async () => {
   const page = await openPlayground(),
     all = [];
-  for (const a of kinds) {
+  for (const a of [...kinds, ...paths]) {
     await choose(page, 'a', a);
-    for (const b of kinds) {
+    for (const b of [...kinds, ...paths]) {
       await choose(page, 'b', b);
       all.push(...(await calls(page)));
     }
   }
-  assert.equal(all.length, 64 * 8);
+  assert.equal(all.length, 169 * 8);
   const functions = all.map(
     ({ id, call }, i) => `static void f${i}(void) {\n${call}\n(void)answer;\n${print(id)}\n}`,
   );

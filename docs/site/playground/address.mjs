@@ -3,16 +3,39 @@
 // so that a link loses no bit.
 //
 //   #tab=edge&a=rect,0x0p+0,...&b=ellipse,...
+//   #tab=two&a=polygon,0x0p+0,...;0x1p+0,...&b=...
 //   #tab=motion&a=...&b=...&motion=0x1p+0,0x0p+0,0x0p+0
 import { fields } from '../vesica/vesica.mjs';
 import { fromHex, toHex } from './number.mjs';
+import { isPath, rings } from './path.mjs';
 import { kinds, numbers, withNumbers } from './shape.mjs';
 
-const write = (shape) => [shape.kind, ...numbers(shape).map(toHex)].join(',');
+const write = (shape) =>
+  isPath(shape)
+    ? `${shape.kind},${rings(shape)
+        .map((ring) => ring.flat().map(toHex).join(','))
+        .join(';')}`
+    : [shape.kind, ...numbers(shape).map(toHex)].join(',');
+
+/** Rings are between semicolons. */
+function readPath(name, kind, lists) {
+  const vertices = [],
+    ends = [0];
+  for (const list of lists) {
+    for (const word of list.split(',')) {
+      vertices.push(fromHex(word));
+      if (Number.isNaN(vertices.at(-1))) throw new Error(`a corner of ${name} is no hexadecimal number: “${word}”`);
+    }
+    if (vertices.length % 2 === 1) throw new Error(`a corner of ${name} has one number; it has two`);
+    ends.push(vertices.length / 2);
+  }
+  return { kind, vertices, rings: ends };
+}
 
 function readShape(name, text) {
   const [kind, ...words] = text.split(',');
   if (!kinds.includes(kind)) throw new Error(`${name} is of no known kind: “${kind}”`);
+  if (isPath({ kind })) return readPath(name, kind, text.slice(kind.length + 1).split(';'));
   const values = words.map(fromHex),
     wanted = fields[kind];
   if (values.length !== wanted.length)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A drawing of shapes: x to the right and y up, from numbers of any size to a picture of a fixed one.
 import { svg } from './element.mjs';
-import { form, outline, reach } from './shape.mjs';
+import { form, outlines, reach } from './shape.mjs';
 
 export const width = 800,
   height = 520;
@@ -70,7 +70,15 @@ export function grid(view) {
 /** A shape's outline; a point is a small dot. */
 export function draw(view, shape, attributes) {
   if (shape.kind === 'point') return dot(view, [shape.x, shape.y], { r: 5, ...attributes });
-  return svg('path', { d: path(outline(shape).map((point) => view.to(point))), ...attributes });
+  const closed = shape.kind !== 'polyline',
+    lines = outlines(shape).map((points) =>
+      path(
+        points.map((point) => view.to(point)),
+        closed,
+      ),
+    );
+  const line = closed ? {} : { style: 'fill: none' };
+  return svg('path', { d: lines.join(''), 'fill-rule': 'evenodd', 'clip-rule': 'evenodd', ...line, ...attributes });
 }
 
 export function dot(view, at, attributes) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shapes as outlines to draw, and as the forms that formulas use: boxes, ellipses, and boxes with a radius.
 import { fields } from '../vesica/vesica.mjs';
+import { bent, isPath, middleOf, rings, shifted, sides } from './path.mjs';
 
 export const nameOf = {
   point: 'point',
@@ -11,12 +12,40 @@ export const nameOf = {
   ellipse: 'ellipse',
   capsule: 'capsule',
   round_rect: 'rounded rectangle',
+  polygon: 'polygon',
+  polyline: 'polyline',
 };
 
 /** The kinds that the playground draws. */
 export const kinds = Object.keys(nameOf);
 
-export const numbers = (shape) => fields[shape.kind].map((name) => shape[name]);
+/** What one chooses from: kinds, and polygons of several sorts. */
+const { polygon, polyline, ...others } = nameOf;
+export const choices = {
+  ...others,
+  triangle: 'triangle',
+  quad: 'quadrilateral',
+  polygon,
+  frame: 'polygon with a hole',
+  polyline,
+};
+
+/** Which of the choices a shape is. */
+export function choiceOf(shape) {
+  if (shape.kind !== 'polygon') return shape.kind;
+  if (rings(shape).length > 1) return 'frame';
+  return { 6: 'triangle', 8: 'quad' }[shape.vertices.length] ?? 'polygon';
+}
+
+/** The names of its numbers, one of them, and the shape with another one. */
+export const fieldsOf = (shape) =>
+  isPath(shape) ? shape.vertices.map((_, i) => `${'xy'[i % 2]}${i >> 1}`) : fields[shape.kind];
+const place = (field) => 2 * Number(field.slice(1)) + 'xy'.indexOf(field[0]);
+export const numberOf = (shape, field) => (isPath(shape) ? shape.vertices[place(field)] : shape[field]);
+export const withNumber = (shape, field, value) =>
+  isPath(shape) ? { ...shape, vertices: shape.vertices.with(place(field), value) } : { ...shape, [field]: value };
+
+export const numbers = (shape) => (isPath(shape) ? shape.vertices : fields[shape.kind].map((name) => shape[name]));
 export const withNumbers = (kind, values) => ({
   kind,
   ...Object.fromEntries(fields[kind].map((name, i) => [name, values[i]])),
@@ -27,6 +56,15 @@ export const radius = (shape) => (shape.kind === 'capsule' || shape.kind === 'ro
 
 /** The centre, and two half axes as vectors: a box is all C + s P + t Q with |s|, |t| <= 1. Of the core, without its radius. */
 export function form(shape) {
+  if (isPath(shape)) {
+    const [left, right, low, high] = sides(shape);
+    return {
+      x: left / 2 + right / 2,
+      y: low / 2 + high / 2,
+      p: [right / 2 - left / 2, 0],
+      q: [0, high / 2 - low / 2],
+    };
+  }
   switch (shape.kind) {
     case 'point':
       return { x: shape.x, y: shape.y, p: [0, 0], q: [0, 0] };
@@ -75,6 +113,16 @@ function farthest(shape, t) {
   return [x + r * n[0], y + r * n[1]];
 }
 
+/** A point to hold it by: the centre, or of a polygon the middle of its corners. */
+export function middle(shape) {
+  if (isPath(shape)) return middleOf(shape);
+  const { x, y } = form(shape);
+  return [x, y];
+}
+
+/** Outlines, closed or not, as points in order. */
+export const outlines = (shape) => (isPath(shape) ? rings(shape) : [outline(shape)]);
+
 /** The outline as points in order. */
 export function outline(shape, count = 96) {
   if (radius(shape) > 0)
@@ -108,11 +156,12 @@ export function asKind(shape, kind) {
     ellipse: () => withNumbers('ellipse', [x, y, ...u, a, b]),
     capsule: () => withNumbers('capsule', [x - end * u[0], y - end * u[1], x + end * u[0], y + end * u[1], a - end]),
     round_rect: () => withNumbers('round_rect', [x, y, ...u, a - r, b - r, r]),
-  }[kind]();
+  }[kind]?.() ?? bent(kind, x, y, u, a, b);
 }
 
 /** The shape with every point moved. */
 export function moved(shape, dx, dy) {
+  if (isPath(shape)) return shifted(shape, dx, dy);
   const shift = {
     x: dx,
     cx: dx,

@@ -2,6 +2,7 @@
 // A picture of named shapes that one can take hold of: by mouse, touch and keys.
 import { html } from './element.mjs';
 import { afterKey, handlesOf } from './pair/handles.mjs';
+import { edgeNear, isPath, withCorner } from './path.mjs';
 import { board, height, View, width } from './plane.mjs';
 
 const percent = (part, whole) => `${Math.max(0, Math.min(100, (100 * part) / whole))}%`;
@@ -20,6 +21,7 @@ export class Stage {
     this.#change = change;
     this.#board = board(label);
     this.#board.addEventListener('pointerdown', (event) => this.#grab(event, event.target.dataset.shape, 'move'));
+    this.#board.addEventListener('dblclick', (event) => this.#bend(event, event.target.dataset.shape));
     this.element = html('div', { class: 'picture' }, this.#board, this.#handles);
   }
 
@@ -31,8 +33,8 @@ export class Stage {
   show(nodes) {
     this.#board.replaceChildren(...nodes);
     const shapes = this.#shapes();
-    const wanted = Object.entries(shapes).flatMap(([name, { kind }]) =>
-      handlesOf(kind).map((handle) => [name, handle]),
+    const wanted = Object.entries(shapes).flatMap(([name, shape]) =>
+      handlesOf(shape).map((handle) => [name, handle]),
     );
     const key = wanted.map(([name, { id }]) => `${name}-${id}`).join();
     if (this.#handles.dataset.key !== key) {
@@ -53,11 +55,15 @@ export class Stage {
       'button',
       {
         type: 'button',
-        class: `handle ${name} ${handle.id}`,
+        class: `handle ${name} ${handle.id}${handle.remove ? ' corner' : ''}`,
         id: `${this.id}-${name}-${handle.id}`,
         'aria-label': label,
         title: label,
         pointerdown: (event) => this.#grab(event, name, handle.id),
+        dblclick: () => {
+          const shape = handle.remove?.(this.#shapes()[name]) ?? null;
+          if (shape !== null) this.#change({ [name]: shape });
+        },
         keydown: (event) => {
           const shape = afterKey(this.#shapes()[name], handle, event, 100 / this.view.scale);
           if (shape === null) return;
@@ -69,9 +75,17 @@ export class Stage {
     );
   }
 
+  /** A corner more on the edge that is nearest. */
+  #bend(event, name) {
+    const shape = this.#shapes()[name];
+    if (shape === undefined || !isPath(shape)) return;
+    const at = this.view.under(event, this.#board);
+    this.#change({ [name]: withCorner(shape, edgeNear(shape, at), at) });
+  }
+
   #grab(event, name, id) {
     if (name === undefined || event.button > 0) return;
-    const handle = handlesOf(this.#shapes()[name].kind).find((one) => one.id === id);
+    const handle = handlesOf(this.#shapes()[name]).find((one) => one.id === id);
     let before = this.view.under(event, this.#board);
     const follow = (move) => {
       const to = this.view.under(move, this.#board);

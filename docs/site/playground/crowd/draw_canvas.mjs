@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where there is no WebGL: one path for the shapes of each colour.
-import { box, perInstance } from './motion.mjs';
+import { box, dart, perInstance } from './motion.mjs';
+
+const square = [
+  [-1, -1],
+  [1, -1],
+  [1, 1],
+  [-1, 1],
+];
 
 function add(path, [x, y, px, py, b, round, , r], scale, to) {
   const a = Math.hypot(px, py),
@@ -9,7 +16,7 @@ function add(path, [x, y, px, py, b, round, , r], scale, to) {
   const along = Math.max(a, least),
     across = Math.max(b, least),
     [cx, cy] = to(x, y);
-  if (round) {
+  if (round === 1) {
     path.moveTo(cx + along * scale * ux, cy - along * scale * uy);
     path.ellipse(cx, cy, along * scale, across * scale, -Math.atan2(uy, ux), 0, 2 * Math.PI);
     return;
@@ -33,10 +40,9 @@ function add(path, [x, y, px, py, b, round, , r], scale, to) {
     path.closePath();
     return;
   }
-  path.moveTo(...corner(-1, -1));
-  path.lineTo(...corner(1, -1));
-  path.lineTo(...corner(1, 1));
-  path.lineTo(...corner(-1, 1));
+  const [first, ...others] = round === 2 ? dart : square;
+  path.moveTo(...corner(...first));
+  for (const at of others) path.lineTo(...corner(...at));
   path.closePath();
 }
 

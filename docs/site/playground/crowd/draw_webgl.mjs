@@ -32,7 +32,9 @@ uniform vec3 hit;
 out vec4 colour;
 void main() {
   vec2 q = at / half_size;
-  if (sort.x > 0.5 && dot(q, q) > 1.0) discard;
+  if (sort.x > 1.5) { // a dart
+    if (abs(q.y) > 0.5 - 0.5 * q.x || abs(q.y) < -0.5 - 1.5 * q.x) discard;
+  } else if (sort.x > 0.5 && dot(q, q) > 1.0) discard;
   vec2 beyond = max(abs(at) - half_size + sort.z, 0.0);
   if (sort.z > 0.0 && dot(beyond, beyond) > sort.z * sort.z) discard;
   colour = vec4(sort.y > 0.5 ? hit : calm, sort.y > 0.5 ? 0.85 : 0.5);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Many shapes of mixed kinds that move and turn in a box, and the pairs of them that touch, asked anew each frame.
-import { kinds } from '../shape.mjs';
+import { fields } from '../../vesica/vesica.mjs';
+
+const kinds = [...Object.keys(fields), 'polygon'];
 
 export const box = { width: 1.6, height: 1 }; // of the world, about the origin
-export const perInstance = 8; // floats to draw a shape: centre, half axis, other half size, round, touched, radius of corners
+export const perInstance = 8; // floats to draw a shape: centre, half axis, other half size, round (1) or a dart (2), touched, radius of corners
 
 /** The same numbers from the same seed. */
 export function random(seed) {
@@ -30,6 +32,18 @@ const writers = {
     (n[i + 5] = b)
   ),
 };
+// A dart, as an arrow's head: the points of `dart` in units of the half axes.
+export const dart = [
+  [-1, -1],
+  [1, 0],
+  [-1, 1],
+  [-1 / 3, 0],
+];
+writers.polygon = (n, i, x, y, c, s, a, b) =>
+  dart.forEach(([along, across], k) => {
+    n[i + 2 * k] = x + along * a * c - across * b * s;
+    n[i + 2 * k + 1] = y + along * a * s + across * b * c;
+  });
 writers.ellipse = writers.rect;
 writers.capsule = (n, i, x, y, c, s, a, b, r) => (writers.segment(n, i, x, y, c, s, a - r), (n[i + 4] = r));
 writers.round_rect = (n, i, x, y, c, s, a, b, r) => (writers.rect(n, i, x, y, c, s, a - r, b - r), (n[i + 6] = r));
@@ -68,7 +82,11 @@ export class Crowd {
     }
     const bounds = kinds.map((_, k) => Math.floor((k * count) / kinds.length));
     this.#first = [...bounds, count];
-    this.#sets = kinds.map((kind, k) => vesica.shapes(kind, this.#first[k + 1] - this.#first[k], { scalar: 'f32' }));
+    this.#sets = kinds.map((kind, k) => {
+      const of = this.#first[k + 1] - this.#first[k];
+      if (kind !== 'polygon') return vesica.shapes(kind, of, { scalar: 'f32' });
+      return vesica.polygons(new Float32Array(2 * dart.length * of), { each: dart.length, scalar: 'f32' });
+    });
     this.move(0);
     this.#index = vesica.index(...this.#sets);
   }
@@ -82,7 +100,7 @@ export class Crowd {
         write = writers[kind],
         width = numbers.length / (this.#first[k + 1] - this.#first[k]) || 0;
       const flat = kind === 'point' || kind === 'segment',
-        round = kind === 'circle' || kind === 'ellipse' || kind === 'point' ? 1 : 0;
+        round = kind === 'circle' || kind === 'ellipse' || kind === 'point' ? 1 : kind === 'polygon' ? 2 : 0;
       for (let i = this.#first[k], at = 0; i < this.#first[k + 1]; ++i, at += width) {
         const s = 8 * i;
         state[s] += seconds * state[s + 2];

@@ -48,7 +48,7 @@ export class CrowdTab {
       html(
         'p',
         { class: 'lead' },
-        'Points, segments, circles, boxes, rectangles, ellipses, capsules and rounded rectangles, all moving. Every frame builds an index of all of them and asks for every pair that meets, exactly. Red shapes touch another.',
+        'Points, segments, circles, boxes, rectangles, ellipses, capsules, rounded rectangles and polygons, all moving. Every frame builds an index of all of them and asks for every pair that meets, exactly. Red shapes touch another.',
       ),
       html(
         'div',

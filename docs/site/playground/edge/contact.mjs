@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // From two shapes to their contact: the last of neighbouring numbers at which they still touch, and those beside it.
 import { beside, besideFloat, between, betweenFloats } from '../number.mjs';
+import { fieldsOf, numberOf, numbers, withNumber } from '../shape.mjs';
 
 export const neighbours = 65; // each side
 
@@ -8,8 +9,6 @@ export const steppings = {
   double: { beside, between, round: (x) => x },
   float: { beside: besideFloat, between: betweenFloats, round: Math.fround },
 };
-
-const withNumber = (shape, field, value) => ({ ...shape, [field]: value });
 
 /** Whether the two overlap when b's number is so; null where b is invalid then. */
 const asked = (vesica, a, b, field) => (value) => {
@@ -44,17 +43,11 @@ function lastTouching(ask, stepping, inside, outside) {
  */
 export function contact(vesica, a, b, field, type) {
   const stepping = steppings[type],
-    rounded = ([name, x]) => [name, typeof x === 'number' ? stepping.round(x) : x];
-  const [first, second] = [a, b].map((shape) => Object.fromEntries(Object.entries(shape).map(rounded)));
+    rounded = (shape, name) => withNumber(shape, name, stepping.round(numberOf(shape, name)));
+  const [first, second] = [a, b].map((shape) => fieldsOf(shape).reduce(rounded, shape));
   const ask = asked(vesica, first, second, field),
-    start = second[field];
-  const size = Math.max(
-    ...[first, second].flatMap((shape) =>
-      Object.values(shape)
-        .filter((x) => typeof x === 'number')
-        .map(Math.abs),
-    ),
-  );
+    start = numberOf(second, field);
+  const size = Math.max(...[first, second].flatMap(numbers).map(Math.abs));
   const far = ask(start) === null ? null : other(ask, start, size);
   if (far === null) return null;
   const ends = [start, stepping.round(far)],

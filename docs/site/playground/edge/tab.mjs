@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The knife's edge: one number of B at contact and its 130 neighbours, asked exactly and as in textbooks.
-import { fields } from '../../vesica/vesica.mjs';
 import { choice, html, svg } from '../element.mjs';
 import { toHex } from '../number.mjs';
 import { defaultScene } from '../scene.mjs';
-import { moved, nameOf } from '../shape.mjs';
+import { fieldsOf, moved, nameOf, withNumber } from '../shape.mjs';
 import { contact, neighbours } from './contact.mjs';
 import { double, float, overlap, recipe } from './textbook.mjs';
 
@@ -98,7 +97,7 @@ export class EdgeTab {
   }
 
   show() {
-    const names = fields[this.#scene.b.kind];
+    const names = fieldsOf(this.#scene.b);
     if (!names.includes(this.#field)) [this.#field] = names;
     this.#controls.replaceChildren(
       choice(
@@ -159,7 +158,7 @@ export class EdgeTab {
     }
     const exact = found.cells.map((cell) => cell.exact);
     const textbook = (arithmetic) =>
-      found.cells.map(({ value }) => overlap(arithmetic, found.a, { ...found.b, [field]: value }));
+      found.cells.map(({ value }) => overlap(arithmetic, found.a, withNumber(found.b, field, value)));
     const first = toHex(found.cells[0].value),
       last = toHex(found.cells.at(-1).value);
     this.#result.replaceChildren(

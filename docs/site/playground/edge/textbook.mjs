@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Overlap as textbooks have it: right formulas in rounded arithmetic, without a bound on the error. Double or float.
+import { isPath, rings } from '../path.mjs';
 
 /** Arithmetic that rounds to a type after each operation, as a program in that type does. */
 const rounding = (round) => ({
@@ -190,8 +191,37 @@ const isInflated = (kind) => kind === 'capsule' || kind === 'round_rect';
 /** A circle is a point with a radius. */
 const core = (kind, f) => (kind === 'circle' ? { ...f, p: [0, 0], q: [0, 0] } : f);
 
+/** The edges of a polygon or a polyline, each a segment. */
+const edgesOf = (path) =>
+  rings(path).flatMap((ring) =>
+    ring.slice(path.kind === 'polygon' ? 0 : 1).map(([x1, y1], i) => {
+      const [x0, y0] = ring.at(path.kind === 'polygon' ? i - 1 : i);
+      return { kind: 'segment', x0, y0, x1, y1 };
+    }),
+  );
+
+/** The even-odd rule: how many edges are to the right. */
+function isInside(m, polygon, [x, y]) {
+  let inside = false;
+  for (const edge of edgesOf(polygon)) {
+    const [x0, y0, x1, y1] = [edge.x0, edge.y0, edge.x1, edge.y1].map(m.of);
+    if (y0 > y === y1 > y) continue;
+    if (x < m.add(x0, m.div(m.mul(m.sub(y, y0), m.sub(x1, x0)), m.sub(y1, y0)))) inside = !inside;
+  }
+  return inside;
+}
+
+/** Does an edge meet the shape, or is a point of it inside? */
+function pathAnd(m, path, shape) {
+  if (edgesOf(path).some((edge) => overlap(m, edge, shape))) return true;
+  const point = isPath(shape) ? rings(shape)[0][0].map(m.of) : form(m, shape).c;
+  return path.kind === 'polygon' && isInside(m, path, point);
+}
+
 /** Do two shapes overlap, as far as arithmetic m can tell? */
 export function overlap(m, a, b) {
+  if (isPath(a)) return pathAnd(m, a, b);
+  if (isPath(b)) return pathAnd(m, b, a);
   const isRound = ({ kind }) => kind === 'circle' || kind === 'ellipse',
     fa = form(m, a),
     fb = form(m, b);
@@ -208,6 +238,7 @@ export function overlap(m, a, b) {
 
 /** In words, what overlap() does with two kinds. */
 export function recipe(a, b) {
+  if (isPath({ kind: a }) || isPath({ kind: b })) return 'each edge as a segment, and the even-odd rule';
   const isRound = (kind) => kind === 'circle' || kind === 'ellipse';
   if (isInflated(a) || isInflated(b)) {
     return a === 'ellipse' || b === 'ellipse'

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The questions of motion, and the C that asks them.
 import { toHex } from '../number.mjs';
-import { numbers } from '../shape.mjs';
+import { argument, operand } from '../pair/answers.mjs';
 
 /** How near is near, where B turns. */
 export const tolerance = 1e-6;
@@ -12,14 +12,11 @@ export function firstContact(vesica, a, b, { vx, vy, angle }) {
   return vesica.impactTime(a, [0, 0, 0], b, [vx, vy, angle], tolerance);
 }
 
-const constant = (kind) => `VESICA_${kind.toUpperCase()}`;
-const operand = (shape, letter) => `const double ${letter}[] = {${numbers(shape).map(toHex).join(', ')}};`;
-
 /** As it stands it compiles inside a function, after #include <vesica.h>. */
 export function callOf(a, b, { vx, vy, angle }) {
   const shapes = [operand(a, 'a'), operand(b, 'b'), 'vesica_impact_f64 out;'];
   if (angle === 0) {
-    const call = `vesica_cast_f64(${constant(a.kind)}, a, ${constant(b.kind)}, b, ${toHex(vx)}, ${toHex(vy)}, 1, &out)`;
+    const call = `vesica_cast_f64(${argument(a, 'a')}, ${argument(b, 'b')}, ${toHex(vx)}, ${toHex(vy)}, 1, &out)`;
     return [...shapes, `int32_t answer = ${call};`].join('\n');
   }
   const turns = [
@@ -27,6 +24,6 @@ export function callOf(a, b, { vx, vy, angle }) {
     `const vesica_turn_f64 turn = {${[vx, vy, angle].map(toHex).join(', ')}};`,
     'double gap;',
   ];
-  const call = `vesica_impact_time_f64(${constant(a.kind)}, a, &still, ${constant(b.kind)}, b, &turn, ${toHex(tolerance)}, &out, &gap)`;
+  const call = `vesica_impact_time_f64(${argument(a, 'a')}, &still, ${argument(b, 'b')}, &turn, ${toHex(tolerance)}, &out, &gap)`;
   return [...shapes, ...turns, `int32_t answer = ${call};`].join('\n');
 }

@@ -4,6 +4,7 @@ import { point } from '../../vesica/vesica.mjs';
 import { copyButton, html, slider, svg } from '../element.mjs';
 import { short, toHex } from '../number.mjs';
 import { dot, draw, grid, polygon } from '../plane.mjs';
+import { isPath, turnedAbout } from '../path.mjs';
 import { defaultScene } from '../scene.mjs';
 import { asKind, form, moved } from '../shape.mjs';
 import { Stage } from '../stage.mjs';
@@ -26,6 +27,7 @@ function at(b, { vx, vy, angle }, t) {
     c = Math.cos(t * angle),
     s = Math.sin(t * angle);
   const turn = ([dx, dy]) => [c * dx - s * dy, s * dx + c * dy];
+  if (isPath(b)) return turnedAbout(there, [x, y], t * angle);
   if (b.kind === 'segment' || b.kind === 'capsule') {
     const [dx, dy] = turn([(b.x1 - b.x0) / 2, (b.y1 - b.y0) / 2]);
     return { ...b, x0: x - dx, y0: y - dy, x1: x + dx, y1: y + dy };

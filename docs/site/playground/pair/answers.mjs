@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every question about two shapes: its answer in words and in full, and the C call that gives it.
 import { short, toHex } from '../number.mjs';
+import { isPath } from '../path.mjs';
 import { numbers } from '../shape.mjs';
-
-const constant = (kind) => `VESICA_${kind.toUpperCase()}`;
 
 const relationWords = {
   disjoint: 'disjoint',
@@ -107,9 +106,21 @@ const questions = [
   },
 ];
 
+/** A shape as C has it; the calls name a polygon's address. */
+export function operand(shape, letter) {
+  const list = `{${numbers(shape).map(toHex).join(', ')}}`;
+  if (!isPath(shape)) return `const double ${letter}[] = ${list};`;
+  const { rings } = shape;
+  return [
+    `const double ${letter}_xy[] = ${list};`,
+    `const int32_t ${letter}_rings[] = {${rings.join(', ')}};`,
+    `const vesica_${shape.kind}_f64 ${letter} = {${letter}_xy, ${letter}_xy + 1, 2 * sizeof(double), ${letter}_rings, ${rings.length - 1}};`,
+  ].join('\n');
+}
+export const argument = (shape, letter) => `VESICA_${shape.kind.toUpperCase()}, ${isPath(shape) ? '&' : ''}${letter}`;
+
 /** The C that gives an answer; as it stands it compiles inside a function, after #include <vesica.h>. */
 export function callOf({ name, out, room }, a, b) {
-  const operand = (shape, letter) => `const double ${letter}[] = {${numbers(shape).map(toHex).join(', ')}};`;
   const declared = room === undefined ? [`${out} out;`] : [`${out} out[${room}];`, 'int32_t shared;'];
   return [
     operand(a, 'a'),
@@ -122,7 +133,7 @@ export function callOf({ name, out, room }, a, b) {
 /** The last line of the call, without the shapes' numbers. */
 export function brief({ name, out, room }, a, b) {
   const result = out === undefined ? '' : room === undefined ? ', &out' : `, out, ${room}, &shared`;
-  return `vesica_${name}_f64(${constant(a.kind)}, a, ${constant(b.kind)}, b${result})`;
+  return `vesica_${name}_f64(${argument(a, 'a')}, ${argument(b, 'b')}${result})`;
 }
 
 /** All answers about a and b. What the library refuses is an answer in its own words. */

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What one takes hold of: where the handles of a shape are, what dragging them and what keys do.
 import { beside } from '../number.mjs';
-import { form, moved } from '../shape.mjs';
+import { isPath, withCorner, withoutCorner } from '../path.mjs';
+import { form, middle, moved, numberOf, withNumber } from '../shape.mjs';
 
 const step = 0.05; // of what is seen of the plane, for an arrow key
 const turnStep = Math.PI / 180;
@@ -144,10 +145,29 @@ const handles = {
   round_rect: [...turning('hx', 'hy'), rounding('corner radius', atCorner)],
 };
 
+/** All of a polygon, and each corner. */
+function cornersOf(shape) {
+  const names = (axis, count) => Array.from({ length: count }, (_, i) => `${axis}${i}`),
+    count = shape.vertices.length / 2;
+  return [
+    move(names('x', count), names('y', count)),
+    ...Array.from({ length: count }, (_, i) => ({
+      id: `corner-${i}`,
+      label: `corner ${i + 1}`,
+      horizontal: [`x${i}`],
+      vertical: [`y${i}`],
+      at: (s) => [s.vertices[2 * i], s.vertices[2 * i + 1]],
+      drag: (s, [x, y]) => withNumber(withNumber(s, `x${i}`, x), `y${i}`, y),
+      remove: (s) => withoutCorner(s, i),
+      add: (s) => withCorner(s, i),
+    })),
+  ];
+}
+
 /** { id, label, at(shape), drag(shape, to, from) } each; `from` is where the pointer was before. */
-export const handlesOf = (kind) =>
-  handles[kind].map((handle) => ({
-    at: (s) => [form(s).x, form(s).y],
+export const handlesOf = (shape) =>
+  (isPath(shape) ? cornersOf(shape) : handles[shape.kind]).map((handle) => ({
+    at: middle,
     drag: (s, to, from) => moved(s, to[0] - from[0], to[1] - from[1]),
     ...handle,
   }));
@@ -162,8 +182,10 @@ const arrows = {
 /** The shape after a key, or null if the key means nothing. With Shift, numbers change by one last-place unit. */
 export function afterKey(shape, handle, event, unit) {
   const [way, sign] = arrows[event.key] ?? [];
+  if (event.key === 'Delete' || event.key === 'Backspace') return handle.remove?.(shape) ?? null;
+  if (event.key === 'Insert' || event.key === '+') return handle.add?.(shape) ?? null;
   if (way === undefined || event.ctrlKey || event.altKey || event.metaKey) return null;
   if (handle.turns && way === 'vertical' && !event.shiftKey) return turned(shape, sign * turnStep);
   const change = event.shiftKey ? (x) => beside(x, sign) : (x) => x + sign * step * unit;
-  return { ...shape, ...Object.fromEntries(handle[way].map((name) => [name, change(shape[name])])) };
+  return handle[way].reduce((s, name) => withNumber(s, name, change(numberOf(shape, name))), shape);
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The tab of two shapes: a picture with handles, the numbers, and every answer with its call.
-import { fields } from '../../vesica/vesica.mjs';
 import { choice, copyButton, html } from '../element.mjs';
 import { beside, fromText, toHex } from '../number.mjs';
-import { asKind, kinds, nameOf } from '../shape.mjs';
+import { isPath } from '../path.mjs';
+import { asKind, choiceOf, choices, fieldsOf, numberOf, withNumber } from '../shape.mjs';
 import { Stage } from '../stage.mjs';
 import { answersTo, brief, callOf, found } from './answers.mjs';
 import { picture } from './picture.mjs';
@@ -37,7 +37,7 @@ export class PairTab {
         html(
           'p',
           { class: 'hint' },
-          'Drag a shape or a handle. By keyboard: Tab to a handle, then arrow keys; with Shift the number changes by one last-place unit.',
+          'Drag a shape or a handle. By keyboard: Tab to a handle, then arrow keys; with Shift the number changes by one last-place unit. A double click on a polygon’s edge adds a corner, on a corner takes it away; by keyboard: Insert and Delete.',
         ),
         html(
           'div',
@@ -91,8 +91,8 @@ export class PairTab {
     const kind = choice(
       `kind-${name}`,
       title,
-      kinds.map((one) => [one, nameOf[one]]),
-      this.#scene[name].kind,
+      Object.entries(choices),
+      choiceOf(this.#scene[name]),
       (chosen) => this.#change({ [name]: asKind(this.#scene[name], chosen) }),
     );
     return html('fieldset', { class: `editor ${name}` }, html('legend', {}, title), kind, this.#numbers[name]);
@@ -104,13 +104,16 @@ export class PairTab {
     document
       .getElementById(`kind-${name}`)
       ?.querySelectorAll('option')
-      .forEach((option) => (option.selected = option.value === shape.kind));
-    if (box.dataset.kind !== shape.kind) {
-      box.dataset.kind = shape.kind;
-      box.replaceChildren(...fields[shape.kind].map((field) => this.#number(name, field)));
+      .forEach((option) => (option.selected = option.value === choiceOf(shape)));
+    const names = fieldsOf(shape),
+      key = [shape.kind, ...names].join();
+    if (box.dataset.kind !== key) {
+      box.dataset.kind = key;
+      box.className = isPath(shape) ? 'corners' : '';
+      box.replaceChildren(...names.map((field) => this.#number(name, field)));
     }
     for (const input of box.querySelectorAll('input')) {
-      const value = shape[input.dataset.field];
+      const value = numberOf(shape, input.dataset.field);
       if (document.activeElement !== input || fromText(input.value) !== value) input.value = String(value);
       input.nextSibling.textContent = toHex(value);
     }
@@ -118,7 +121,7 @@ export class PairTab {
 
   #number(name, field) {
     const id = `number-${name}-${field}`;
-    const set = (value) => this.#change({ [name]: { ...this.#scene[name], [field]: value } });
+    const set = (value) => this.#change({ [name]: withNumber(this.#scene[name], field, value) });
     const input = html('input', {
       id,
       'data-field': field,
@@ -138,9 +141,9 @@ export class PairTab {
         const way = { ArrowUp: 1, ArrowDown: -1 }[event.key];
         if (way === undefined) return;
         event.preventDefault();
-        const value = this.#scene[name][field];
+        const value = numberOf(this.#scene[name], field);
         set(event.shiftKey ? beside(value, way) : value + (way * 4) / this.#stage.view.scale);
-        input.value = String(this.#scene[name][field]);
+        input.value = String(numberOf(this.#scene[name], field));
       },
     });
     return html('div', { class: 'number' }, html('label', { for: id }, field), input, html('code', {}));
