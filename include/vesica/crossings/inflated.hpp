@@ -127,10 +127,9 @@ struct PlainPiece {
     };
     const double reach = radius - room;
     if (!is_arc || !(reach > 0)) return false;
-    if (!other.is_circle)
-      return square(other.begin) < reach * reach && square(other.end) < reach * reach &&
-             (!other.is_arc || is_within(square(other.centre), reach - other.radius));
-    return is_within(square(other.centre), reach - other.radius);
+    const bool holds_circle = is_within(square(other.centre), reach - other.radius);
+    if (other.is_circle) return holds_circle;
+    return square(other.begin) < reach * reach && square(other.end) < reach * reach && (!other.is_arc || holds_circle);
   }
   /// True if the pieces certainly share no point.
   bool misses(const PlainPiece& other) const noexcept {
@@ -392,10 +391,10 @@ class TwoCircles {
   TwoCircles(const RoundOutline& a, const RoundOutline& b, const Offset& v, const exact::Number<4>& square) noexcept
       : a_(a), b_(b), v_(v), square_(square) {
     const auto sum = a.radius + b.radius, difference = a.radius - b.radius;
-    const auto near = exact::square(sum) - square, far = square - exact::square(difference);
-    if (near.sign < 0 || far.sign < 0) return;
-    roots_ = near.sign == 0 || far.sign == 0 ? 1 : 2;
-    if (roots_ == 2) half_ = root(Estimate(near) * Estimate(far));
+    const auto inside_sum = exact::square(sum) - square, outside_difference = square - exact::square(difference);
+    if (inside_sum.sign < 0 || outside_difference.sign < 0) return;
+    roots_ = inside_sum.sign == 0 || outside_difference.sign == 0 ? 1 : 2;
+    if (roots_ == 2) half_ = root(Estimate(inside_sum) * Estimate(outside_difference));
     from_a_ = square + sum * difference;
     from_b_ = from_a_ - exact::integer(2) * square;
   }

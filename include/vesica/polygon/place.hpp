@@ -28,7 +28,7 @@ class Middle {
   int order_x(double x) const noexcept { return x_.order(x); }
   int order_y(double y) const noexcept { return y_.order(y); }
   int side(const Edge& e) const noexcept {
-    const double x0 = e.x0 - x_.near, y0 = e.y0 - y_.near, x1 = e.x1 - x_.near, y1 = e.y1 - y_.near;
+    const double x0 = e.x0 - x_.value, y0 = e.y0 - y_.value, x1 = e.x1 - x_.value, y1 = e.y1 - y_.value;
     const double left = x0 * y1, right = y0 * x1, cross = left - right;
     // Each factor is right to u and the coordinate's error, so each product to 3u and what the errors add.
     const double added =
@@ -42,11 +42,11 @@ class Middle {
  private:
   struct Coordinate {
     double p, q, h, u;
-    double near, error;  // |near - (p + q + h u) / 2| < error
+    double value, error;  // |value - (p + q + h u) / 2| < error
 
     Coordinate(double first, double second, double size, double axis) noexcept : p(first), q(second), h(size), u(axis) {
       const double product = 0.5 * h * u;
-      near = 0.5 * p + 0.5 * q + product;
+      value = 0.5 * p + 0.5 * q + product;
       error = (lane::abs(p) + lane::abs(q) + lane::abs(product)) * 0x1p-50 + 0x1p-1060;
     }
     exact::Number<2> twice() const noexcept {
@@ -54,7 +54,7 @@ class Middle {
       return from_double(p) + from_double(q) + from_double(h) * from_double(u);
     }
     int order(double v) const noexcept {
-      const double difference = v - near;
+      const double difference = v - value;
       if (difference > error) return 1;
       if (difference < -error) return -1;
       return exact_order(v);
