@@ -367,9 +367,9 @@ Tally many(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b, s
            Common common) noexcept {
   if (has_path(a, b)) {
     Tally tally;
-    for (std::int64_t i = 0; i < n; ++i) {
-      out[i] = ask_path<T>(common, {a, a.count == 1 ? 0 : i}, {b, b.count == 1 ? 0 : i}, tally);
-    }
+    each_in_step(a, b, n, [&](const Element<T>& first, const Element<T>& second, std::int64_t i) {
+      out[i] = ask_path(common, first, second, tally);
+    });
     return tally;
   }
   return in_step(
@@ -383,12 +383,11 @@ Tally select(const KernelTable& kernels, const Shapes<T>& one, const Shapes<T>& 
   std::int64_t found = 0;
   if (has_path(one, many)) {
     Tally tally;
-    const Element<T> first(one, 0);
-    for (std::int64_t i = 0; i < many.count; ++i) {
-      if (ask_path(common, first, {many, i}, tally) == 0) continue;
+    each_pair(one, many, [&](const Element<T>& first, const Element<T>& second, std::int64_t, std::int64_t i) {
+      if (ask_path(common, first, second, tally) == 0) return;
       if (found < capacity) out[found] = i;
       ++found;
-    }
+    });
     return tally;
   }
   std::uint8_t bytes[long_block_size];
@@ -409,10 +408,9 @@ Tally matrix(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b,
              std::ptrdiff_t row_stride, Common common) noexcept {
   if (has_path(a, b)) {
     Tally tally;
-    for (std::int64_t i = 0; i < a.count; ++i) {
-      const Element<T> first(a, i);
-      for (std::int64_t j = 0; j < b.count; ++j) out[i * row_stride + j] = ask_path<T>(common, first, {b, j}, tally);
-    }
+    each_pair(a, b, [&](const Element<T>& first, const Element<T>& second, std::int64_t i, std::int64_t j) {
+      out[i * row_stride + j] = ask_path(common, first, second, tally);
+    });
     return tally;
   }
   const bool in_order = a.kind <= b.kind;

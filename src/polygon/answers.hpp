@@ -6,11 +6,17 @@
 
 namespace vesica {
 
+namespace detail::polygon {
+class KeptBoxes;
+}
+
 /// A shape of any kind: a pointer to its struct, of doubles or floats.
 struct Operand {
   std::int32_t kind;
   bool is_float;
   const void* shape;
+  /// Boxes made for a path, which is valid then; or null.
+  const detail::polygon::KeptBoxes* boxes = nullptr;
 };
 
 /// Answers as PairFunction does; at least one operand is a path.

@@ -7,6 +7,7 @@
 
 #include "columns.hpp"
 #include "polygon/element.hpp"
+#include "polygon/operand.hpp"
 #include "queries.hpp"
 
 namespace vesica::batch {
@@ -15,6 +16,29 @@ template <class T>
 bool has_path(const Shapes<T>& a, const Shapes<T>& b) noexcept {
   return !is_row(a.kind) || !is_row(b.kind);
 }
+
+/// Boxes about the edges of one path, for as long as a call lasts.
+class ElementBoxes {
+ public:
+  /// True if the path is valid, and large enough to be worth boxes.
+  template <class T>
+  bool make(const detail::polygon::Edges<T>& edges) noexcept {
+    detail::polygon::Box whole;
+    if (edges.check(whole) != 0) return false;
+    const detail::polygon::Range all = edges.all();
+    constexpr std::int64_t few = 64, runs = room / 2;
+    if (all.length() < few) return false;
+    kept_ = {all.first, all.length(), std::max(std::int64_t{8}, (all.length() + runs - 1) / runs)};
+    kept_.make(edges, whole, box_);
+    return true;
+  }
+  const detail::polygon::KeptBoxes& kept() const noexcept { return kept_; }
+
+ private:
+  static constexpr std::int64_t room = 1024;  // of 16 KiB
+  detail::polygon::KeptBox box_[room];
+  detail::polygon::KeptBoxes kept_{0, 1, 1};
+};
 
 /// Element i of an array of any kind, as an operand. Its numbers, or the struct of its polygon, are a copy.
 template <class T>
@@ -31,14 +55,22 @@ class Element {
   }
 
   Operand operand() const noexcept {
-    return {kind_, std::is_same_v<T, float>, is_row(kind_) ? static_cast<const void*>(number_) : &path_};
+    return {kind_, std::is_same_v<T, float>, is_row(kind_) ? static_cast<const void*>(number_) : &path_, boxes_};
+  }
+
+  /// Uses boxes for many questions, if the element is a valid path of many edges.
+  void keep_boxes(ElementBoxes& boxes) noexcept {
+    if (!is_row(kind_) && boxes.make(polygon::edges<T>(operand()))) boxes_ = &boxes.kept();
   }
 
  private:
+  const detail::polygon::KeptBoxes* boxes_ = nullptr;
   std::int32_t kind_;
   T number_[max_fields];
   Polygon<T> path_;  // or a polyline: their structs are the same
 };
+
+inline constexpr std::int64_t enough_for_boxes = 4;
 
 /// The results of a query for elements of two arrays.
 template <class T, class Out>
@@ -70,13 +102,45 @@ class PathQuery {
   QueryTally tally_;
 };
 
+/// Calls ask(element of a, element of b, i) for pairs in step. An array of one element is asked with all of the other,
+/// by boxes if that pays: they cost about as much as two questions.
+template <class T, class Ask>
+void each_in_step(const Shapes<T>& a, const Shapes<T>& b, std::int64_t n, const Ask& ask) noexcept {
+  const bool repeats_a = a.count == 1, repeats_b = b.count == 1;
+  if (n < enough_for_boxes || !(repeats_a || repeats_b)) {
+    for (std::int64_t i = 0; i < n; ++i) ask(Element<T>(a, repeats_a ? 0 : i), Element<T>(b, repeats_b ? 0 : i), i);
+    return;
+  }
+  ElementBoxes boxes;
+  Element<T> one(repeats_a ? a : b, 0);
+  one.keep_boxes(boxes);
+  for (std::int64_t i = 0; i < n; ++i) {
+    if (repeats_a) {
+      ask(one, Element<T>(b, i), i);
+    } else {
+      ask(Element<T>(a, i), one, i);
+    }
+  }
+}
+
+/// Calls ask(element i of a, element j of b, i, j) for all pairs.
+template <class T, class Ask>
+void each_pair(const Shapes<T>& a, const Shapes<T>& b, const Ask& ask) noexcept {
+  for (std::int64_t i = 0; i < a.count; ++i) {
+    ElementBoxes boxes;
+    Element<T> first(a, i);
+    if (b.count >= enough_for_boxes) first.keep_boxes(boxes);
+    for (std::int64_t j = 0; j < b.count; ++j) ask(first, Element<T>(b, j), i, j);
+  }
+}
+
 template <class T, class Out>
 QueryTally query_paths(const Query& query, const Shapes<T>& a, const Shapes<T>& b, std::int64_t n,
                        Out* const* columns) noexcept {
   PathQuery<T, Out> asked(query);
-  for (std::int64_t i = 0; i < n; ++i) {
-    asked.ask({a, a.count == 1 ? 0 : i}, {b, b.count == 1 ? 0 : i}, columns, query.columns(), i);
-  }
+  each_in_step(a, b, n, [&](const Element<T>& first, const Element<T>& second, std::int64_t i) {
+    asked.ask(first, second, columns, query.columns(), i);
+  });
   return asked.tally();
 }
 
@@ -84,11 +148,9 @@ template <class T, class Out>
 QueryTally query_paths_matrix(const Query& query, const Shapes<T>& a, const Shapes<T>& b, Out* out,
                               std::ptrdiff_t row_stride) noexcept {
   PathQuery<T, Out> asked(query);
-  for (std::int64_t i = 0; i < a.count; ++i) {
-    const Element<T> first(a, i);
-    Out* const row = out + i * row_stride;
-    for (std::int64_t j = 0; j < b.count; ++j) asked.ask(first, {b, j}, &row, 1, j);
-  }
+  each_pair(a, b, [&](const Element<T>& first, const Element<T>& second, std::int64_t i, std::int64_t j) {
+    asked.ask(first, second, &out, 1, i * row_stride + j);
+  });
   return asked.tally();
 }
 

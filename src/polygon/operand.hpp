@@ -107,8 +107,8 @@ AnyShape any_shape(const Operand& s) noexcept {
 
 template <class T>
 Edges<T> edges(const Operand& s) noexcept {
-  if (s.kind == polygon_kind) return *static_cast<const Polygon<T>*>(s.shape);
-  return *static_cast<const Polyline<T>*>(s.shape);
+  if (s.kind == polygon_kind) return {*static_cast<const Polygon<T>*>(s.shape), s.boxes};
+  return {*static_cast<const Polyline<T>*>(s.shape), s.boxes};
 }
 
 /// action(edges, other, reversed), where the first operand that is a path comes first; other is an AnyShape or edges.

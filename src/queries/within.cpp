@@ -64,10 +64,9 @@ WithinTally within_many(const Shapes<T>& a, const Shapes<T>& b, std::int64_t n, 
                         std::uint8_t* out) noexcept {
   WithinTally tally;
   if (has_path(a, b)) {
-    for (std::int64_t i = 0; i < n; ++i) {
-      const Element<T> first(a, a.count == 1 ? 0 : i), second(b, b.count == 1 ? 0 : i);
+    each_in_step(a, b, n, [&](const Element<T>& first, const Element<T>& second, std::int64_t i) {
       out[i] = noted(polygon::within(first.operand(), second.operand(), distance), tally);
-    }
+    });
     return tally;
   }
   const queries::WithinOfPair pair = queries::within(a.kind, b.kind);
@@ -85,13 +84,9 @@ WithinTally within_matrix(const Shapes<T>& a, const Shapes<T>& b, double distanc
                           std::ptrdiff_t row_stride) noexcept {
   WithinTally tally;
   if (has_path(a, b)) {
-    for (std::int64_t i = 0; i < a.count; ++i) {
-      const Element<T> first(a, i);
-      for (std::int64_t j = 0; j < b.count; ++j) {
-        const std::int32_t code = polygon::within(first.operand(), Element<T>(b, j).operand(), distance);
-        out[i * row_stride + j] = noted(code, tally);
-      }
-    }
+    each_pair(a, b, [&](const Element<T>& first, const Element<T>& second, std::int64_t i, std::int64_t j) {
+      out[i * row_stride + j] = noted(polygon::within(first.operand(), second.operand(), distance), tally);
+    });
     return tally;
   }
   const queries::WithinOfPair pair = queries::within(a.kind, b.kind);

@@ -34,16 +34,42 @@ VESICA_INLINE bool crosses_ray(double px, double py, const Edge& e) noexcept {
   return e.y1 > e.y0 ? s > 0 : s < 0;
 }
 
+template <class T>
+bool odd_crossings(const Edges<T>& edges, const Range& range, double px, double py) noexcept {
+  bool odd = false;
+  edges.for_edges(range, [&](const Edge& e, std::int64_t) {
+    odd ^= crosses_ray(px, py, e);
+    return false;
+  });
+  return odd;
+}
+/// By boxes. Edges of one ring to the right of p cross its ray an odd number of times if they end on opposite sides.
+template <class T>
+bool odd_crossings(const Edges<T>& edges, const KeptBoxes& boxes, double px, double py) noexcept {
+  bool odd = false;
+  boxes.for_runs(
+      [&](const Range& range, const Box& box) {
+        if (py < box.min_y || py > box.max_y || px > box.max_x) return false;
+        if (!(px < box.min_x)) return true;
+        const Range ring = edges.ring(edges.ring_of(range.first));
+        if (range.last > ring.last) return true;
+        const double end = edges.vertex(range.last < ring.last ? range.last : ring.first).y;
+        odd ^= (edges.vertex(range.first).y > py) != (end > py);
+        return false;
+      },
+      [&](const Range& run, const Box&) {
+        odd ^= odd_crossings(edges, run, px, py);
+        return false;
+      });
+  return odd;
+}
+
 /// Is a point that is on no edge inside? Polylines have no inside.
 template <class T>
 bool inside(const Edges<T>& edges, const Point<double>& p) noexcept {
   if (!edges.closed()) return false;
-  bool odd = false;
-  edges.for_edges([&](const Edge& e, std::int64_t) {
-    odd ^= crosses_ray(p.x, p.y, e);
-    return false;
-  });
-  return odd;
+  return edges.boxes() != nullptr ? odd_crossings(edges, *edges.boxes(), p.x, p.y)
+                                  : odd_crossings(edges, edges.all(), p.x, p.y);
 }
 
 /// The same for many points: blocks that no ray can meet are skipped.
@@ -59,10 +85,7 @@ class Insides {
     for (int i = 0; i < blocks_.count; ++i) {
       const Box& box = blocks_.box[i];
       if (p.y < box.min_y || p.y > box.max_y || p.x > box.max_x) continue;
-      edges_.for_edges(blocks_.range(i), [&](const Edge& e, std::int64_t) {
-        odd ^= crosses_ray(p.x, p.y, e);
-        return false;
-      });
+      odd ^= odd_crossings(edges_, blocks_.range(i), p.x, p.y);
     }
     return odd;
   }

@@ -69,7 +69,11 @@ class LeastOfEdges {
       : edges_(edges), other_(other), ask_(ask), least_(together(box, other)) {}
 
   std::int32_t find(Points& out) noexcept {
-    if (!found_by_samples()) pass();
+    if (edges_.boxes() != nullptr) {
+      by_boxes(*edges_.boxes());
+    } else if (!found_by_samples()) {
+      pass();
+    }
     return least_.result(out);
   }
 
@@ -87,6 +91,19 @@ class LeastOfEdges {
     }
     least_.offer(points, i);
     return points.distance;
+  }
+
+  /// Asks a close run first.
+  void by_boxes(const KeptBoxes& boxes) noexcept {
+    const auto ask_run = [&](const Range& run, const Box&) {
+      return edges_.for_edges(run, [&](const Edge& e, std::int64_t i) {
+        visit(e, i);
+        return false;
+      });
+    };
+    ask_run(boxes.close_run(other_), other_);
+    boxes.for_runs([&](const Range&, const Box& box) { return least_.keeps_squared(squared_gap(box, other_)); },
+                   ask_run);
   }
 
   /// Asks a few edges, then a few about the nearest of them, and so on. True if these were all edges.

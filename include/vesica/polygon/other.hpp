@@ -5,6 +5,7 @@
 
 #include <vesica/form/inflated.hpp>
 #include <vesica/overlap.hpp>
+#include <vesica/polygon/boxes.hpp>
 #include <vesica/polygon/edges.hpp>
 
 namespace vesica {
@@ -58,7 +59,9 @@ VESICA_INLINE int check_other(const Shape<double>& s) noexcept {
 /// Is a shape valid? Then the box holds it.
 template <class T>
 bool is_valid(const Edges<T>& s, Box& box) noexcept {
-  return s.check(box) == 0;
+  if (s.boxes() == nullptr) return s.check(box) == 0;
+  box = s.boxes()->whole();
+  return true;
 }
 template <class Other>
 bool is_valid(const Other& s, Box& box) noexcept {

@@ -32,7 +32,9 @@ bool point_inside(const Edges<T>& a, const Box& box_a, const Edges<T>& b, const 
 template <class T, class Other>
 bool overlap_valid(const Edges<T>& a, const Box& box, const Other& b, const Box& about) noexcept {
   if (!meet(box, about)) return false;
-  const bool met = a.for_edges([&](const Edge& e, std::int64_t) { return meet(box_of(e), about) && edge_meets(e, b); });
+  const bool met = any_edge(
+      a, [&](const Box& box) { return meet(box, about); },
+      [&](const Edge& e, std::int64_t) { return edge_meets(e, b); });
   return met || inside(a, stored_point(b));
 }
 
@@ -45,7 +47,7 @@ struct AnyMeet {
 template <class T>
 bool overlap_valid(const Edges<T>& a, const Box& box_a, const Edges<T>& b, const Box& box_b) noexcept {
   if (!meet(box_a, box_b)) return false;
-  return walk(a, box_a, b, box_b, AnyMeet{}) || holds_ring(a, box_a, b) || holds_ring(b, box_b, a);
+  return any_pair(a, box_a, b, box_b, AnyMeet{}) || holds_ring(a, box_a, b) || holds_ring(b, box_b, a);
 }
 
 template <class T, class Other>

@@ -3,6 +3,7 @@
 /// boxes about runs of them, in their order, need no sorting and are made within the call.
 #pragma once
 
+#include <vesica/polygon/boxes.hpp>
 #include <vesica/polygon/edges.hpp>
 
 namespace vesica::detail::polygon {
@@ -12,12 +13,6 @@ constexpr Box together(const Box& a, const Box& b) noexcept {
   return {lesser(a.min_x, b.min_x), lesser(a.min_y, b.min_y), greater(a.max_x, b.max_x), greater(a.max_y, b.max_y)};
 }
 
-/// The square of the distance of two boxes, up to roundings.
-constexpr double squared_gap(const Box& a, const Box& b) noexcept {
-  const double x = lane::max(lane::max(a.min_x - b.max_x, b.min_x - a.max_x), 0.0);
-  const double y = lane::max(lane::max(a.min_y - b.max_y, b.min_y - a.max_y), 0.0);
-  return x * x + y * y;
-}
 /// No less than squared_gap() of boxes, or another square right to 8u, if they are at most that far apart.
 constexpr double squared_limit(double distance) noexcept { return distance * distance * (1 + 0x1p-50) + 0x1p-1070; }
 
@@ -124,6 +119,20 @@ bool walk(const Edges<T>& a, const Range& range_a, const Box& box_a, const Edges
 template <class T, class Policy>
 bool walk(const Edges<T>& a, const Box& box_a, const Edges<T>& b, const Box& box_b, Policy&& policy) noexcept {
   return walk(a, a.all(), box_a, b, b.all(), box_b, policy);
+}
+
+/// The same, in another order where boxes are kept: does visit() return true for any pair?
+template <class T, class Policy>
+bool any_pair(const Edges<T>& a, const Box& box_a, const Edges<T>& b, const Box& box_b, Policy policy) noexcept {
+  if (a.boxes() == nullptr && b.boxes() == nullptr) return walk(a, box_a, b, box_b, policy);
+  if (a.boxes() == nullptr) {
+    return b.boxes()->for_runs(
+        [&](const Range&, const Box& box) { return policy.keeps(box_a, box); },
+        [&](const Range& run, const Box& box) { return walk(a, a.all(), box_a, b, run, box, policy); });
+  }
+  return a.boxes()->for_runs(
+      [&](const Range&, const Box& box) { return policy.keeps(box, box_b); },
+      [&](const Range& run, const Box& box) { return walk(a, run, box, b, b.all(), box_b, policy); });
 }
 
 }  // namespace vesica::detail::polygon

@@ -32,8 +32,8 @@ template <class T, class Other>
 std::int32_t edges_within(const Edges<T>& a, const Box&, const Other& b, const Box& about, double distance) noexcept {
   const double limit = squared_limit(distance);
   std::int32_t answer = 0;
-  a.for_edges([&](const Edge& e, std::int64_t) {
-    if (squared_gap(box_of(e), about) > limit) return false;
+  const auto keeps = [&](const Box& box) { return squared_gap(box, about) <= limit; };
+  any_edge(a, keeps, [&](const Edge& e, std::int64_t) {
     const std::int32_t code = edge_within(e, b, distance);
     const bool decided = code < 0 || code == static_cast<std::int32_t>(Within::yes);
     if (decided || code == static_cast<std::int32_t>(Within::nearly)) answer = code;
@@ -44,7 +44,7 @@ std::int32_t edges_within(const Edges<T>& a, const Box&, const Other& b, const B
 template <class T>
 std::int32_t edges_within(const Edges<T>& a, const Box& box_a, const Edges<T>& b, const Box& box_b,
                           double distance) noexcept {
-  return walk(a, box_a, b, box_b, AnyWithin(distance)) ? 1 : 0;
+  return any_pair(a, box_a, b, box_b, AnyWithin(distance)) ? 1 : 0;
 }
 
 template <class T, class Other>
