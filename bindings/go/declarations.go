@@ -786,6 +786,37 @@ func cJoinNearest(wide bool, setsA C.vesica_go_sets, setCountA C.int32_t, indexB
 		distance)
 }
 
+func cPolygonBoxes(wide bool, kind C.int32_t, path *C.char, boxes *C.char, size C.int64_t) C.int32_t {
+	if wide {
+		return C.go_polygon_boxes_f64(kind, path, boxes, size)
+	}
+	return C.go_polygon_boxes_f32(kind, path, boxes, size)
+}
+
+func cPolygonBoxesOverlap(wide bool, kind C.int32_t, path *C.char, boxes *C.char, size C.int64_t, kindB C.int32_t,
+	b C.vesica_go_shape) C.int32_t {
+	if wide {
+		return C.go_polygon_boxes_overlap_f64(kind, path, boxes, size, kindB, b)
+	}
+	return C.go_polygon_boxes_overlap_f32(kind, path, boxes, size, kindB, b)
+}
+
+func cPolygonBoxesNearest(wide bool, kind C.int32_t, path *C.char, boxes *C.char, size C.int64_t, kindB C.int32_t,
+	b C.vesica_go_shape, out *C.char) C.int32_t {
+	if wide {
+		return C.go_polygon_boxes_nearest_f64(kind, path, boxes, size, kindB, b, out)
+	}
+	return C.go_polygon_boxes_nearest_f32(kind, path, boxes, size, kindB, b, out)
+}
+
+func cPolygonBoxesWithin(wide bool, kind C.int32_t, path *C.char, boxes *C.char, size C.int64_t, kindB C.int32_t,
+	b C.vesica_go_shape, distance float64) C.int32_t {
+	if wide {
+		return C.go_polygon_boxes_within_f64(kind, path, boxes, size, kindB, b, C.double(distance))
+	}
+	return C.go_polygon_boxes_within_f32(kind, path, boxes, size, kindB, b, C.float(distance))
+}
+
 func cRatio(wide bool, ratio C.int32_t, kindA C.int32_t, a C.vesica_go_shape, kindB C.int32_t, b C.vesica_go_shape,
 	out *C.char) C.int32_t {
 	if wide {

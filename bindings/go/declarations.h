@@ -798,6 +798,54 @@ static inline int64_t go_join_nearest_f32(vesica_go_sets sets_a, int32_t set_cou
         part, parts, (void *)out, (void *)distance);
 }
 
+static inline int32_t go_polygon_boxes_f64(int32_t kind, const char *path, char *boxes, int64_t size) {
+    return vesica_polygon_boxes_f64(kind, (const void *)path, (void *)boxes, size);
+}
+
+static inline int32_t go_polygon_boxes_f32(int32_t kind, const char *path, char *boxes, int64_t size) {
+    return vesica_polygon_boxes_f32(kind, (const void *)path, (void *)boxes, size);
+}
+
+static inline int32_t go_polygon_boxes_overlap_f64(int32_t kind, const char *path, const char *boxes, int64_t size,
+    int32_t kind_b, vesica_go_shape b) {
+    vesica_go_f64 of_b = go_read_f64(kind_b, &b);
+    return vesica_polygon_boxes_overlap_f64(kind, (const void *)path, (const void *)boxes, size, kind_b, &of_b);
+}
+
+static inline int32_t go_polygon_boxes_overlap_f32(int32_t kind, const char *path, const char *boxes, int64_t size,
+    int32_t kind_b, vesica_go_shape b) {
+    vesica_go_f32 of_b = go_read_f32(kind_b, &b);
+    return vesica_polygon_boxes_overlap_f32(kind, (const void *)path, (const void *)boxes, size, kind_b, &of_b);
+}
+
+static inline int32_t go_polygon_boxes_nearest_f64(int32_t kind, const char *path, const char *boxes, int64_t size,
+    int32_t kind_b, vesica_go_shape b, char *out) {
+    vesica_go_f64 of_b = go_read_f64(kind_b, &b);
+    return vesica_polygon_boxes_nearest_f64(kind, (const void *)path, (const void *)boxes, size, kind_b, &of_b,
+        (void *)out);
+}
+
+static inline int32_t go_polygon_boxes_nearest_f32(int32_t kind, const char *path, const char *boxes, int64_t size,
+    int32_t kind_b, vesica_go_shape b, char *out) {
+    vesica_go_f32 of_b = go_read_f32(kind_b, &b);
+    return vesica_polygon_boxes_nearest_f32(kind, (const void *)path, (const void *)boxes, size, kind_b, &of_b,
+        (void *)out);
+}
+
+static inline int32_t go_polygon_boxes_within_f64(int32_t kind, const char *path, const char *boxes, int64_t size,
+    int32_t kind_b, vesica_go_shape b, double distance) {
+    vesica_go_f64 of_b = go_read_f64(kind_b, &b);
+    return vesica_polygon_boxes_within_f64(kind, (const void *)path, (const void *)boxes, size, kind_b, &of_b,
+        distance);
+}
+
+static inline int32_t go_polygon_boxes_within_f32(int32_t kind, const char *path, const char *boxes, int64_t size,
+    int32_t kind_b, vesica_go_shape b, float distance) {
+    vesica_go_f32 of_b = go_read_f32(kind_b, &b);
+    return vesica_polygon_boxes_within_f32(kind, (const void *)path, (const void *)boxes, size, kind_b, &of_b,
+        distance);
+}
+
 static inline int32_t go_ratio_f64(int32_t ratio, int32_t kind_a, vesica_go_shape a, int32_t kind_b, vesica_go_shape b,
     char *out) {
     vesica_go_f64 of_a = go_read_f64(kind_a, &a);

@@ -246,11 +246,6 @@ VESICA_API int64_t vesica_join_nearest_f64(const vesica_shapes_f64 *sets_a, int3
                                            double within, int64_t part, int64_t parts, int64_t *out, double *distance);
 
 /* ---- Boxes about the edges of one large polygon or polyline, double ----
- *
- * A coast or a zone that is asked again and again keeps boxes about its edges, in memory of the caller. They take about
- * a byte an edge, and may be saved, sent or mapped. Answers are the same bits as without them. The path must be as it
- * was when they were made. Arrays need no such boxes: where one path is asked about many shapes, they are made within
- * the call.
  * Since: 0.1.
  */
 
@@ -262,12 +257,16 @@ VESICA_API int64_t vesica_join_nearest_f64(const vesica_shapes_f64 *sets_a, int3
 VESICA_API int64_t vesica_polygon_boxes_size(int64_t vertices);
 
 /**
- * Makes the boxes of a polygon or a polyline.
+ * Makes boxes about the edges of a polygon or a polyline that is asked again and again, such as a coast or a zone.
+ *
+ * They lie in memory of the caller, and may be saved, sent or mapped. Answers are the same bits as without them. The
+ * path must be as it was when they were made. Functions of arrays need no such boxes: where one path is asked about
+ * many shapes, they are made within the call.
  * Requires: boxes are aligned to 8 bytes. size is at least vesica_polygon_boxes_size of the number of vertices.
  * Returns: 0.
  * Errors: VESICA_E_NULL, VESICA_E_KIND (not a polygon or a polyline), VESICA_E_SHAPE, VESICA_E_ARGUMENT (size is less,
  * or the boxes are not aligned).
- * Cost: about 2 ns a vertex.
+ * Cost: one pass over the vertices.
  */
 VESICA_API int32_t vesica_polygon_boxes_f64(int32_t kind, const void *path, void *boxes, int64_t size);
 

@@ -2,8 +2,11 @@
 // Arrays of polygons and polylines: each element as the struct of a single one.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstring>
 #include <limits>
+#include <optional>
 
 #include "columns.hpp"
 #include "polygon/element.hpp"
@@ -28,16 +31,16 @@ class ElementBoxes {
     const detail::polygon::Range all = edges.all();
     constexpr std::int64_t few = 64, runs = room / 2;
     if (all.length() < few) return false;
-    kept_ = {all.first, all.length(), std::max(std::int64_t{8}, (all.length() + runs - 1) / runs)};
-    kept_.make(edges, whole, box_);
+    kept_.emplace(all.first, all.length(), std::max(std::int64_t{8}, (all.length() + runs - 1) / runs));
+    kept_->make(edges, whole, box_);
     return true;
   }
-  const detail::polygon::KeptBoxes& kept() const noexcept { return kept_; }
+  const detail::polygon::KeptBoxes& kept() const noexcept { return *kept_; }
 
  private:
   static constexpr std::int64_t room = 1024;  // of 16 KiB
   detail::polygon::KeptBox box_[room];
-  detail::polygon::KeptBoxes kept_{0, 1, 1};
+  std::optional<detail::polygon::KeptBoxes> kept_;
 };
 
 /// Element i of an array of any kind, as an operand. Its numbers, or the struct of its polygon, are a copy.
@@ -102,23 +105,34 @@ class PathQuery {
   QueryTally tally_;
 };
 
-/// Calls ask(element of a, element of b, i) for pairs in step. An array of one element is asked with all of the other,
-/// by boxes if that pays: they cost about as much as two questions.
+/// How many elements from i on are the same path? 0 for rows.
+template <class T>
+std::int64_t repeats(const Shapes<T>& shapes, std::int64_t i, std::int64_t n) noexcept {
+  if (is_row(shapes.kind)) return 0;
+  if (shapes.count == 1) return n - i;
+  if (shapes.rings != nullptr || shapes.each != 0) return 1;
+  const std::byte* const first = shapes.field[0].bytes() + i * shapes.stride;
+  std::int64_t count = 1;
+  while (i + count < n && std::memcmp(first, first + count * shapes.stride, sizeof(Polygon<T>)) == 0) ++count;
+  return count;
+}
+
+/// Calls ask(element of a, element of b, i) for pairs in step. A path that is repeated is asked by boxes if that pays:
+/// they cost about as much as two questions. Joins repeat a path for each shape near it.
 template <class T, class Ask>
 void each_in_step(const Shapes<T>& a, const Shapes<T>& b, std::int64_t n, const Ask& ask) noexcept {
-  const bool repeats_a = a.count == 1, repeats_b = b.count == 1;
-  if (n < enough_for_boxes || !(repeats_a || repeats_b)) {
-    for (std::int64_t i = 0; i < n; ++i) ask(Element<T>(a, repeats_a ? 0 : i), Element<T>(b, repeats_b ? 0 : i), i);
-    return;
-  }
-  ElementBoxes boxes;
-  Element<T> one(repeats_a ? a : b, 0);
-  one.keep_boxes(boxes);
-  for (std::int64_t i = 0; i < n; ++i) {
-    if (repeats_a) {
-      ask(one, Element<T>(b, i), i);
-    } else {
-      ask(Element<T>(a, i), one, i);
+  const std::int64_t step_a = a.count == 1 ? 0 : 1, step_b = b.count == 1 ? 0 : 1;
+  for (std::int64_t i = 0; i < n;) {
+    const std::int64_t of_a = repeats(a, i, n), of_b = repeats(b, i, n), run = std::max(of_a, of_b);
+    ElementBoxes boxes;
+    Element<T> one(run == of_a ? a : b, i * (run == of_a ? step_a : step_b));
+    if (run >= enough_for_boxes) one.keep_boxes(boxes);
+    for (const std::int64_t end = i + run; i < end; ++i) {
+      if (run == of_a) {
+        ask(one, Element<T>(b, i * step_b), i);
+      } else {
+        ask(Element<T>(a, i * step_a), one, i);
+      }
     }
   }
 }

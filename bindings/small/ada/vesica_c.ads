@@ -1140,6 +1140,31 @@ package Vesica_C is
       Integer_64; Parts : Integer_64; Output : System.Address; Distance : System.Address) return Integer_64
      with Import, Convention => C, External_Name => "vesica_join_nearest_f64";
 
+   --  How many bytes do the boxes of a polygon or a polyline take?
+   function Vesica_Polygon_Boxes_Size (Vertices : Integer_64) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_polygon_boxes_size";
+
+   --  Makes boxes about the edges of a polygon or a polyline that is asked again and again, such as a coast or a
+   --  zone.
+   function Vesica_Polygon_Boxes_F64 (Kind : Integer_32; Path : System.Address; Boxes : System.Address; Size :
+      Integer_64) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_polygon_boxes_f64";
+
+   --  Does a path with boxes overlap another shape?
+   function Vesica_Polygon_Boxes_Overlap_F64 (Kind : Integer_32; Path : System.Address; Boxes : System.Address;
+      Size : Integer_64; Kind_B : Integer_32; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_polygon_boxes_overlap_f64";
+
+   --  The distance of a path with boxes and another shape, and where it is.
+   function Vesica_Polygon_Boxes_Nearest_F64 (Kind : Integer_32; Path : System.Address; Boxes : System.Address;
+      Size : Integer_64; Kind_B : Integer_32; B : System.Address; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_polygon_boxes_nearest_f64";
+
+   --  Are a path with boxes and another shape at most a distance apart?
+   function Vesica_Polygon_Boxes_Within_F64 (Kind : Integer_32; Path : System.Address; Boxes : System.Address;
+      Size : Integer_64; Kind_B : Integer_32; B : System.Address; Distance : IEEE_Float_64) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_polygon_boxes_within_f64";
+
    --  Builds the index of some sets of shapes.
    function Vesica_Index_Build_F32 (Sets : System.Address; Set_Count : Integer_32; Index : System.Address;
       Index_Size : Integer_64; Scratch : System.Address; Scratch_Size : Integer_64) return Integer_64
@@ -1182,6 +1207,27 @@ package Vesica_C is
       Sets_B : System.Address; Set_Count_B : Integer_32; K : Integer_64; Within : IEEE_Float_32; Part :
       Integer_64; Parts : Integer_64; Output : System.Address; Distance : System.Address) return Integer_64
      with Import, Convention => C, External_Name => "vesica_join_nearest_f32";
+
+   --  Makes boxes about the edges of a polygon or a polyline that is asked again and again, such as a coast or a
+   --  zone.
+   function Vesica_Polygon_Boxes_F32 (Kind : Integer_32; Path : System.Address; Boxes : System.Address; Size :
+      Integer_64) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_polygon_boxes_f32";
+
+   --  Does a path with boxes overlap another shape?
+   function Vesica_Polygon_Boxes_Overlap_F32 (Kind : Integer_32; Path : System.Address; Boxes : System.Address;
+      Size : Integer_64; Kind_B : Integer_32; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_polygon_boxes_overlap_f32";
+
+   --  The distance of a path with boxes and another shape, and where it is.
+   function Vesica_Polygon_Boxes_Nearest_F32 (Kind : Integer_32; Path : System.Address; Boxes : System.Address;
+      Size : Integer_64; Kind_B : Integer_32; B : System.Address; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_polygon_boxes_nearest_f32";
+
+   --  Are a path with boxes and another shape at most a distance apart?
+   function Vesica_Polygon_Boxes_Within_F32 (Kind : Integer_32; Path : System.Address; Boxes : System.Address;
+      Size : Integer_64; Kind_B : Integer_32; B : System.Address; Distance : IEEE_Float_32) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_polygon_boxes_within_f32";
 
    --  A ratio by which detections are compared: IoU and its relatives, as `ratio` says.
    function Vesica_Ratio_F64 (Ratio : Integer_32; Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B

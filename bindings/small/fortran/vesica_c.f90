@@ -1797,6 +1797,58 @@ module vesica_c
       type(c_ptr), value :: distance
     end function
 
+    !> How many bytes do the boxes of a polygon or a polyline take?
+    integer(c_int64_t) function vesica_polygon_boxes_size(vertices) bind(c)
+      import
+      integer(c_int64_t), value :: vertices
+    end function
+
+    !> Makes boxes about the edges of a polygon or a polyline that is asked again and again, such as a coast or a
+    !> zone.
+    integer(c_int32_t) function vesica_polygon_boxes_f64(kind, path, boxes, size) bind(c)
+      import
+      integer(c_int32_t), value :: kind
+      type(c_ptr), value :: path
+      type(c_ptr), value :: boxes
+      integer(c_int64_t), value :: size
+    end function
+
+    !> Does a path with boxes overlap another shape?
+    integer(c_int32_t) function vesica_polygon_boxes_overlap_f64(kind, path, boxes, size, kind_b, b) bind(c)
+      import
+      integer(c_int32_t), value :: kind
+      type(c_ptr), value :: path
+      type(c_ptr), value :: boxes
+      integer(c_int64_t), value :: size
+      integer(c_int32_t), value :: kind_b
+      real(c_double), intent(in) :: b(*)
+    end function
+
+    !> The distance of a path with boxes and another shape, and where it is.
+    integer(c_int32_t) function vesica_polygon_boxes_nearest_f64(kind, path, boxes, size, kind_b, b, out) bind(c)
+      import
+      integer(c_int32_t), value :: kind
+      type(c_ptr), value :: path
+      type(c_ptr), value :: boxes
+      integer(c_int64_t), value :: size
+      integer(c_int32_t), value :: kind_b
+      real(c_double), intent(in) :: b(*)
+      type(vesica_closest_points_f64), intent(out) :: out
+    end function
+
+    !> Are a path with boxes and another shape at most a distance apart?
+    integer(c_int32_t) function vesica_polygon_boxes_within_f64(kind, path, boxes, size, kind_b, b, distance) &
+      bind(c)
+      import
+      integer(c_int32_t), value :: kind
+      type(c_ptr), value :: path
+      type(c_ptr), value :: boxes
+      integer(c_int64_t), value :: size
+      integer(c_int32_t), value :: kind_b
+      real(c_double), intent(in) :: b(*)
+      real(c_double), value :: distance
+    end function
+
     !> Builds the index of some sets of shapes.
     integer(c_int64_t) function vesica_index_build_f32(sets, set_count, index, index_size, scratch, scratch_size) &
       bind(c)
@@ -1906,6 +1958,52 @@ module vesica_c
       integer(c_int64_t), value :: parts
       type(c_ptr), value :: out
       type(c_ptr), value :: distance
+    end function
+
+    !> Makes boxes about the edges of a polygon or a polyline that is asked again and again, such as a coast or a
+    !> zone.
+    integer(c_int32_t) function vesica_polygon_boxes_f32(kind, path, boxes, size) bind(c)
+      import
+      integer(c_int32_t), value :: kind
+      type(c_ptr), value :: path
+      type(c_ptr), value :: boxes
+      integer(c_int64_t), value :: size
+    end function
+
+    !> Does a path with boxes overlap another shape?
+    integer(c_int32_t) function vesica_polygon_boxes_overlap_f32(kind, path, boxes, size, kind_b, b) bind(c)
+      import
+      integer(c_int32_t), value :: kind
+      type(c_ptr), value :: path
+      type(c_ptr), value :: boxes
+      integer(c_int64_t), value :: size
+      integer(c_int32_t), value :: kind_b
+      real(c_float), intent(in) :: b(*)
+    end function
+
+    !> The distance of a path with boxes and another shape, and where it is.
+    integer(c_int32_t) function vesica_polygon_boxes_nearest_f32(kind, path, boxes, size, kind_b, b, out) bind(c)
+      import
+      integer(c_int32_t), value :: kind
+      type(c_ptr), value :: path
+      type(c_ptr), value :: boxes
+      integer(c_int64_t), value :: size
+      integer(c_int32_t), value :: kind_b
+      real(c_float), intent(in) :: b(*)
+      type(vesica_closest_points_f32), intent(out) :: out
+    end function
+
+    !> Are a path with boxes and another shape at most a distance apart?
+    integer(c_int32_t) function vesica_polygon_boxes_within_f32(kind, path, boxes, size, kind_b, b, distance) &
+      bind(c)
+      import
+      integer(c_int32_t), value :: kind
+      type(c_ptr), value :: path
+      type(c_ptr), value :: boxes
+      integer(c_int64_t), value :: size
+      integer(c_int32_t), value :: kind_b
+      real(c_float), intent(in) :: b(*)
+      real(c_float), value :: distance
     end function
 
     !> A ratio by which detections are compared: IoU and its relatives, as `ratio` says.

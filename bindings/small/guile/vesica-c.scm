@@ -412,6 +412,16 @@
 (c vesica_index_nearest_f64 int64 '* '* int32 '* int64 double '* '*)
 ;; Which items of index_b are nearest to each item of sets_a?
 (c vesica_join_nearest_f64 int64 '* int32 '* '* int32 int64 double int64 int64 '* '*)
+;; How many bytes do the boxes of a polygon or a polyline take?
+(c vesica_polygon_boxes_size int64 int64)
+;; Makes boxes about the edges of a polygon or a polyline that is asked again and again, such as a coast or a zone.
+(c vesica_polygon_boxes_f64 int32 int32 '* '* int64)
+;; Does a path with boxes overlap another shape?
+(c vesica_polygon_boxes_overlap_f64 int32 int32 '* '* int64 int32 '*)
+;; The distance of a path with boxes and another shape, and where it is.
+(c vesica_polygon_boxes_nearest_f64 int32 int32 '* '* int64 int32 '* '*)
+;; Are a path with boxes and another shape at most a distance apart?
+(c vesica_polygon_boxes_within_f64 int32 int32 '* '* int64 int32 '* double)
 ;; Builds the index of some sets of shapes.
 (c vesica_index_build_f32 int64 '* int32 '* int64 '* int64)
 ;; One part of a build by several threads, in five steps.
@@ -427,6 +437,14 @@
 (c vesica_index_nearest_f32 int64 '* '* int32 '* int64 float '* '*)
 ;; Which items of index_b are nearest to each item of sets_a?
 (c vesica_join_nearest_f32 int64 '* int32 '* '* int32 int64 float int64 int64 '* '*)
+;; Makes boxes about the edges of a polygon or a polyline that is asked again and again, such as a coast or a zone.
+(c vesica_polygon_boxes_f32 int32 int32 '* '* int64)
+;; Does a path with boxes overlap another shape?
+(c vesica_polygon_boxes_overlap_f32 int32 int32 '* '* int64 int32 '*)
+;; The distance of a path with boxes and another shape, and where it is.
+(c vesica_polygon_boxes_nearest_f32 int32 int32 '* '* int64 int32 '* '*)
+;; Are a path with boxes and another shape at most a distance apart?
+(c vesica_polygon_boxes_within_f32 int32 int32 '* '* int64 int32 '* float)
 ;; A ratio by which detections are compared: IoU and its relatives, as `ratio` says.
 (c vesica_ratio_f64 int32 int32 int32 '* int32 '* '*)
 ;; A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f64.

@@ -836,6 +836,20 @@ function vesica_index_nearest_f64(index: Pointer; sets: PVesicaShapesF64; set_co
 function vesica_join_nearest_f64(sets_a: PVesicaShapesF64; set_count_a: Int32; index_b: Pointer; sets_b:
   PVesicaShapesF64; set_count_b: Int32; k: Int64; within: Double; part: Int64; parts: Int64; output: PInt64;
   distance: PDouble): Int64; cdecl; external vesica_library;
+// How many bytes do the boxes of a polygon or a polyline take?
+function vesica_polygon_boxes_size(vertices: Int64): Int64; cdecl; external vesica_library;
+// Makes boxes about the edges of a polygon or a polyline that is asked again and again, such as a coast or a zone.
+function vesica_polygon_boxes_f64(kind: Int32; path: Pointer; boxes: Pointer; size: Int64): Int32; cdecl; external
+  vesica_library;
+// Does a path with boxes overlap another shape?
+function vesica_polygon_boxes_overlap_f64(kind: Int32; path: Pointer; boxes: Pointer; size: Int64; kind_b: Int32; b:
+  Pointer): Int32; cdecl; external vesica_library;
+// The distance of a path with boxes and another shape, and where it is.
+function vesica_polygon_boxes_nearest_f64(kind: Int32; path: Pointer; boxes: Pointer; size: Int64; kind_b: Int32; b:
+  Pointer; output: PVesicaClosestPointsF64): Int32; cdecl; external vesica_library;
+// Are a path with boxes and another shape at most a distance apart?
+function vesica_polygon_boxes_within_f64(kind: Int32; path: Pointer; boxes: Pointer; size: Int64; kind_b: Int32; b:
+  Pointer; distance: Double): Int32; cdecl; external vesica_library;
 // Builds the index of some sets of shapes.
 function vesica_index_build_f32(sets: PVesicaShapesF32; set_count: Int32; index: Pointer; index_size: Int64;
   scratch: Pointer; scratch_size: Int64): Int64; cdecl; external vesica_library;
@@ -861,6 +875,18 @@ function vesica_index_nearest_f32(index: Pointer; sets: PVesicaShapesF32; set_co
 function vesica_join_nearest_f32(sets_a: PVesicaShapesF32; set_count_a: Int32; index_b: Pointer; sets_b:
   PVesicaShapesF32; set_count_b: Int32; k: Int64; within: Single; part: Int64; parts: Int64; output: PInt64;
   distance: PSingle): Int64; cdecl; external vesica_library;
+// Makes boxes about the edges of a polygon or a polyline that is asked again and again, such as a coast or a zone.
+function vesica_polygon_boxes_f32(kind: Int32; path: Pointer; boxes: Pointer; size: Int64): Int32; cdecl; external
+  vesica_library;
+// Does a path with boxes overlap another shape?
+function vesica_polygon_boxes_overlap_f32(kind: Int32; path: Pointer; boxes: Pointer; size: Int64; kind_b: Int32; b:
+  Pointer): Int32; cdecl; external vesica_library;
+// The distance of a path with boxes and another shape, and where it is.
+function vesica_polygon_boxes_nearest_f32(kind: Int32; path: Pointer; boxes: Pointer; size: Int64; kind_b: Int32; b:
+  Pointer; output: PVesicaClosestPointsF32): Int32; cdecl; external vesica_library;
+// Are a path with boxes and another shape at most a distance apart?
+function vesica_polygon_boxes_within_f32(kind: Int32; path: Pointer; boxes: Pointer; size: Int64; kind_b: Int32; b:
+  Pointer; distance: Single): Int32; cdecl; external vesica_library;
 // A ratio by which detections are compared: IoU and its relatives, as `ratio` says.
 function vesica_ratio_f64(ratio: Int32; kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output: PDouble):
   Int32; cdecl; external vesica_library;

@@ -417,6 +417,19 @@ our @FUNCTIONS = (
     # Which items of index_b are nearest to each item of sets_a?
     [vesica_join_nearest_f64 => ['opaque', 'sint32', 'opaque', 'opaque', 'sint32', 'sint64', 'double', 'sint64',
         'sint64', 'opaque', 'opaque'] => 'sint64'],
+    # How many bytes do the boxes of a polygon or a polyline take?
+    [vesica_polygon_boxes_size => ['sint64'] => 'sint64'],
+    # Makes boxes about the edges of a polygon or a polyline that is asked again and again, such as a coast or a
+    # zone.
+    [vesica_polygon_boxes_f64 => ['sint32', 'opaque', 'opaque', 'sint64'] => 'sint32'],
+    # Does a path with boxes overlap another shape?
+    [vesica_polygon_boxes_overlap_f64 => ['sint32', 'opaque', 'opaque', 'sint64', 'sint32', 'double[]'] => 'sint32'],
+    # The distance of a path with boxes and another shape, and where it is.
+    [vesica_polygon_boxes_nearest_f64 => ['sint32', 'opaque', 'opaque', 'sint64', 'sint32', 'double[]',
+        'opaque'] => 'sint32'],
+    # Are a path with boxes and another shape at most a distance apart?
+    [vesica_polygon_boxes_within_f64 => ['sint32', 'opaque', 'opaque', 'sint64', 'sint32', 'double[]',
+        'double'] => 'sint32'],
     # Builds the index of some sets of shapes.
     [vesica_index_build_f32 => ['opaque', 'sint32', 'opaque', 'sint64', 'opaque', 'sint64'] => 'sint64'],
     # One part of a build by several threads, in five steps.
@@ -437,6 +450,17 @@ our @FUNCTIONS = (
     # Which items of index_b are nearest to each item of sets_a?
     [vesica_join_nearest_f32 => ['opaque', 'sint32', 'opaque', 'opaque', 'sint32', 'sint64', 'float', 'sint64',
         'sint64', 'opaque', 'opaque'] => 'sint64'],
+    # Makes boxes about the edges of a polygon or a polyline that is asked again and again, such as a coast or a
+    # zone.
+    [vesica_polygon_boxes_f32 => ['sint32', 'opaque', 'opaque', 'sint64'] => 'sint32'],
+    # Does a path with boxes overlap another shape?
+    [vesica_polygon_boxes_overlap_f32 => ['sint32', 'opaque', 'opaque', 'sint64', 'sint32', 'float[]'] => 'sint32'],
+    # The distance of a path with boxes and another shape, and where it is.
+    [vesica_polygon_boxes_nearest_f32 => ['sint32', 'opaque', 'opaque', 'sint64', 'sint32', 'float[]',
+        'opaque'] => 'sint32'],
+    # Are a path with boxes and another shape at most a distance apart?
+    [vesica_polygon_boxes_within_f32 => ['sint32', 'opaque', 'opaque', 'sint64', 'sint32', 'float[]',
+        'float'] => 'sint32'],
     # A ratio by which detections are compared: IoU and its relatives, as `ratio` says.
     [vesica_ratio_f64 => ['sint32', 'sint32', 'double[]', 'sint32', 'double[]', 'opaque'] => 'sint32'],
     # A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f64.

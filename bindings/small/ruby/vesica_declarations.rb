@@ -407,6 +407,17 @@ module Vesica
     # Which items of index_b are nearest to each item of sets_a?
     'int64_t vesica_join_nearest_f64(void *, int, void *, void *, int, int64_t, double, int64_t, int64_t, void *,
         void *)',
+    # How many bytes do the boxes of a polygon or a polyline take?
+    'int64_t vesica_polygon_boxes_size(int64_t)',
+    # Makes boxes about the edges of a polygon or a polyline that is asked again and again, such as a coast or a
+    # zone.
+    'int vesica_polygon_boxes_f64(int, void *, void *, int64_t)',
+    # Does a path with boxes overlap another shape?
+    'int vesica_polygon_boxes_overlap_f64(int, void *, void *, int64_t, int, void *)',
+    # The distance of a path with boxes and another shape, and where it is.
+    'int vesica_polygon_boxes_nearest_f64(int, void *, void *, int64_t, int, void *, void *)',
+    # Are a path with boxes and another shape at most a distance apart?
+    'int vesica_polygon_boxes_within_f64(int, void *, void *, int64_t, int, void *, double)',
     # Builds the index of some sets of shapes.
     'int64_t vesica_index_build_f32(void *, int, void *, int64_t, void *, int64_t)',
     # One part of a build by several threads, in five steps.
@@ -425,6 +436,15 @@ module Vesica
     # Which items of index_b are nearest to each item of sets_a?
     'int64_t vesica_join_nearest_f32(void *, int, void *, void *, int, int64_t, float, int64_t, int64_t, void *,
         void *)',
+    # Makes boxes about the edges of a polygon or a polyline that is asked again and again, such as a coast or a
+    # zone.
+    'int vesica_polygon_boxes_f32(int, void *, void *, int64_t)',
+    # Does a path with boxes overlap another shape?
+    'int vesica_polygon_boxes_overlap_f32(int, void *, void *, int64_t, int, void *)',
+    # The distance of a path with boxes and another shape, and where it is.
+    'int vesica_polygon_boxes_nearest_f32(int, void *, void *, int64_t, int, void *, void *)',
+    # Are a path with boxes and another shape at most a distance apart?
+    'int vesica_polygon_boxes_within_f32(int, void *, void *, int64_t, int, void *, float)',
     # A ratio by which detections are compared: IoU and its relatives, as `ratio` says.
     'int vesica_ratio_f64(int, int, void *, int, void *, void *)',
     # A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f64.

@@ -45,6 +45,7 @@ constexpr double squared_gap(const Box& a, const Box& b) noexcept {
   const double y = lane::max(lane::max(a.min_y - b.max_y, b.min_y - a.max_y), 0.0);
   return x * x + y * y;
 }
+
 /// Vertices first to last - 1, and the edges that begin there.
 struct Range {
   std::int64_t first, last;
@@ -82,147 +83,148 @@ class Edges {
     }
     return low;
   }
-  /// All vertices. noexcept {
-  if (rings_ == nullptr) return {0, count_};
-  return {offset(0), offset(count_)};
-}
+  /// All vertices.
+  Range all() const noexcept {
+    if (rings_ == nullptr) return {0, count_};
+    return {offset(0), offset(count_)};
+  }
 
-Point<double>
-vertex(std::int64_t i) const noexcept {
-  T x, y;
-  std::memcpy(&x, x_ + i * stride_, sizeof x);
-  std::memcpy(&y, y_ + i * stride_, sizeof y);
-  return {static_cast<double>(x), static_cast<double>(y)};
-}
+  Point<double> vertex(std::int64_t i) const noexcept {
+    T x, y;
+    std::memcpy(&x, x_ + i * stride_, sizeof x);
+    std::memcpy(&y, y_ + i * stride_, sizeof y);
+    return {static_cast<double>(x), static_cast<double>(y)};
+  }
 
-/// 0, error_null, error_not_finite, or error_rings for no vertex or offsets that are negative or decrease. The box
-/// holds all vertices where it is 0.
-int check(Box& box) const noexcept {
-  if (has_null()) return error_null;
-  if (count_ < 1) return error_rings;
-  if (rings_ != nullptr) {
-    std::int32_t before = 0;
-    for (std::int64_t j = 0; j <= count_; ++j) {
-      if (offset(j) < before) return error_rings;
-      before = offset(j);
+  /// 0, error_null, error_not_finite, or error_rings for no vertex or offsets that are negative or decrease. The box
+  /// holds all vertices where it is 0.
+  int check(Box& box) const noexcept {
+    if (has_null()) return error_null;
+    if (count_ < 1) return error_rings;
+    if (rings_ != nullptr) {
+      std::int32_t before = 0;
+      for (std::int64_t j = 0; j <= count_; ++j) {
+        if (offset(j) < before) return error_rings;
+        before = offset(j);
+      }
     }
+    const Range vertices = all();
+    if (vertices.length() == 0) return error_rings;
+    return find_box(vertices, box) ? 0 : error_not_finite;
   }
-  const Range vertices = all();
-  if (vertices.length() == 0) return error_rings;
-  return find_box(vertices, box) ? 0 : error_not_finite;
-}
 
-/// Calls visit(edge, i) for each edge that begins in a range, until it returns true; returns whether it did.
-template <class Visit>
-bool for_edges(const Range& range, Visit visit) const noexcept {
-  return for_rings(range, [&](const Range& vertices, std::int64_t first, std::int64_t last) {
-    return for_edges_of_ring(vertices, first, last, visit);
-  });
-}
-/// For all edges.
-template <class Visit>
-bool for_edges(Visit visit) const noexcept {
-  return for_edges(all(), visit);
-}
+  /// Calls visit(edge, i) for each edge that begins in a range, until it returns true; returns whether it did.
+  template <class Visit>
+  bool for_edges(const Range& range, Visit visit) const noexcept {
+    return for_rings(range, [&](const Range& vertices, std::int64_t first, std::int64_t last) {
+      return for_edges_of_ring(vertices, first, last, visit);
+    });
+  }
+  /// For all edges.
+  template <class Visit>
+  bool for_edges(Visit visit) const noexcept {
+    return for_edges(all(), visit);
+  }
 
-/// The box of the edges of a range.
-Box box_of_range(const Range& range) const noexcept {
-  Box box = no_box;
-  for_rings(range, [&](const Range& vertices, std::int64_t first, std::int64_t last) {
-    Box part;
-    find_box({first, std::min(last + 1, vertices.last)}, part);
-    const Point<double> start = vertex(last == vertices.last && closed_ ? vertices.first : first);
-    extend(part, start.x, start.y);
-    extend(box, part.min_x, part.min_y);
-    extend(box, part.max_x, part.max_y);
+  /// The box of the edges of a range.
+  Box box_of_range(const Range& range) const noexcept {
+    Box box = no_box;
+    for_rings(range, [&](const Range& vertices, std::int64_t first, std::int64_t last) {
+      Box part;
+      find_box({first, std::min(last + 1, vertices.last)}, part);
+      const Point<double> start = vertex(last == vertices.last && closed_ ? vertices.first : first);
+      extend(part, start.x, start.y);
+      extend(box, part.min_x, part.min_y);
+      extend(box, part.max_x, part.max_y);
+      return false;
+    });
+    return box;
+  }
+
+ private:
+  template <class Shape>
+  Edges(const Shape& p, bool closed) noexcept
+      : x_(reinterpret_cast<const unsigned char*>(p.x)),
+        y_(reinterpret_cast<const unsigned char*>(p.y)),
+        stride_(p.stride),
+        rings_(p.rings),
+        count_(p.count),
+        closed_(closed) {}
+
+  std::int32_t offset(std::int64_t j) const noexcept { return rings_[j]; }
+
+  /// Calls visit(ring, first, last) for the part of each ring within a range, until it returns true.
+  template <class Visit>
+  bool for_rings(const Range& range, Visit visit) const noexcept {
+    if (range.first >= range.last) return false;
+    if (rings_ == nullptr) return visit(Range{0, count_}, range.first, range.last);
+    for (std::int64_t j = ring_of(range.first); j < count_; ++j) {
+      const Range vertices = ring(j);
+      if (vertices.first >= range.last) break;
+      const std::int64_t first = std::max(vertices.first, range.first), last = std::min(vertices.last, range.last);
+      if (first < last && visit(vertices, first, last)) return true;
+    }
     return false;
-  });
-  return box;
-}
-
-private:
-template <class Shape>
-Edges(const Shape& p, bool closed) noexcept
-    : x_(reinterpret_cast<const unsigned char*>(p.x)),
-      y_(reinterpret_cast<const unsigned char*>(p.y)),
-      stride_(p.stride),
-      rings_(p.rings),
-      count_(p.count),
-      closed_(closed) {}
-
-std::int32_t offset(std::int64_t j) const noexcept { return rings_[j]; }
-
-/// Calls visit(ring, first, last) for the part of each ring within a range, until it returns true.
-template <class Visit>
-bool for_rings(const Range& range, Visit visit) const noexcept {
-  if (range.first >= range.last) return false;
-  if (rings_ == nullptr) return visit(Range{0, count_}, range.first, range.last);
-  for (std::int64_t j = ring_of(range.first); j < count_; ++j) {
-    const Range vertices = ring(j);
-    if (vertices.first >= range.last) break;
-    const std::int64_t first = std::max(vertices.first, range.first), last = std::min(vertices.last, range.last);
-    if (first < last && visit(vertices, first, last)) return true;
   }
-  return false;
-}
 
-/// The box of vertices. Returns false if a number is not finite.
-bool find_box(const Range& range, Box& box) const noexcept {
+  /// The box of vertices. Returns false if a number is not finite.
+  bool find_box(const Range& range, Box& box) const noexcept {
 #ifdef VESICA_HAS_TWO_DOUBLES
-  // Both coordinates in one register, and two vertices at a time, so that no operation waits for the one before.
-  using lane::TwoDoubles;
-  TwoDoubles low[2]{TwoDoubles(infinite), TwoDoubles(infinite)}, high[2]{TwoDoubles(-infinite), TwoDoubles(-infinite)};
-  TwoDoubles zero[2]{TwoDoubles(0.0), TwoDoubles(0.0)};  // NaN if a number is not finite
-  const auto take = [&](std::int64_t i, int k) {
-    const Point<double> v = vertex(i);
-    const TwoDoubles p(v.x, v.y);
-    low[k] = min(p, low[k]);
-    high[k] = max(p, high[k]);
-    zero[k] = zero[k] + (p - p);
-  };
-  std::int64_t i = range.first;
-  for (; i + 2 <= range.last; i += 2) {
-    take(i, 0);
-    take(i + 1, 1);
-  }
-  if (i < range.last) take(i, 0);
-  const TwoDoubles least = min(low[0], low[1]), most = max(high[0], high[1]), sum = zero[0] + zero[1];
-  box = {least.first(), least.second(), most.first(), most.second()};
-  return sum.first() == 0 && sum.second() == 0;
+    // Both coordinates in one register, and two vertices at a time, so that no operation waits for the one before.
+    using lane::TwoDoubles;
+    TwoDoubles low[2]{TwoDoubles(infinite), TwoDoubles(infinite)},
+        high[2]{TwoDoubles(-infinite), TwoDoubles(-infinite)};
+    TwoDoubles zero[2]{TwoDoubles(0.0), TwoDoubles(0.0)};  // NaN if a number is not finite
+    const auto take = [&](std::int64_t i, int k) {
+      const Point<double> v = vertex(i);
+      const TwoDoubles p(v.x, v.y);
+      low[k] = min(p, low[k]);
+      high[k] = max(p, high[k]);
+      zero[k] = zero[k] + (p - p);
+    };
+    std::int64_t i = range.first;
+    for (; i + 2 <= range.last; i += 2) {
+      take(i, 0);
+      take(i + 1, 1);
+    }
+    if (i < range.last) take(i, 0);
+    const TwoDoubles least = min(low[0], low[1]), most = max(high[0], high[1]), sum = zero[0] + zero[1];
+    box = {least.first(), least.second(), most.first(), most.second()};
+    return sum.first() == 0 && sum.second() == 0;
 #else
-  box = no_box;
-  double zero = 0;
-  for (std::int64_t i = range.first; i < range.last; ++i) {
-    const Point<double> v = vertex(i);
-    extend(box, v.x, v.y);
-    zero += (v.x - v.x) + (v.y - v.y);
-  }
-  return zero == 0;
+    box = no_box;
+    double zero = 0;
+    for (std::int64_t i = range.first; i < range.last; ++i) {
+      const Point<double> v = vertex(i);
+      extend(box, v.x, v.y);
+      zero += (v.x - v.x) + (v.y - v.y);
+    }
+    return zero == 0;
 #endif
-}
-
-/// The same for one ring.
-template <class Visit>
-bool for_edges_of_ring(const Range& vertices, std::int64_t first, std::int64_t last, Visit& visit) const noexcept {
-  Point<double> from = vertex(first);
-  const std::int64_t inner = std::min(last, vertices.last - 1);
-  for (std::int64_t i = first; i < inner; ++i) {
-    const Point<double> to = vertex(i + 1);
-    if (visit(Edge{from.x, from.y, to.x, to.y}, i)) return true;
-    from = to;
   }
-  if (last < vertices.last) return false;
-  if (!closed_ && vertices.length() > 1) return false;
-  const Point<double> to = vertex(vertices.first);
-  return visit(Edge{from.x, from.y, to.x, to.y}, last - 1);
-}
 
-const unsigned char *x_, *y_;
-std::ptrdiff_t stride_;
-const std::int32_t* rings_;
-std::int64_t count_;
-bool closed_;
-const KeptBoxes* boxes_ = nullptr;
+  /// The same for one ring.
+  template <class Visit>
+  bool for_edges_of_ring(const Range& vertices, std::int64_t first, std::int64_t last, Visit& visit) const noexcept {
+    Point<double> from = vertex(first);
+    const std::int64_t inner = std::min(last, vertices.last - 1);
+    for (std::int64_t i = first; i < inner; ++i) {
+      const Point<double> to = vertex(i + 1);
+      if (visit(Edge{from.x, from.y, to.x, to.y}, i)) return true;
+      from = to;
+    }
+    if (last < vertices.last) return false;
+    if (!closed_ && vertices.length() > 1) return false;
+    const Point<double> to = vertex(vertices.first);
+    return visit(Edge{from.x, from.y, to.x, to.y}, last - 1);
+  }
+
+  const unsigned char *x_, *y_;
+  std::ptrdiff_t stride_;
+  const std::int32_t* rings_;
+  std::int64_t count_;
+  bool closed_;
+  const KeptBoxes* boxes_ = nullptr;
 };
 
 template <class T>

@@ -3108,6 +3108,59 @@ extern "C" {
     pub fn vesica_join_nearest_f64(sets_a: *const Shapes<f64>, set_count_a: i32, index_b: *const c_void,
         sets_b: *const Shapes<f64>, set_count_b: i32, k: i64, within: f64, part: i64, parts: i64, out: *mut i64,
         distance: *mut f64) -> i64;
+    /// How many bytes do the boxes of a polygon or a polyline take?
+    ///
+    /// Returns: 64 bytes, and about 1.07 for each vertex.
+    ///
+    /// Errors: VESICA_E_ARGUMENT (vertices is below 1 or above 2^58).
+    ///
+    /// Since: 0.1.
+    pub fn vesica_polygon_boxes_size(vertices: i64) -> i64;
+    /// Makes boxes about the edges of a polygon or a polyline that is asked again and again, such as a coast or a zone.
+    ///
+    /// They lie in memory of the caller, and may be saved, sent or mapped. Answers are the same bits as without them.
+    /// The path must be as it was when they were made. Functions of arrays need no such boxes: where one path is asked
+    /// about many shapes, they are made within the call.
+    ///
+    /// Requires: boxes are aligned to 8 bytes. size is at least vesica_polygon_boxes_size of the number of vertices.
+    ///
+    /// Returns: 0.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND (not a polygon or a polyline), VESICA_E_SHAPE, VESICA_E_ARGUMENT (size is
+    /// less, or the boxes are not aligned).
+    ///
+    /// Cost: one pass over the vertices.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_polygon_boxes_f64(kind: i32, path: *const c_void, boxes: *mut c_void, size: i64) -> i32;
+    /// Does a path with boxes overlap another shape? As vesica_overlap_f64, for any kind b.
+    ///
+    /// Requires: the boxes are of this path, by a function of the same scalar type.
+    ///
+    /// Returns: 1 or 0.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_INDEX (no boxes of a path with these vertices), VESICA_E_SHAPE.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_polygon_boxes_overlap_f64(kind: i32, path: *const c_void, boxes: *const c_void, size: i64,
+        kind_b: i32, b: *const c_void) -> i32;
+    /// The distance of a path with boxes and another shape, and where it is. As vesica_nearest_f64.
+    /// Requires, Errors: those of vesica_polygon_boxes_overlap_f64; also VESICA_E_RANGE.
+    ///
+    /// Returns: 0.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_polygon_boxes_nearest_f64(kind: i32, path: *const c_void, boxes: *const c_void, size: i64,
+        kind_b: i32, b: *const c_void, out: *mut ClosestPoints<f64>) -> i32;
+    /// Are a path with boxes and another shape at most a distance apart? As vesica_within_f64.
+    /// Requires, Errors: those of vesica_polygon_boxes_overlap_f64; also VESICA_E_ARGUMENT (distance is NaN) and
+    /// VESICA_E_NOT_CONVEX.
+    ///
+    /// Returns: VESICA_WITHIN_YES, VESICA_WITHIN_NO or VESICA_WITHIN_NEARLY.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_polygon_boxes_within_f64(kind: i32, path: *const c_void, boxes: *const c_void, size: i64, kind_b: i32,
+        b: *const c_void, distance: f64) -> i32;
     /// Builds the index of some sets of shapes. There may be none; sets may then be NULL.
     ///
     /// If shapes are invalid, the call returns VESICA_E_SHAPE, and the index is complete without them. When shapes have
@@ -3265,6 +3318,51 @@ extern "C" {
     pub fn vesica_join_nearest_f32(sets_a: *const Shapes<f32>, set_count_a: i32, index_b: *const c_void,
         sets_b: *const Shapes<f32>, set_count_b: i32, k: i64, within: f32, part: i64, parts: i64, out: *mut i64,
         distance: *mut f32) -> i64;
+    /// Makes boxes about the edges of a polygon or a polyline that is asked again and again, such as a coast or a zone.
+    ///
+    /// They lie in memory of the caller, and may be saved, sent or mapped. Answers are the same bits as without them.
+    /// The path must be as it was when they were made. Functions of arrays need no such boxes: where one path is asked
+    /// about many shapes, they are made within the call.
+    ///
+    /// Requires: boxes are aligned to 8 bytes. size is at least vesica_polygon_boxes_size of the number of vertices.
+    ///
+    /// Returns: 0.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND (not a polygon or a polyline), VESICA_E_SHAPE, VESICA_E_ARGUMENT (size is
+    /// less, or the boxes are not aligned).
+    ///
+    /// Cost: one pass over the vertices.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_polygon_boxes_f32(kind: i32, path: *const c_void, boxes: *mut c_void, size: i64) -> i32;
+    /// Does a path with boxes overlap another shape? As vesica_overlap_f32, for any kind b.
+    ///
+    /// Requires: the boxes are of this path, by a function of the same scalar type.
+    ///
+    /// Returns: 1 or 0.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_INDEX (no boxes of a path with these vertices), VESICA_E_SHAPE.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_polygon_boxes_overlap_f32(kind: i32, path: *const c_void, boxes: *const c_void, size: i64,
+        kind_b: i32, b: *const c_void) -> i32;
+    /// The distance of a path with boxes and another shape, and where it is. As vesica_nearest_f32.
+    /// Requires, Errors: those of vesica_polygon_boxes_overlap_f32; also VESICA_E_RANGE.
+    ///
+    /// Returns: 0.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_polygon_boxes_nearest_f32(kind: i32, path: *const c_void, boxes: *const c_void, size: i64,
+        kind_b: i32, b: *const c_void, out: *mut ClosestPoints<f32>) -> i32;
+    /// Are a path with boxes and another shape at most a distance apart? As vesica_within_f32.
+    /// Requires, Errors: those of vesica_polygon_boxes_overlap_f32; also VESICA_E_ARGUMENT (distance is NaN) and
+    /// VESICA_E_NOT_CONVEX.
+    ///
+    /// Returns: VESICA_WITHIN_YES, VESICA_WITHIN_NO or VESICA_WITHIN_NEARLY.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_polygon_boxes_within_f32(kind: i32, path: *const c_void, boxes: *const c_void, size: i64, kind_b: i32,
+        b: *const c_void, distance: f32) -> i32;
     /// A ratio by which detections are compared: IoU and its relatives, as `ratio` says.
     ///
     /// The first four ratios are from 0 to 1. Shared area over one shape's is 0 if no area is shared, and 1 if the
@@ -4532,6 +4630,13 @@ pub unsafe trait Scalar: Copy + Default + PartialEq + PartialOrd + core::fmt::De
     unsafe fn join_nearest(sets_a: *const Shapes<Self>, set_count_a: i32, index_b: *const c_void,
         sets_b: *const Shapes<Self>, set_count_b: i32, k: i64, within: Self, part: i64, parts: i64, out: *mut i64,
         distance: *mut Self) -> i64;
+    unsafe fn polygon_boxes(kind: i32, path: *const c_void, boxes: *mut c_void, size: i64) -> i32;
+    unsafe fn polygon_boxes_overlap(kind: i32, path: *const c_void, boxes: *const c_void, size: i64, kind_b: i32,
+        b: *const c_void) -> i32;
+    unsafe fn polygon_boxes_nearest(kind: i32, path: *const c_void, boxes: *const c_void, size: i64, kind_b: i32,
+        b: *const c_void, out: *mut ClosestPoints<Self>) -> i32;
+    unsafe fn polygon_boxes_within(kind: i32, path: *const c_void, boxes: *const c_void, size: i64, kind_b: i32,
+        b: *const c_void, distance: Self) -> i32;
     unsafe fn ratio(ratio: i32, kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Self) -> i32;
     unsafe fn ratio_many(ratio: i32, a: *const Shapes<Self>, b: *const Shapes<Self>, out: *mut Self) -> i64;
     unsafe fn ratio_matrix(ratio: i32, a: *const Shapes<Self>, b: *const Shapes<Self>, out: *mut Self,
@@ -4925,6 +5030,25 @@ unsafe impl Scalar for f64 {
         distance: *mut f64) -> i64 {
         vesica_join_nearest_f64(sets_a, set_count_a, index_b, sets_b, set_count_b, k, within, part, parts, out,
             distance)
+    }
+    #[inline]
+    unsafe fn polygon_boxes(kind: i32, path: *const c_void, boxes: *mut c_void, size: i64) -> i32 {
+        vesica_polygon_boxes_f64(kind, path, boxes, size)
+    }
+    #[inline]
+    unsafe fn polygon_boxes_overlap(kind: i32, path: *const c_void, boxes: *const c_void, size: i64, kind_b: i32,
+        b: *const c_void) -> i32 {
+        vesica_polygon_boxes_overlap_f64(kind, path, boxes, size, kind_b, b)
+    }
+    #[inline]
+    unsafe fn polygon_boxes_nearest(kind: i32, path: *const c_void, boxes: *const c_void, size: i64, kind_b: i32,
+        b: *const c_void, out: *mut ClosestPoints<f64>) -> i32 {
+        vesica_polygon_boxes_nearest_f64(kind, path, boxes, size, kind_b, b, out)
+    }
+    #[inline]
+    unsafe fn polygon_boxes_within(kind: i32, path: *const c_void, boxes: *const c_void, size: i64, kind_b: i32,
+        b: *const c_void, distance: f64) -> i32 {
+        vesica_polygon_boxes_within_f64(kind, path, boxes, size, kind_b, b, distance)
     }
     #[inline]
     unsafe fn ratio(ratio: i32, kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut f64) -> i32 {
@@ -5412,6 +5536,25 @@ unsafe impl Scalar for f32 {
         distance: *mut f32) -> i64 {
         vesica_join_nearest_f32(sets_a, set_count_a, index_b, sets_b, set_count_b, k, within, part, parts, out,
             distance)
+    }
+    #[inline]
+    unsafe fn polygon_boxes(kind: i32, path: *const c_void, boxes: *mut c_void, size: i64) -> i32 {
+        vesica_polygon_boxes_f32(kind, path, boxes, size)
+    }
+    #[inline]
+    unsafe fn polygon_boxes_overlap(kind: i32, path: *const c_void, boxes: *const c_void, size: i64, kind_b: i32,
+        b: *const c_void) -> i32 {
+        vesica_polygon_boxes_overlap_f32(kind, path, boxes, size, kind_b, b)
+    }
+    #[inline]
+    unsafe fn polygon_boxes_nearest(kind: i32, path: *const c_void, boxes: *const c_void, size: i64, kind_b: i32,
+        b: *const c_void, out: *mut ClosestPoints<f32>) -> i32 {
+        vesica_polygon_boxes_nearest_f32(kind, path, boxes, size, kind_b, b, out)
+    }
+    #[inline]
+    unsafe fn polygon_boxes_within(kind: i32, path: *const c_void, boxes: *const c_void, size: i64, kind_b: i32,
+        b: *const c_void, distance: f32) -> i32 {
+        vesica_polygon_boxes_within_f32(kind, path, boxes, size, kind_b, b, distance)
     }
     #[inline]
     unsafe fn ratio(ratio: i32, kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut f32) -> i32 {
