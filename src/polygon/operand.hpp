@@ -107,8 +107,9 @@ AnyShape any_shape(const Operand& s) noexcept {
 
 template <class T>
 Edges<T> edges(const Operand& s) noexcept {
-  if (s.kind == polygon_kind) return {*static_cast<const Polygon<T>*>(s.shape), s.boxes};
-  return {*static_cast<const Polyline<T>*>(s.shape), s.boxes};
+  const Edges<T> edges = s.kind == polygon_kind ? Edges<T>(*static_cast<const Polygon<T>*>(s.shape))
+                                                : Edges<T>(*static_cast<const Polyline<T>*>(s.shape));
+  return {edges, s.boxes};
 }
 
 /// action(edges, other, reversed), where the first operand that is a path comes first; other is an AnyShape or edges.

@@ -33,7 +33,7 @@ template <class T, class Other>
 bool overlap_valid(const Edges<T>& a, const Box& box, const Other& b, const Box& about) noexcept {
   if (!meet(box, about)) return false;
   const bool met = any_edge(
-      a, [&](const Box& box) { return meet(box, about); },
+      a, [&](const Box& part) { return meet(part, about); },
       [&](const Edge& e, std::int64_t) { return edge_meets(e, b); });
   return met || inside(a, stored_point(b));
 }
