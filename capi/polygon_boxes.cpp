@@ -15,7 +15,8 @@
 namespace {
 
 using vesica::Operand;
-using namespace vesica::detail::polygon;
+using vesica::detail::polygon::Box, vesica::detail::polygon::Edges, vesica::detail::polygon::KeptBox;
+using vesica::detail::polygon::KeptBoxes, vesica::detail::polygon::Range, vesica::detail::polygon::no_box;
 
 constexpr std::int64_t edges_in_run = 16;
 
@@ -43,14 +44,14 @@ std::int64_t size_for(std::int64_t vertices) noexcept {
          KeptBoxes(0, vertices, edges_in_run).boxes() * static_cast<std::int64_t>(sizeof(KeptBox));
 }
 
+bool has_vertices(std::int32_t kind) noexcept { return kind == vesica::polygon_kind || kind == vesica::polyline_kind; }
 bool is_aligned(const void* p) noexcept { return reinterpret_cast<std::uintptr_t>(p) % alignof(Header) == 0; }
-bool is_path(std::int32_t kind) noexcept { return vesica::is_kind(kind) && !vesica::is_row(kind); }
 
 template <class T>
 std::int32_t make_boxes(std::int32_t kind, const void* path, void* boxes, std::int64_t size) noexcept {
   VESICA_DEFAULT_ENVIRONMENT(make_boxes<T>, kind, path, boxes, size);
   if (path == nullptr || boxes == nullptr) return VESICA_E_NULL;
-  if (!is_path(kind)) return VESICA_E_KIND;
+  if (!has_vertices(kind)) return VESICA_E_KIND;
   const Edges<T> edges = edges_of<T>(kind, path);
   Box whole;
   const int error = edges.check(whole);
@@ -70,7 +71,7 @@ template <class T, class Action>
 std::int32_t with_boxes(std::int32_t kind, const void* path, const void* boxes, std::int64_t size, std::int32_t kind_b,
                         const void* b, const Action& action) noexcept {
   if (path == nullptr || boxes == nullptr || b == nullptr) return VESICA_E_NULL;
-  if (!is_path(kind) || !vesica::has_core_or_path(kind_b)) return VESICA_E_KIND;
+  if (!has_vertices(kind) || !vesica::has_core_or_path(kind_b)) return VESICA_E_KIND;
   const Edges<T> edges = edges_of<T>(kind, path);
   if (edges.has_null()) return VESICA_E_NULL;
   if (static_cast<const vesica::Polygon<T>*>(path)->count < 1) return VESICA_E_INDEX;
@@ -90,18 +91,18 @@ std::int32_t with_boxes(std::int32_t kind, const void* path, const void* boxes, 
 }
 
 template <class T>
-std::int32_t overlap(std::int32_t kind, const void* path, const void* boxes, std::int64_t size, std::int32_t kind_b,
-                     const void* b) noexcept {
-  VESICA_DEFAULT_ENVIRONMENT(overlap<T>, kind, path, boxes, size, kind_b, b);
+std::int32_t overlap_by_boxes(std::int32_t kind, const void* path, const void* boxes, std::int64_t size,
+                              std::int32_t kind_b, const void* b) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT(overlap_by_boxes<T>, kind, path, boxes, size, kind_b, b);
   return with_boxes<T>(kind, path, boxes, size, kind_b, b, [](const Operand& whole, const Operand& other) {
     return vesica::polygon::overlap(whole, other, nullptr);
   });
 }
 
 template <class T, class Points>
-std::int32_t nearest(std::int32_t kind, const void* path, const void* boxes, std::int64_t size, std::int32_t kind_b,
-                     const void* b, Points* out) noexcept {
-  VESICA_DEFAULT_ENVIRONMENT((nearest<T, Points>), kind, path, boxes, size, kind_b, b, out);
+std::int32_t nearest_by_boxes(std::int32_t kind, const void* path, const void* boxes, std::int64_t size,
+                              std::int32_t kind_b, const void* b, Points* out) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT((nearest_by_boxes<T, Points>), kind, path, boxes, size, kind_b, b, out);
   if (out == nullptr) return VESICA_E_NULL;
   return with_boxes<T>(kind, path, boxes, size, kind_b, b, [out](const Operand& whole, const Operand& other) {
     return vesica::polygon::nearest(whole, other, out);
@@ -109,9 +110,9 @@ std::int32_t nearest(std::int32_t kind, const void* path, const void* boxes, std
 }
 
 template <class T>
-std::int32_t within(std::int32_t kind, const void* path, const void* boxes, std::int64_t size, std::int32_t kind_b,
-                    const void* b, T distance) noexcept {
-  VESICA_DEFAULT_ENVIRONMENT(within<T>, kind, path, boxes, size, kind_b, b, distance);
+std::int32_t within_by_boxes(std::int32_t kind, const void* path, const void* boxes, std::int64_t size,
+                             std::int32_t kind_b, const void* b, T distance) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT(within_by_boxes<T>, kind, path, boxes, size, kind_b, b, distance);
   return with_boxes<T>(kind, path, boxes, size, kind_b, b, [distance](const Operand& whole, const Operand& other) {
     return vesica::polygon::within(whole, other, static_cast<double>(distance));
   });
@@ -132,25 +133,25 @@ int32_t vesica_polygon_boxes_f32(int32_t kind, const void* path, void* boxes, in
 }
 int32_t vesica_polygon_boxes_overlap_f64(int32_t kind, const void* path, const void* boxes, int64_t size,
                                          int32_t kind_b, const void* b) {
-  return overlap<double>(kind, path, boxes, size, kind_b, b);
+  return overlap_by_boxes<double>(kind, path, boxes, size, kind_b, b);
 }
 int32_t vesica_polygon_boxes_overlap_f32(int32_t kind, const void* path, const void* boxes, int64_t size,
                                          int32_t kind_b, const void* b) {
-  return overlap<float>(kind, path, boxes, size, kind_b, b);
+  return overlap_by_boxes<float>(kind, path, boxes, size, kind_b, b);
 }
 int32_t vesica_polygon_boxes_nearest_f64(int32_t kind, const void* path, const void* boxes, int64_t size,
                                          int32_t kind_b, const void* b, vesica_closest_points_f64* out) {
-  return nearest<double>(kind, path, boxes, size, kind_b, b, out);
+  return nearest_by_boxes<double>(kind, path, boxes, size, kind_b, b, out);
 }
 int32_t vesica_polygon_boxes_nearest_f32(int32_t kind, const void* path, const void* boxes, int64_t size,
                                          int32_t kind_b, const void* b, vesica_closest_points_f32* out) {
-  return nearest<float>(kind, path, boxes, size, kind_b, b, out);
+  return nearest_by_boxes<float>(kind, path, boxes, size, kind_b, b, out);
 }
 int32_t vesica_polygon_boxes_within_f64(int32_t kind, const void* path, const void* boxes, int64_t size, int32_t kind_b,
                                         const void* b, double distance) {
-  return within<double>(kind, path, boxes, size, kind_b, b, distance);
+  return within_by_boxes<double>(kind, path, boxes, size, kind_b, b, distance);
 }
 int32_t vesica_polygon_boxes_within_f32(int32_t kind, const void* path, const void* boxes, int64_t size, int32_t kind_b,
                                         const void* b, float distance) {
-  return within<float>(kind, path, boxes, size, kind_b, b, distance);
+  return within_by_boxes<float>(kind, path, boxes, size, kind_b, b, distance);
 }

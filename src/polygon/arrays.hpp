@@ -70,7 +70,7 @@ class Element {
   const detail::polygon::KeptBoxes* boxes_ = nullptr;
   std::int32_t kind_;
   T number_[max_fields];
-  Polygon<T> path_;  // or a polyline: their structs are the same
+  Polygon<T> path_{};  // or a polyline: their structs are the same
 };
 
 inline constexpr std::int64_t enough_for_boxes = 4;

@@ -2,6 +2,7 @@
 // Shapes of any kind as the questions of polygons take them: a polygon's edges, or a row of numbers with its kind.
 #pragma once
 
+#include <cstring>
 #include <vesica/polygon/depth.hpp>
 #include <vesica/polygon/ratio.hpp>
 #include <vesica/polygon/row_parts.hpp>
@@ -107,8 +108,11 @@ AnyShape any_shape(const Operand& s) noexcept {
 
 template <class T>
 Edges<T> edges(const Operand& s) noexcept {
-  const Edges<T> edges = s.kind == polygon_kind ? Edges<T>(*static_cast<const Polygon<T>*>(s.shape))
-                                                : Edges<T>(*static_cast<const Polyline<T>*>(s.shape));
+  Polyline<T> path;  // laid out as a polygon
+  std::memcpy(&path, s.shape, sizeof path);
+  const Edges<T> edges = s.kind == polygon_kind
+                             ? Edges<T>(Polygon<T>{path.x, path.y, path.stride, path.rings, path.count})
+                             : Edges<T>(path);
   return {edges, s.boxes};
 }
 

@@ -33,7 +33,7 @@ struct Kept {
 };
 
 /// A path of up to some hundred vertices, with holes, or any ring on a lattice.
-Path any_path(Random& random) {
+inline Path any_path(Random& random) {
   Path path;
   if (random.chance(0.3)) {
     for (int j = random.integer(1, 3); j > 0; --j) path.add_ring(lattice_ring(random.integer(1, 80), 7, random));
@@ -46,7 +46,7 @@ Path any_path(Random& random) {
 }
 
 /// A shape near the path, often at one of its vertices.
-inflated::Shape near_path(std::int32_t kind, const Path& path, Random& random) {
+inline inflated::Shape near_path(std::int32_t kind, const Path& path, Random& random) {
   inflated::Shape s = inflated::shape(kind, random);
   const auto at = static_cast<std::size_t>(random.below(static_cast<int>(path.xy.size() / 2)));
   if (kind == VESICA_POINT && random.chance(0.7)) {
@@ -56,7 +56,7 @@ inflated::Shape near_path(std::int32_t kind, const Path& path, Random& random) {
   return s;
 }
 
-void expect_same_points(const vesica_closest_points_f64& a, const vesica_closest_points_f64& b) {
+inline void expect_same_points(const vesica_closest_points_f64& a, const vesica_closest_points_f64& b) {
   EXPECT_EQ(std::memcmp(&a, &b, sizeof a), 0) << a.distance << ' ' << b.distance;
 }
 
