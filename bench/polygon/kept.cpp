@@ -83,7 +83,7 @@ void one_polygon(int n) {
   vesica_polygon_boxes_f64(VESICA_POLYGON, &path, boxes, size);
   std::printf("%d vertices: boxes made in %.2f ns a vertex, %.1f kB of them\n", n, nanoseconds_since(begin) / n,
               static_cast<double>(size) / 1e3);
-  const int few = std::max(4, 400000 / n), many = 4096;
+  const int few = std::clamp(400000 / n, 4, 4096), many = 4096;
   using Points = std::vector<vesica_point_f64>;
   std::vector<Question> inside{
       {"a call", few,
@@ -172,18 +172,61 @@ void one_polygon(int n) {
 #endif
 }
 
-/// An index, or nothing for a set that has none.
-std::vector<std::int64_t> index_of(const vesica_shapes_f64& set) {
-  const std::int64_t size = vesica_index_size(set.count), scratch_size = vesica_index_scratch(set.count);
-  std::vector<std::int64_t> index(static_cast<std::size_t>(size) / 8 + 16),
-      scratch(static_cast<std::size_t>(scratch_size) / 8 + 16);
-  const auto aligned = [](std::vector<std::int64_t>& v) {
-    return reinterpret_cast<void*>((reinterpret_cast<std::uintptr_t>(v.data()) + 63) / 64 * 64);
+/// Memory aligned as an index must be.
+class Block {
+ public:
+  explicit Block(std::int64_t size) : size_(size), words_(static_cast<std::size_t>(size) / 8 + 16) {}
+  void* data() { return reinterpret_cast<void*>((reinterpret_cast<std::uintptr_t>(words_.data()) + 63) / 64 * 64); }
+  std::int64_t size() const { return size_; }
+
+ private:
+  std::int64_t size_;
+  std::vector<std::int64_t> words_;
+};
+
+/// An array of shapes and its index.
+struct Indexed {
+  Indexed(std::int32_t kind, std::int64_t count, const void* base, std::ptrdiff_t stride)
+      : index(vesica_index_size(count)) {
+    vesica_shapes_from_records_f64(kind, count, base, stride, &set);
+    Block scratch(vesica_index_scratch(count));
+    vesica_index_build_f64(&set, 1, index.data(), index.size(), scratch.data(), scratch.size());
+  }
+  vesica_shapes_f64 set{};
+  Block index;
+};
+
+/// Zones of n vertices side by side, and a million boxes over all of them.
+void zones(int n) {
+  Random random(7);
+  constexpr int side = 30, boxes = 1000000;
+  std::vector<std::vector<double>> coasts;
+  std::vector<vesica_polygon_f64> views;
+  for (int i = 0; i < side * side; ++i) coasts.push_back(coast(n, 2 * (i % side), 2 * (i / side), 1.2, random));
+  for (const std::vector<double>& xy : coasts) views.push_back(view(xy));
+  std::vector<vesica_aabb_f64> all;
+  for (int i = 0; i < boxes; ++i) {
+    const double x = random.between(-1, 2 * side), y = random.between(-1, 2 * side);
+    all.push_back({x, y, x + random.between(0, 0.02), y + random.between(0, 0.02)});
+  }
+  Indexed a(VESICA_POLYGON, side * side, views.data(), sizeof views[0]),
+      b(VESICA_AABB, boxes, all.data(), sizeof all[0]);
+  const auto joined = [&](std::int32_t query, std::int64_t& pairs) {
+    double least = 1e300;
+    for (int pass = 0; pass < 3; ++pass) {
+      Block scratch(vesica_join_scratch());
+      const auto begin = Clock::now();
+      pairs = vesica_join_f64(query, a.index.data(), &a.set, 1, b.index.data(), &b.set, 1, 0, 1, scratch.data(),
+                              scratch.size(), nullptr, nullptr, 0, nullptr);
+      least = std::min(least, nanoseconds_since(begin) / 1e6);
+    }
+    return least;
   };
-  const std::int64_t made = vesica_index_build_f64(&set, 1, aligned(index), size, aligned(scratch), scratch_size);
-  std::vector<std::int64_t> out(static_cast<std::size_t>(std::max(made, std::int64_t{0})) / 8 + 16);
-  if (made > 0) std::copy_n(static_cast<const std::byte*>(aligned(index)), made, static_cast<std::byte*>(aligned(out)));
-  return out;
+  std::int64_t near = 0, meeting = 0;
+  const double of_bounds = joined(VESICA_JOIN_BOUNDS, near), of_shapes = joined(VESICA_JOIN_OVERLAP, meeting);
+  std::printf("%d zones of %d vertices with %d boxes: bounds alone %.0f ms (%lld pairs), overlap %.0f ms (%lld)\n",
+              side * side, n, boxes, of_bounds, static_cast<long long>(near), of_shapes,
+              static_cast<long long>(meeting));
 }
 
 }  // namespace
@@ -191,6 +234,7 @@ std::vector<std::int64_t> index_of(const vesica_shapes_f64& set) {
 void report() {
   std::printf("Many questions about one polygon, least of 9 passes\n");
   for (const int n : {64, 1000, 40000}) one_polygon(n);
+  for (const int n : {4, 64, 1000}) zones(n);
 }
 
 }  // namespace vesica::bench

@@ -17,6 +17,7 @@
 #   ./run bench model        the array kernels as llvm-mca models them on seven processors
 #   ./run bench nearest      distances and depths with their errors, beside FCL, Boost.Geometry, GEOS and gradient
 #                            descent
+#   ./run bench polygon      polygons: distances, areas, and many questions about one, beside GEOS and Boost.Geometry
 #   ./run bench relation     relation, containment, areas and suppression, beside yardsticks and Boost.Geometry
 #   ./run bench start        loading the library, the memory this takes, and the first calls
 #   ./run bench topology     within a distance, DE-9IM, shared regions, soft suppression, beside yardsticks and GEOS
@@ -31,6 +32,11 @@ bench_of() {
     cast)
       "$programs/cast/vesica_bench_cast"
       "$programs/cast/vesica_bench_cast_many"
+      ;;
+    polygon)
+      "$programs/polygon/vesica_bench_polygon"
+      "$programs/polygon/vesica_bench_polygon_area"
+      "$programs/polygon/vesica_bench_polygon_kept"
       ;;
     *) "$programs/$1/vesica_bench_$1" "${@:2}" ;;
   esac
@@ -70,9 +76,9 @@ case ${1:-} in
     build bench
     case ${1:-} in
       "")
-        for name in scalar start batch boxes cast join methods nearest relation topology; do bench_of $name; done
+        for name in scalar start batch boxes cast join methods nearest polygon relation topology; do bench_of $name; done
         ;;
-      batch | boxes | cast | join | methods | nearest | relation | start | topology) bench_of "$@" ;;
+      batch | boxes | cast | join | methods | nearest | polygon | relation | start | topology) bench_of "$@" ;;
       *) bench_of scalar "$@" ;;
     esac
     ;;
