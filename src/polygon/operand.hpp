@@ -35,6 +35,7 @@ inline Box box_about(const AnyShape& s) noexcept {
   return with_shape(s, [](const auto& shape) { return polygon::box_about(shape); });
 }
 inline Point<double> stored_point(const AnyShape& s) noexcept { return {s.number[0], s.number[1]}; }
+inline bool is_point(const AnyShape& s) noexcept { return s.kind == static_cast<std::int32_t>(Kind::point); }
 inline int check_other(const AnyShape& s) noexcept {
   return with_shape(s, [](const auto& shape) { return vesica::check(shape); });
 }

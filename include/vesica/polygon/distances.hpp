@@ -32,7 +32,8 @@ template <Distance distance, class T, class Other>
 std::int32_t least_distance(const Edges<T>& a, const Box& box_a, const Other& b, const Box& box_b,
                             Points& out) noexcept {
   const auto ask = [&](const Edge& e, Points& points) { return ask_distance<distance>(e, b, points); };
-  return LeastOfEdges(a, box_a, box_b, ask).find(out);
+  const Point<double> stored = stored_point(b);
+  return LeastOfEdges(a, box_a, box_b, is_point(b) ? &stored : nullptr, ask).find(out);
 }
 template <Distance, class T>
 std::int32_t least_distance(const Edges<T>& a, const Box& box_a, const Edges<T>& b, const Box& box_b,

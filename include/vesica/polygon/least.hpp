@@ -31,6 +31,8 @@ class Least {
     reach_ = distance + slack_;
     squared_ = squared_limit(reach_);
   }
+  /// A lower bound on a pair's distance, from its value in plain arithmetic.
+  double less(double distance) const noexcept { return lane::max(distance - slack_, 0.0); }
   /// A pair's distance, by its edges: those of the first path, and of the second.
   void offer(const Points& points, std::int64_t i, std::int64_t j = 0) noexcept {
     const bool earlier = i < i_ || (i == i_ && j < j_);
@@ -61,12 +63,26 @@ class Least {
   Points points_{};
 };
 
-/// The least over the edges of a path. ask(edge, points) returns 0 or an error; other holds the other shape.
+/// The square of the distance of a point and an edge, up to roundings.
+inline double squared_distance(double px, double py, const Edge& e) noexcept {
+  const double vx = e.x1 - e.x0, vy = e.y1 - e.y0, wx = px - e.x0, wy = py - e.y0;
+  const double dot = vx * wx + vy * wy, square = vx * vx + vy * vy;
+  const double t = dot > 0 ? (dot < square ? dot / square : 1) : 0, dx = wx - t * vx, dy = wy - t * vy;
+  return dx * dx + dy * dy;
+}
+/// The same of two disjoint edges: an end of one is closest.
+inline double squared_distance(const Edge& e, const Edge& f) noexcept {
+  return lesser(lesser(squared_distance(e.x0, e.y0, f), squared_distance(e.x1, e.y1, f)),
+                lesser(squared_distance(f.x0, f.y0, e), squared_distance(f.x1, f.y1, e)));
+}
+
+/// The least over the edges of a path. ask(edge, points) returns 0 or an error; other holds the other shape. `point` is
+/// null unless that is a point: then plain arithmetic leaves out most edges before they are asked.
 template <class T, class Ask>
 class LeastOfEdges {
  public:
-  LeastOfEdges(const Edges<T>& edges, const Box& box, const Box& other, Ask ask) noexcept
-      : edges_(edges), other_(other), ask_(ask), least_(together(box, other)) {}
+  LeastOfEdges(const Edges<T>& edges, const Box& box, const Box& other, const Point<double>* point, Ask ask) noexcept
+      : edges_(edges), other_(other), point_(point), ask_(ask), least_(together(box, other)) {}
 
   std::int32_t find(Points& out) noexcept {
     if (edges_.boxes() != nullptr) {
@@ -74,15 +90,26 @@ class LeastOfEdges {
     } else if (!found_by_samples()) {
       pass();
     }
+    settle();
     return least_.result(out);
   }
 
  private:
   static constexpr std::int64_t samples = 16;
+  static constexpr int room = 16;
+  struct Waiting {
+    Edge e;
+    std::int64_t i;
+    double squared;  // a bound
+  };
 
-  /// The distance of an edge, or 0 if it cannot be the least.
+  /// No more than the distance of an edge. It is 0 if the edge cannot be the least.
   double visit(const Edge& e, std::int64_t i) noexcept {
     if (!least_.keeps_squared(squared_gap(box_of(e), other_))) return 0;
+    if (point_ != nullptr) return visit_by_bound(e, i);
+    return ask(e, i);
+  }
+  double ask(const Edge& e, std::int64_t i) noexcept {
     Points points;
     const std::int32_t error = ask_(e, points);
     if (error != 0) {
@@ -91,6 +118,25 @@ class LeastOfEdges {
     }
     least_.offer(points, i);
     return points.distance;
+  }
+  /// The edge waits, since most are found to be farther than another.
+  double visit_by_bound(const Edge& e, std::int64_t i) noexcept {
+    const double squared = squared_distance(point_->x, point_->y, e);
+    if (!(squared > 0x1p-900)) return ask(e, i);  // it may underflow in one of its terms
+    const double distance = std::sqrt(squared);
+    if (least_.keeps_squared(squared)) {
+      least_.lower(distance);
+      if (count_ == room) settle();
+      waiting_[count_++] = {e, i, squared};
+    }
+    // Less than the distance by more than the bound may be off: pass() goes on from it.
+    return least_.less(distance);
+  }
+  void settle() noexcept {
+    for (int k = 0; k < count_; ++k) {
+      if (least_.keeps_squared(waiting_[k].squared)) ask(waiting_[k].e, waiting_[k].i);
+    }
+    count_ = 0;
   }
 
   /// Asks a close run first.
@@ -118,6 +164,7 @@ class LeastOfEdges {
           return false;
         });
       }
+      settle();
       if (step == 1) return range.length() == all.length();
       const std::int64_t middle = least_.found() ? least_.edge() : range.first;
       range = {std::max(all.first, middle - step), std::min(all.last, middle + step)};
@@ -142,22 +189,12 @@ class LeastOfEdges {
 
   const Edges<T>& edges_;
   Box other_;
+  const Point<double>* point_;
   Ask ask_;
   Least least_;
+  int count_ = 0;
+  Waiting waiting_[room];
 };
-
-/// The square of the distance of a point and an edge, up to roundings.
-inline double squared_distance(double px, double py, const Edge& e) noexcept {
-  const double vx = e.x1 - e.x0, vy = e.y1 - e.y0, wx = px - e.x0, wy = py - e.y0;
-  const double dot = vx * wx + vy * wy, square = vx * vx + vy * vy;
-  const double t = dot > 0 ? (dot < square ? dot / square : 1) : 0, dx = wx - t * vx, dy = wy - t * vy;
-  return dx * dx + dy * dy;
-}
-/// The same of two disjoint edges: an end of one is closest.
-inline double squared_distance(const Edge& e, const Edge& f) noexcept {
-  return lesser(lesser(squared_distance(e.x0, e.y0, f), squared_distance(e.x1, e.y1, f)),
-                lesser(squared_distance(f.x0, f.y0, e), squared_distance(f.x1, f.y1, e)));
-}
 
 /// The policy of walk() for the least over pairs of edges.
 class LeastOfPairs {

@@ -3,6 +3,7 @@
 /// functions for a shape whose kind is known at run time only.
 #pragma once
 
+#include <type_traits>
 #include <vesica/form/inflated.hpp>
 #include <vesica/overlap.hpp>
 #include <vesica/polygon/boxes.hpp>
@@ -49,6 +50,11 @@ VESICA_INLINE Box box_about(const RoundRect<double>& s) noexcept {
 template <template <class> class Shape>
 VESICA_INLINE constexpr Point<double> stored_point(const Shape<double>& s) noexcept {
   return with_numbers(s, [](double x, double y, auto...) { return Point<double>{x, y}; });
+}
+
+template <template <class> class Shape>
+constexpr bool is_point(const Shape<double>&) noexcept {
+  return std::is_same_v<Shape<double>, Point<double>>;
 }
 
 template <template <class> class Shape>
