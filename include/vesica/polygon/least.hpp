@@ -63,6 +63,10 @@ class Least {
   Points points_{};
 };
 
+/// Does no square of a distance in a box overflow?
+inline bool squares_fit(const Box& all) noexcept {
+  return all.max_x - all.min_x < 0x1p500 && all.max_y - all.min_y < 0x1p500;
+}
 /// The square of the distance of a point and an edge, up to roundings.
 inline double squared_distance(double px, double py, const Edge& e) noexcept {
   const double vx = e.x1 - e.x0, vy = e.y1 - e.y0, wx = px - e.x0, wy = py - e.y0;
@@ -82,7 +86,11 @@ template <class T, class Ask>
 class LeastOfEdges {
  public:
   LeastOfEdges(const Edges<T>& edges, const Box& box, const Box& other, const Point<double>* point, Ask ask) noexcept
-      : edges_(edges), other_(other), point_(point), ask_(ask), least_(together(box, other)) {}
+      : edges_(edges),
+        other_(other),
+        point_(squares_fit(together(box, other)) ? point : nullptr),
+        ask_(ask),
+        least_(together(box, other)) {}
 
   std::int32_t find(Points& out) noexcept {
     if (edges_.boxes() != nullptr) {
@@ -201,8 +209,7 @@ class LeastOfPairs {
  public:
   static constexpr bool closest_first = true;
 
-  explicit LeastOfPairs(const Box& all) noexcept
-      : least_(all), overflows_(!(all.max_x - all.min_x < 0x1p500 && all.max_y - all.min_y < 0x1p500)) {}
+  explicit LeastOfPairs(const Box& all) noexcept : least_(all), overflows_(!squares_fit(all)) {}
 
   bool keeps(const Box& a, const Box& b) const noexcept { return least_.keeps_squared(squared_gap(a, b)); }
 
