@@ -20,7 +20,7 @@ using vesica::detail::polygon::KeptBoxes, vesica::detail::polygon::Range, vesica
 
 constexpr std::int64_t edges_in_run = 16;
 
-/// What the bytes begin with. Boxes follow.
+/// The first bytes. Boxes follow.
 struct Header {
   char magic[8];
   std::int32_t kind, scalar_bytes;
