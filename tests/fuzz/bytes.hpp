@@ -121,6 +121,7 @@ void call_boxes(Bytes& bytes, Memory& memory);
 void call_constructor(Bytes& bytes, Memory& memory);
 void call_index(Bytes& bytes, Memory& memory);
 void call_motion(Bytes& bytes, Memory& memory);
+void call_polygons(Bytes& bytes, Memory& memory);
 void call_topology(Bytes& bytes, Memory& memory);
 
 }  // namespace fuzz

@@ -88,6 +88,8 @@ constexpr Call calls[] = {
     call_motion,
     call_topology,
     call_topology,
+    call_polygons,
+    call_polygons,
     describe,
     code<double, vesica_overlap_f64, 1>,
     code<float, vesica_overlap_f32, 1>,

@@ -113,7 +113,8 @@ class Edges {
     return find_box(vertices, box) ? 0 : error_not_finite;
   }
 
-  /// Calls visit(edge, i) for each edge that begins in a range, until it returns true; returns whether it did.
+  /// Calls visit(edge, i) for each edge that begins in a range, until it returns true; returns whether it did. Edges
+  /// without length are left out, but for the first of a ring, so that equal vertices take no time.
   template <class Visit>
   bool for_edges(const Range& range, Visit visit) const noexcept {
     return for_rings(range, [&](const Range& vertices, std::int64_t first, std::int64_t last) {
@@ -134,6 +135,8 @@ class Edges {
       find_box({first, std::min(last + 1, vertices.last)}, part);
       const Point<double> start = vertex(last == vertices.last && closed_ ? vertices.first : first);
       extend(part, start.x, start.y);
+      // Equal vertices have no edges, but for the first of a ring.
+      if (part.min_x == part.max_x && part.min_y == part.max_y && first != vertices.first) return false;
       extend(box, part.min_x, part.min_y);
       extend(box, part.max_x, part.max_y);
       return false;
@@ -208,15 +211,18 @@ class Edges {
   bool for_edges_of_ring(const Range& vertices, std::int64_t first, std::int64_t last, Visit& visit) const noexcept {
     Point<double> from = vertex(first);
     const std::int64_t inner = std::min(last, vertices.last - 1);
+    const auto counts = [&](const Point<double>& to, std::int64_t i) {
+      return from.x != to.x || from.y != to.y || i == vertices.first;
+    };
     for (std::int64_t i = first; i < inner; ++i) {
       const Point<double> to = vertex(i + 1);
-      if (visit(Edge{from.x, from.y, to.x, to.y}, i)) return true;
+      if (counts(to, i) && visit(Edge{from.x, from.y, to.x, to.y}, i)) return true;
       from = to;
     }
     if (last < vertices.last) return false;
     if (!closed_ && vertices.length() > 1) return false;
     const Point<double> to = vertex(vertices.first);
-    return visit(Edge{from.x, from.y, to.x, to.y}, last - 1);
+    return counts(to, last - 1) && visit(Edge{from.x, from.y, to.x, to.y}, last - 1);
   }
 
   const unsigned char *x_, *y_;
