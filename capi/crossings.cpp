@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <vesica/crossings.hpp>
+#include <vesica/polygon/crossings.hpp>
 
 #include "query_calls.hpp"
 
@@ -13,6 +13,12 @@ int64_t crossings(int32_t kind_a, const void* a, int32_t kind_b, const void* b, 
   VESICA_DEFAULT_ENVIRONMENT((crossings<T, CPoint>), kind_a, a, kind_b, b, out, capacity, shared);
   const int32_t error = check_room(vesica::queries::crossings, kind_a, a, kind_b, b, out, capacity);
   if (error != 0) return error;
+  if (!vesica::is_row(kind_a) || !vesica::is_row(kind_b)) {
+    vesica::detail::polygon::Room room{out, std::is_same_v<T, float>, capacity};
+    const int32_t code = vesica::ask<T>(vesica::queries::crossings, kind_a, a, kind_b, b, &room);
+    if (code >= 0 && shared != nullptr) *shared = room.shared ? 1 : 0;
+    return code < 0 ? code : room.count;
+  }
   vesica::CrossingPoints<T> places;
   const int32_t count = vesica::ask<T>(vesica::queries::crossings, kind_a, a, kind_b, b, &places);
   if (count < 0) return count;

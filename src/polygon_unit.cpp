@@ -2,6 +2,8 @@
 // The questions of polygons, compiled as one object. NOLINTBEGIN(bugprone-suspicious-include)
 #include "polygon/area.cpp"
 #include "polygon/cast.cpp"
+#include "polygon/crossings.cpp"
+#include "polygon/de9im.cpp"
 #include "polygon/depth.cpp"
 #include "polygon/distances.cpp"
 #include "polygon/overlap.cpp"

@@ -83,6 +83,7 @@ extern "C" {
  * Polygons and polylines are taken by:
  *   check, bounds
  *   overlap, interiors_overlap, relation, contains
+ *   crossings, de9im
  *   nearest, boundary_distance
  *   signed_distance, within (where they overlap and their depth is asked for: if they are convex)
  *   cast, cast_first, sweep_bounds
@@ -396,9 +397,13 @@ VESICA_API const char *vesica_strerror(int32_t code);
  * C - hx u - hy perp(u), an ellipse's point C + a u (one without area begins as a box), a circle's point C + (r, 0),
  * or a segment's first end. With a radius the start is where the side from that corner or end begins: for a capsule,
  * its right side, seen from the first end.
+ * With a polygon or a polyline, places come in order along that, or along a if both are: from the first vertex of the
+ * first ring on. A vertex on an edge is a place. Within a stretch that is shared, vertices where both outlines go
+ * straight on are none. A polygon whose vertices are on one line is a segment that begins at its least x, then least y.
+ * Where edges of a polygon or a polyline cross one another on the other outline, a place may count for each of them.
  * Requires: capacity, how many places out has room for. It may be 0, and out then NULL. shared may be NULL.
- * Returns: how many places there are, even if that exceeds the capacity: at most 8 for these kinds. The first
- * `capacity` are written, and *shared is set to 1 or 0.
+ * Returns: how many places there are, even if that exceeds the capacity: at most 8 unless a shape is a polygon or a
+ * polyline. The first `capacity` are written, and *shared is set to 1 or 0.
  * Errors: VESICA_E_NULL, VESICA_E_KIND (also for an ellipse with a capsule or a rounded rectangle), VESICA_E_ARGUMENT
  * (a negative capacity), VESICA_E_SHAPE, VESICA_E_RANGE.
  * Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape, even

@@ -31,8 +31,9 @@ extern "C" {
  * single points, 1 lines, 2 an area. The outline of a shape with area is the curve around it, a segment's its two
  * end points; a point has none. A segment without length is a point; a shape with one size 0 is a segment, with both 0
  * a point; a capsule or rounded rectangle without a radius is its core. Two boxes side by side that share a side give
- * "FF2F11212". Exchanging the shapes exchanges rows and columns.
- * Requires: matrix with room for VESICA_DE9IM_SIZE characters.
+ * "FF2F11212". Exchanging the shapes exchanges rows and columns. Polygons and polylines have insides and outlines as
+ * vesica_relation_f64 says.
+ * Requires: matrix with room for VESICA_DE9IM_SIZE characters; simple polygons. Others get a matrix without a meaning.
  * Returns: 0, and nine characters and a final NUL in matrix.
  * Errors: VESICA_E_NULL, VESICA_E_KIND (also for kinds that vesica_relation_f64 does not take together),
  * VESICA_E_SHAPE.

@@ -26,6 +26,8 @@
 #include <vesica/overlap.hpp>
 #include <vesica/polygon/bounds.hpp>
 #include <vesica/polygon/cast.hpp>
+#include <vesica/polygon/crossings.hpp>
+#include <vesica/polygon/de9im.hpp>
 #include <vesica/polygon/depth.hpp>
 #include <vesica/polygon/distances.hpp>
 #include <vesica/polygon/facts.hpp>

@@ -29,6 +29,8 @@ std::int32_t depth(const Operand& a, const Operand& b, void* out) noexcept;
 std::int32_t nearest(const Operand& a, const Operand& b, void* out) noexcept;
 std::int32_t boundary_distance(const Operand& a, const Operand& b, void* out) noexcept;
 std::int32_t signed_distance(const Operand& a, const Operand& b, void* out) noexcept;
+/// out: a detail::polygon::Room, whose count is the answer.
+std::int32_t crossings(const Operand& a, const Operand& b, void* out) noexcept;
 /// A Within as a number, or an error. A row must have a core.
 std::int32_t within(const Operand& a, const Operand& b, double distance) noexcept;
 

@@ -45,6 +45,7 @@ constinit const Query crossings{
     .doubles = pair_table<CrossingsOfPair, double>(),
     .floats = pair_table<CrossingsOfPair, float>(),
     .reversal = CrossingsOfPair::reversal,
+    .paths = polygon::crossings,
 };
 
 }  // namespace vesica::queries

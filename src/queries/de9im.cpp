@@ -24,6 +24,7 @@ constinit const Query de9im{
     .doubles = pair_table<De9imOfPair, double>(),
     .floats = pair_table<De9imOfPair, float>(),
     .reversal = De9imOfPair::reversal,
+    .paths = polygon::de9im,
 };
 
 }  // namespace vesica::queries

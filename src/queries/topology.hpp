@@ -9,3 +9,9 @@ namespace vesica::queries {
 extern const Query de9im, intersection;
 
 }  // namespace vesica::queries
+
+namespace vesica::polygon {
+
+std::int32_t de9im(const Operand& a, const Operand& b, void* out) noexcept;
+
+}  // namespace vesica::polygon

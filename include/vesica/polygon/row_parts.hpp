@@ -86,21 +86,18 @@ class RowParts {
 
   Parts find() noexcept {
     const int dimension_b = dimension(b_);
-    if (a_.has_area() && dimension_b < 2) {
-      parts_.note(inside_part, outside_part, 2);
-      parts_.note(outline_part, outside_part, 1);
-    }
     if (dimension_b == 2) {
       find_area();
     } else if (dimension_b == 1) {
       find_thin();
+      if (asked_ == Asked::matrix) ask_ends_of_thin();
     } else {
       find_point();
     }
     return parts_;
   }
 
- private:
+ protected:
   bool may_meet(const Edge& e) const noexcept { return polygon::meet(box_of(e), about_); }
 
   /// Notes a piece of a's edge i that is inside b (1) or outside (-1).
@@ -175,7 +172,7 @@ class RowParts {
   void ask_edge_of_thin(const Edge& e, std::int64_t i) noexcept {
     const Relation r = may_meet(e) ? edge_relation(e, b_) : Relation::disjoint;
     const bool within = r == Relation::inside || r == Relation::inside_touch || r == Relation::equal;
-    if (!within && !a_.has_area()) note_piece(i, -1);
+    if (!within) note_piece(i, -1);
     if (r == Relation::disjoint) return;
     bool vertex_met = false;
     for (const Point<double>& v : {start_of(e), end_of(e)}) {
@@ -226,12 +223,43 @@ class RowParts {
     }
   }
 
+  /// The ends of a polyline; find(v) is the part of b at v.
+  template <class Find>
+  void ask_ends(const Find& find) noexcept {
+    if (a_.has_area()) return;
+    for (std::int64_t j = 0; j < a_.edges.rings(); ++j) {
+      const Range chain = a_.edges.ring(j);
+      for (const std::int64_t i : {chain.first, chain.last - 1}) {
+        if (chain.length() == 0) continue;
+        const Point<double> v = a_.edges.vertex(i);
+        if (a_.part_at(v) == outline_part) parts_.note(outline_part, find(v), 0);
+      }
+    }
+  }
+  /// The ends of both that are not on the other shape.
+  void ask_ends_of_thin() noexcept {
+    ask_ends([&](const Point<double>& v) {
+      const int place = place_on_thin(v);
+      return place == 0 ? outside_part : place == 1 ? inside_part : outline_part;
+    });
+    for (const End& end : thin(b_).end) {
+      // A middle halves h u.
+      const double up = lane::abs(end.h) < 1 ? 2 : 1;
+      const int place = a_.locate(Middle(end.c, end.c, end.h * up, end.ux * (2 / up), end.uy * (2 / up)));
+      if (place != 0) parts_.note(place > 0 ? inside_part : outside_part, outline_part, 0);
+    }
+  }
+
   void find_point() noexcept {
     const Point<double> p = stored_point(b_);
     const int place = a_.locate(p);
     const Part part = place > 0 ? inside_part : place < 0 ? outside_part : a_.part_at(p);
     parts_.note(part, inside_part, 0);
-    if (!a_.has_area()) parts_.note(inside_part, outside_part, 1);
+    a_.edges.for_edges([&](const Edge& e, std::int64_t i) {
+      if (has_length(e) || !same(p, start_of(e))) note_piece(i, -1);
+      return parts_.settled(asked_);
+    });
+    ask_ends([&](const Point<double>& v) { return same(p, v) ? inside_part : outside_part; });
   }
 
   Outline<T> a_;

@@ -60,6 +60,11 @@ class Outline {
   int locate(const Place& place) noexcept {
     return locator().locate(place);
   }
+  /// Is a place inside a polygon, if it is on no edge of a length?
+  template <class Place>
+  bool is_odd(const Place& place) noexcept {
+    return locator().is_odd(place);
+  }
   int locate(const Point<double>& p) noexcept { return holds(box, p) ? locate(Stored{p}) : -1; }
 
   /// The part of the path that its edges belong to.
@@ -81,13 +86,20 @@ class Outline {
     if (i < ring_.first || i >= ring_.last) find_ring(i);
     return ring_dimension_;
   }
+  /// Is a ring of a polygon more than a point or a segment?
+  bool has_inside() noexcept {
+    for (std::int64_t j = 0; has_area() && j < edges.rings(); ++j) {
+      if (edges.ring(j).length() > 0 && ring_dimension(edges.ring(j).first) == 2) return true;
+    }
+    return false;
+  }
   /// The part of a polygon beside edge i, on its left or its right. All edges of a ring have the inside on the same
   /// side; those of a ring without area have the same on both sides.
   Part part_beside(std::int64_t i, bool left) noexcept {
     const int dimension = ring_dimension(i);
     if (!side_is_known_) {
       const Edge e = first_edge(ring_);
-      left_is_inside_ = dimension == 0 ? locator().is_odd(Stored{start_of(e)}) : locate(Beside(e)) > 0;
+      left_is_inside_ = dimension == 0 ? is_odd(Stored{start_of(e)}) : locate(Beside(e)) > 0;
       side_is_known_ = true;
     }
     return (left || dimension < 2) == left_is_inside_ ? inside_part : outside_part;
@@ -157,8 +169,8 @@ class PathParts {
 
   Parts find() noexcept {
     // A polygon has points that are on no line.
-    if (a_.has_area() && !b_.has_area()) parts_.note(inside_part, outside_part, 2);
-    if (b_.has_area() && !a_.has_area()) parts_.note(outside_part, inside_part, 2);
+    if (!b_.has_area() && a_.has_inside()) parts_.note(inside_part, outside_part, 2);
+    if (!a_.has_area() && b_.has_inside()) parts_.note(outside_part, inside_part, 2);
     if (!walk(a_.edges, a_.box, b_.edges, b_.box, Policy{*this})) {
       if (!ask_rings(a_, b_, false)) ask_rings(b_, a_, true);
     }

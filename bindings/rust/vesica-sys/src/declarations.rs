@@ -616,12 +616,17 @@ extern "C" {
     /// everywhere: then the count is 0 and \*shared is 1. Places come in order along a's outline, counter-clockwise in
     /// the frame of its axis. The start is a box's corner C - hx u - hy perp(u), an ellipse's point C + a u (one
     /// without area begins as a box), a circle's point C + (r, 0), or a segment's first end. With a radius the start is
-    /// where the side from that corner or end begins: for a capsule, its right side, seen from the first end.
+    /// where the side from that corner or end begins: for a capsule, its right side, seen from the first end. With a
+    /// polygon or a polyline, places come in order along that, or along a if both are: from the first vertex of the
+    /// first ring on. A vertex on an edge is a place. Within a stretch that is shared, vertices where both outlines go
+    /// straight on are none. A polygon whose vertices are on one line is a segment that begins at its least x, then
+    /// least y. Where edges of a polygon or a polyline cross one another on the other outline, a place may count for
+    /// each of them.
     ///
     /// Requires: capacity, how many places out has room for. It may be 0, and out then NULL. shared may be NULL.
     ///
-    /// Returns: how many places there are, even if that exceeds the capacity: at most 8 for these kinds. The first
-    /// `capacity` are written, and \*shared is set to 1 or 0.
+    /// Returns: how many places there are, even if that exceeds the capacity: at most 8 unless a shape is a polygon or
+    /// a polyline. The first `capacity` are written, and \*shared is set to 1 or 0.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND (also for an ellipse with a capsule or a rounded rectangle),
     /// VESICA_E_ARGUMENT (a negative capacity), VESICA_E_SHAPE, VESICA_E_RANGE.
@@ -1662,12 +1667,17 @@ extern "C" {
     /// everywhere: then the count is 0 and \*shared is 1. Places come in order along a's outline, counter-clockwise in
     /// the frame of its axis. The start is a box's corner C - hx u - hy perp(u), an ellipse's point C + a u (one
     /// without area begins as a box), a circle's point C + (r, 0), or a segment's first end. With a radius the start is
-    /// where the side from that corner or end begins: for a capsule, its right side, seen from the first end.
+    /// where the side from that corner or end begins: for a capsule, its right side, seen from the first end. With a
+    /// polygon or a polyline, places come in order along that, or along a if both are: from the first vertex of the
+    /// first ring on. A vertex on an edge is a place. Within a stretch that is shared, vertices where both outlines go
+    /// straight on are none. A polygon whose vertices are on one line is a segment that begins at its least x, then
+    /// least y. Where edges of a polygon or a polyline cross one another on the other outline, a place may count for
+    /// each of them.
     ///
     /// Requires: capacity, how many places out has room for. It may be 0, and out then NULL. shared may be NULL.
     ///
-    /// Returns: how many places there are, even if that exceeds the capacity: at most 8 for these kinds. The first
-    /// `capacity` are written, and \*shared is set to 1 or 0.
+    /// Returns: how many places there are, even if that exceeds the capacity: at most 8 unless a shape is a polygon or
+    /// a polyline. The first `capacity` are written, and \*shared is set to 1 or 0.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND (also for an ellipse with a capsule or a rounded rectangle),
     /// VESICA_E_ARGUMENT (a negative capacity), VESICA_E_SHAPE, VESICA_E_RANGE.
@@ -4414,9 +4424,11 @@ extern "C" {
     /// nothing, 0 single points, 1 lines, 2 an area. The outline of a shape with area is the curve around it, a
     /// segment's its two end points; a point has none. A segment without length is a point; a shape with one size 0 is
     /// a segment, with both 0 a point; a capsule or rounded rectangle without a radius is its core. Two boxes side by
-    /// side that share a side give "FF2F11212". Exchanging the shapes exchanges rows and columns.
+    /// side that share a side give "FF2F11212". Exchanging the shapes exchanges rows and columns. Polygons and
+    /// polylines have insides and outlines as vesica_relation_f64 says.
     ///
-    /// Requires: matrix with room for VESICA_DE9IM_SIZE characters.
+    /// Requires: matrix with room for VESICA_DE9IM_SIZE characters; simple polygons. Others get a matrix without a
+    /// meaning.
     ///
     /// Returns: 0, and nine characters and a final NUL in matrix.
     ///
@@ -4477,9 +4489,11 @@ extern "C" {
     /// nothing, 0 single points, 1 lines, 2 an area. The outline of a shape with area is the curve around it, a
     /// segment's its two end points; a point has none. A segment without length is a point; a shape with one size 0 is
     /// a segment, with both 0 a point; a capsule or rounded rectangle without a radius is its core. Two boxes side by
-    /// side that share a side give "FF2F11212". Exchanging the shapes exchanges rows and columns.
+    /// side that share a side give "FF2F11212". Exchanging the shapes exchanges rows and columns. Polygons and
+    /// polylines have insides and outlines as vesica_relation_f32 says.
     ///
-    /// Requires: matrix with room for VESICA_DE9IM_SIZE characters.
+    /// Requires: matrix with room for VESICA_DE9IM_SIZE characters; simple polygons. Others get a matrix without a
+    /// meaning.
     ///
     /// Returns: 0, and nine characters and a final NUL in matrix.
     ///
