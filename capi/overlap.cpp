@@ -75,10 +75,15 @@ VESICA_INLINE int32_t overlap_typed(const void* a, const void* b) noexcept {
 template <class T>
 [[gnu::noinline]] int32_t overlap_of_paths(int32_t kind_a, const void* a, int32_t kind_b, const void* b,
                                            Common common) noexcept {
+  constexpr bool is_float = std::is_same_v<T, float>;
+  const vesica::Operand first{kind_a, is_float, a}, second{kind_b, is_float, b};
+  if (vesica::capi::keeps_subnormals()) {
+    const int32_t answer = vesica::polygon::convex_overlap(first, second);
+    if (answer >= 0) return answer;
+  }
   VESICA_DEFAULT_ENVIRONMENT(overlap_of_paths<T>, kind_a, a, kind_b, b, common);
   if (!vesica::is_kind(kind_a) || !vesica::is_kind(kind_b)) return VESICA_E_KIND;
-  constexpr bool is_float = std::is_same_v<T, float>;
-  return vesica::polygon::overlap_of(common, {kind_a, is_float, a}, {kind_b, is_float, b});
+  return vesica::polygon::overlap_by_edges(common, first, second);
 }
 
 template <class T>

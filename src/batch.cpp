@@ -6,8 +6,7 @@
 #include <type_traits>
 
 #include "columns.hpp"
-#include "polygon/arrays.hpp"
-#include "polygon/topology.hpp"
+#include "polygon/blocks.hpp"
 #include "queries/overlap.hpp"
 #include "tiles.hpp"
 
@@ -349,23 +348,15 @@ Tally in_step(const KernelTable& kernels, Common common, const Shapes<T>& a, con
 
 }  // namespace
 
-namespace {
-
-/// One answer of a question about paths.
-template <class T>
-std::uint8_t ask_path(Common common, const Element<T>& a, const Element<T>& b, Tally& tally) noexcept {
-  const std::int32_t code = polygon::overlap_of(common, a.operand(), b.operand());
-  tally.overlaps += code > 0;
-  tally.invalid |= code < 0;
-  return code > 0;
-}
-
-}  // namespace
-
 template <class T>
 Tally many(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b, std::int64_t n, std::uint8_t* out,
            Common common) noexcept {
   if (has_path(a, b)) {
+    if (n > 0 && begin_as_rings(kernels, a, b)) {
+      return rings_in_step(
+          kernels, common, a, b, n, [out](std::int64_t begin) { return out + begin; },
+          [](std::int64_t, std::int32_t, const std::uint8_t*) {});
+    }
     Tally tally;
     each_in_step(a, b, n, [&](const Element<T>& first, const Element<T>& second, std::int64_t i) {
       out[i] = ask_path(common, first, second, tally);
@@ -381,25 +372,25 @@ template <class T>
 Tally select(const KernelTable& kernels, const Shapes<T>& one, const Shapes<T>& many, std::int64_t* out,
              std::int64_t capacity, Common common) noexcept {
   std::int64_t found = 0;
-  if (has_path(one, many)) {
-    Tally tally;
-    each_pair(one, many, [&](const Element<T>& first, const Element<T>& second, std::int64_t, std::int64_t i) {
-      if (ask_path(common, first, second, tally) == 0) return;
-      if (found < capacity) out[found] = i;
-      ++found;
-    });
-    return tally;
-  }
   std::uint8_t bytes[long_block_size];
-  const Tally tally = in_step(
-      kernels, common, one, many, many.count, [&](std::int64_t) { return bytes; },
-      [&](std::int64_t begin, std::int32_t length, const std::uint8_t* answers) {
-        for (std::int32_t i = 0; i < length; ++i) {
-          if (answers[i] == 0) continue;
-          if (found < capacity) out[found] = begin + i;
-          ++found;
-        }
-      });
+  const auto place = [&](std::int64_t) { return bytes; };
+  const auto done = [&](std::int64_t begin, std::int32_t length, const std::uint8_t* answers) {
+    for (std::int32_t i = 0; i < length; ++i) {
+      if (answers[i] == 0) continue;
+      if (found < capacity) out[found] = begin + i;
+      ++found;
+    }
+  };
+  if (!has_path(one, many)) return in_step(kernels, common, one, many, many.count, place, done);
+  if (many.count > 0 && begin_as_rings(kernels, one, many)) {
+    return rings_in_step(kernels, common, one, many, many.count, place, done);
+  }
+  Tally tally;
+  each_pair(one, many, [&](const Element<T>& first, const Element<T>& second, std::int64_t, std::int64_t i) {
+    if (ask_path(common, first, second, tally) == 0) return;
+    if (found < capacity) out[found] = i;
+    ++found;
+  });
   return tally;
 }
 
@@ -407,6 +398,7 @@ template <class T>
 Tally matrix(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b, std::uint8_t* out,
              std::ptrdiff_t row_stride, Common common) noexcept {
   if (has_path(a, b)) {
+    if (begin_as_rings(kernels, a, b)) return ring_matrix(kernels, common, a, b, out, row_stride);
     Tally tally;
     each_pair(a, b, [&](const Element<T>& first, const Element<T>& second, std::int64_t i, std::int64_t j) {
       out[i * row_stride + j] = ask_path(common, first, second, tally);

@@ -6,6 +6,7 @@
 #include "kernels/block_loop.hpp"
 #include "kernels/checked.hpp"
 #include "kernels/records.hpp"
+#include "kernels/rings.hpp"
 
 namespace vesica {
 namespace {
@@ -77,6 +78,12 @@ consteval void fill_insides(InsidesKernels<T>& kernels) noexcept {
   }
 }
 
+template <int n, class T>
+consteval void fill_rings(RingKernels<T>& kernels) noexcept {
+  kernels[n - least_ring][static_cast<int>(Repeat::none)] = answer_rings<T, n, false>;
+  kernels[n - least_ring][static_cast<int>(Repeat::first)] = answer_rings<T, n, true>;
+}
+
 /// Floats as doubles, exactly.
 VESICA_KERNEL void widen_column(Unaligned<float> from, std::int32_t n, double* to) noexcept {
   std::int32_t i = 0;
@@ -103,6 +110,12 @@ consteval KernelTable make_table(const char* name, const QueryTable& queries, co
   fill_packed(table.packed_f64);
   fill_insides(table.insides_f32);
   fill_insides(table.insides_f64);
+#if !defined(__wasm__)  // modules are downloaded: they go without
+  fill_rings<3>(table.rings_f32);
+  fill_rings<4>(table.rings_f32);
+  fill_rings<3>(table.rings_f64);
+  fill_rings<4>(table.rings_f64);
+#endif
   return table;
 }
 

@@ -75,6 +75,12 @@ struct InsidesKernels {
   PackedKernels<T> packed;
 };
 
+/// Kernels for polygons of one ring of three or four vertices, in columns that lie one behind the other from the first
+/// field on, whole vectors: in step, and one against many. They count nothing. Null for WebAssembly.
+inline constexpr int ring_column = 128, least_ring = 3, ring_sizes = 2;
+template <class T>
+using RingKernels = BlockKernel<T>[ring_sizes][2];
+
 /// Checked kernels: for the shape of a row against a block of columns that was checked before, by the two kinds. Only
 /// rectangles and ellipses have them.
 template <class T>
@@ -134,6 +140,8 @@ struct KernelTable {
   PackedKernels<double> packed_f64;
   InsidesKernels<float> insides_f32;
   InsidesKernels<double> insides_f64;
+  RingKernels<float> rings_f32;
+  RingKernels<double> rings_f64;
 
   std::int32_t width(float) const noexcept { return width_f32; }
   std::int32_t width(double) const noexcept { return width_f64; }
@@ -147,6 +155,8 @@ struct KernelTable {
   const PackedKernels<double>& packed(double) const noexcept { return packed_f64; }
   const InsidesKernels<float>& insides(float) const noexcept { return insides_f32; }
   const InsidesKernels<double>& insides(double) const noexcept { return insides_f64; }
+  const RingKernels<float>& rings(float) const noexcept { return rings_f32; }
+  const RingKernels<double>& rings(double) const noexcept { return rings_f64; }
 };
 
 /// The instruction sets built for this machine's architecture. The portable one is a single lane and runs anywhere; the

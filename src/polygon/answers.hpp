@@ -24,7 +24,10 @@ using PathFunction = std::int32_t (*)(const Operand& a, const Operand& b, void* 
 
 namespace polygon {
 
+/// By the edges.
 std::int32_t overlap(const Operand& a, const Operand& b, void* out) noexcept;
+/// Decides pairs without their edges: 1, 0 or filter::undecided, for overlap and for overlap of insides.
+std::int32_t convex_overlap(const Operand& a, const Operand& b) noexcept;
 std::int32_t depth(const Operand& a, const Operand& b, void* out) noexcept;
 std::int32_t nearest(const Operand& a, const Operand& b, void* out) noexcept;
 std::int32_t boundary_distance(const Operand& a, const Operand& b, void* out) noexcept;

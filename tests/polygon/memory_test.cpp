@@ -281,7 +281,7 @@ TEST(PolygonMemory, EveryEnvironment) {
     for (const Question& q : questions<double>()) {
       const Bytes expected = q.ask(a, b);
       for (const auto& e : environment::all_environments) {
-        if (e.traps && std::string(q.name) == "overlap") continue;
+        if (e.traps && std::string(q.name).ends_with("overlap")) continue;
         Bytes found;
         found.reserve(expected.size());
         ASSERT_TRUE(environment::ask_in(e, [&] { found = q.ask(a, b); })) << q.name << " in " << e.name;

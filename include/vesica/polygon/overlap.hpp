@@ -3,6 +3,7 @@
 /// segments' overlap and the side of a point are.
 #pragma once
 
+#include <vesica/polygon/few_vertices.hpp>
 #include <vesica/polygon/inside.hpp>
 #include <vesica/polygon/other.hpp>
 
@@ -62,6 +63,8 @@ std::int32_t overlap_or_error(const Edges<T>& a, const Other& b) noexcept {
 /// The checked form with a polygon or a polyline, in either order: 1, 0 or error_shape.
 template <template <class> class A, template <class> class B, class T>
 std::int32_t overlap_or_error(const A<T>& a, const B<T>& b) noexcept requires AnyPath<A<T>, B<T>> {
+  const int overlap = detail::polygon::convex_overlap(a, b);
+  if (overlap != filter::undecided) return overlap;
   return detail::polygon::with_edges(
       a, b, [](const auto& edges, const auto& other, bool) { return detail::polygon::overlap_or_error(edges, other); });
 }
