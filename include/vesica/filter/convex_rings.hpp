@@ -2,37 +2,44 @@
 /// Two convex polygons of few vertices: separating axes with an error bound. Other polygons stay undecided.
 #pragma once
 
-#include <array>
+#include <cstddef>
 #include <utility>
 #include <vesica/filter/estimate.hpp>
 
 namespace vesica::filter {
 
+/// An array of a size known beforehand, indexed by int.
+template <class V, int n>
+struct Few {
+  V number[std::size_t{n}];
+  VESICA_INLINE constexpr const V& operator[](int i) const noexcept { return number[i]; }
+};
+
 /// The vertices of a polygon of one ring, in their order.
 template <class V, int n>
 struct Ring {
-  std::array<V, n> x, y;
+  Few<V, n> x, y;
 };
 
 template <class Make, int... i>
 VESICA_INLINE constexpr auto made(Make make, std::integer_sequence<int, i...>) noexcept {
-  return std::array{make(i)...};
+  return Few<decltype(make(0)), sizeof...(i)>{make(i)...};
 }
 /// make(0) ... make(n - 1).
 template <int n, class Make>
 VESICA_INLINE constexpr auto numbers(Make make) noexcept {
   return made(make, std::make_integer_sequence<int, n>{});
 }
-template <class V, std::size_t n>
-VESICA_INLINE constexpr V least_of(const std::array<V, n>& x) noexcept {
+template <class V, int n>
+VESICA_INLINE constexpr V least_of(const Few<V, n>& x) noexcept {
   V least = x[0];
-  for (std::size_t i = 1; i < n; ++i) least = min(least, x[i]);
+  for (int i = 1; i < n; ++i) least = min(least, x[i]);
   return least;
 }
-template <class V, std::size_t n>
-VESICA_INLINE constexpr V most_of(const std::array<V, n>& x) noexcept {
+template <class V, int n>
+VESICA_INLINE constexpr V most_of(const Few<V, n>& x) noexcept {
   V most = x[0];
-  for (std::size_t i = 1; i < n; ++i) most = max(most, x[i]);
+  for (int i = 1; i < n; ++i) most = max(most, x[i]);
   return most;
 }
 
@@ -71,7 +78,7 @@ struct Sides {
 /// The farthest inwards from edge i. No lambda: g++ 12 would call it in large sources.
 template <class V, int n>
 struct Reach {
-  const std::array<V, n>&dx, &dy;
+  const Few<V, n>&dx, &dy;
   V sense;
   const Ring<V, n>&own_seen, &other_seen;
 
