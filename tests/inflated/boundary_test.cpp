@@ -206,10 +206,10 @@ TEST(InflatedBoundary, AtAnyScale) {
 TEST(InflatedBoundary, BadInput) {
   vesica_closest_points_f64 found{7, 7, 7, 7, 7};
   const vesica_capsule_f64 good{0, 0, 1, 0, 1}, negative{0, 0, 1, 0, -1}, nan{0, 0, NAN, 0, 1};
-  const vesica_ellipse_f64 ellipse{0, 0, 1, 0, 2, 1};
+  const vesica_ellipse_f64 bad{0, 0, 1, 0, 2, -1};
   EXPECT_EQ(vesica_boundary_distance_f64(VESICA_CAPSULE, &good, VESICA_CAPSULE, &negative, &found), VESICA_E_SHAPE);
   EXPECT_EQ(vesica_boundary_distance_f64(VESICA_CAPSULE, &nan, VESICA_CAPSULE, &good, &found), VESICA_E_SHAPE);
-  EXPECT_EQ(vesica_boundary_distance_f64(VESICA_CAPSULE, &good, VESICA_ELLIPSE, &ellipse, &found), VESICA_E_KIND);
+  EXPECT_EQ(vesica_boundary_distance_f64(VESICA_CAPSULE, &good, VESICA_ELLIPSE, &bad, &found), VESICA_E_SHAPE);
   EXPECT_EQ(found.distance, 7);
 }
 

@@ -15,9 +15,6 @@ using properties::Random;
 TEST(InflatedKinds, AreRefusedByOtherQuestions) {
   const vesica_capsule_f64 a{0, 0, 1, 0, 1};
   const vesica_ellipse_f64 b{0, 0, 1, 0, 2, 1};
-  vesica_closest_points_f64 points{7, 7, 7, 7, 7};
-  EXPECT_EQ(vesica_boundary_distance_f64(VESICA_CAPSULE, &a, VESICA_ELLIPSE, &b, &points), VESICA_E_KIND);
-  EXPECT_EQ(points.distance, 7);
   std::int32_t shared = 7;
   EXPECT_EQ(vesica_crossings_f64(VESICA_CAPSULE, &a, VESICA_ELLIPSE, &b, nullptr, 0, &shared), VESICA_E_KIND);
   EXPECT_EQ(shared, 7);

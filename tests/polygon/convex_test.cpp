@@ -364,8 +364,8 @@ template <class T, int n>
 vesica::filter::Ring<T, n> stored(const Exact<T, n>& v) {
   vesica::filter::Ring<T, n> ring;
   for (std::size_t i = 0; i < n; ++i) {
-    ring.x[i] = static_cast<T>(v[i][0]);
-    ring.y[i] = static_cast<T>(v[i][1]);
+    ring.x.number[i] = static_cast<T>(v[i][0]);
+    ring.y.number[i] = static_cast<T>(v[i][1]);
   }
   return ring;
 }
