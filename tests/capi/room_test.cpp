@@ -78,7 +78,8 @@ TYPED_TEST(Room, ErrorsInTheirOrderWriteNothing) {
   using Functions = Face<TypeParam>;
   const auto *a = this->box.data(), *bad = this->inverted.data();
   EXPECT_EQ(Functions::crossings_in_room(VESICA_POLYLINE + 1, a, VESICA_AABB, bad, nullptr, 1, nullptr), VESICA_E_NULL);
-  EXPECT_EQ(Functions::crossings_in_room(VESICA_POLYLINE + 1, a, VESICA_AABB, bad, nullptr, -1, &this->shared_), VESICA_E_KIND);
+  EXPECT_EQ(Functions::crossings_in_room(VESICA_POLYLINE + 1, a, VESICA_AABB, bad, nullptr, -1, &this->shared_),
+            VESICA_E_KIND);
   EXPECT_EQ(this->crossings(this->inverted, -1), VESICA_E_ARGUMENT);
   EXPECT_EQ(this->crossings(this->inverted, 6), VESICA_E_SHAPE);
   EXPECT_EQ(Functions::intersection_in_room(9, a, VESICA_AABB, bad, nullptr, 1), VESICA_E_NULL);
