@@ -115,8 +115,10 @@ VESICA_CALLED constexpr int corner_contact(const Box& box, const Corner& corner,
 
 }  // namespace detail
 
-/// The contact of a box and an ellipse if one reaches `reach` >= 0 farther each way, or one that counts already.
-constexpr int contact(const Box& box, const Ellipse& ellipse, const Length& reach, Common common) noexcept {
+/// The contact of a box and an ellipse if one reaches `reach` >= 0 farther each way, or one that counts already. Not
+/// inlined: a depth does not need this stack.
+VESICA_CALLED constexpr int contact(const Box& box, const Ellipse& ellipse, const Length& reach,
+                                    Common common) noexcept {
   if (degenerate(ellipse)) return contact(box, as_box(ellipse), reach, common);
   if (reach.sign == 0) return contact(box, ellipse, common);
   if (box.hx.sign == 0 && box.hy.sign == 0) return detail::corner_contact(box, {1, 1}, ellipse, reach);
