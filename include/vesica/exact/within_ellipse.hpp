@@ -131,13 +131,28 @@ VESICA_CALLED constexpr int contact(const Box& box, const Ellipse& ellipse, cons
   return least;
 }
 
+namespace detail {
+
+/// For an ellipse without an area. Not inlined, as above.
+VESICA_CALLED constexpr bool within_flat(const Box& box, const Ellipse& ellipse, const Length& reach) noexcept {
+  return within(box, as_box(ellipse), reach);
+}
+
+/// The cubic of an ellipse and a disc about a point. Not inlined, as above.
+VESICA_CALLED constexpr ContactCubic cubic_of_disc(const Ellipse& ellipse, const Box& point,
+                                                   const Length& radius) noexcept {
+  return contact_cubic(ellipse, {point.cx, point.cy, from_double(1), {}, radius, radius});
+}
+
+}  // namespace detail
+
 /// True if a box and an ellipse are at most `reach` apart; with reach < 0, if they overlap at least -reach deep. That
 /// is answered for a point, where the ellipse contains the disc of that radius, and for an ellipse without an area.
 constexpr bool within(const Box& box, const Ellipse& ellipse, const Length& reach) noexcept {
   if (reach.sign < 0) {
-    if (degenerate(ellipse)) return within(box, as_box(ellipse), reach);
-    const Ellipse disc{box.cx, box.cy, from_double(1), {}, -reach, -reach};
-    return relation(ellipse, disc) >= Relation::contains;
+    if (degenerate(ellipse)) return detail::within_flat(box, ellipse, reach);
+    ContactCubic p = detail::cubic_of_disc(ellipse, box, -reach);
+    return relation(p) >= Relation::contains;
   }
   return contact(box, ellipse, reach, Common::any) <= 0;
 }
