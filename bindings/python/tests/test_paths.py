@@ -101,8 +101,8 @@ class Forms(unittest.TestCase):
         self.assertEqual(vesica.within(shapes[0], DISC, 1.25), vesica.Within.YES)
         hit, impact = vesica.cast(shapes[0], DISC, (-1, 0))
         self.assertEqual((hit, impact.t), (vesica.Cast.HIT, 1.25))
-        with self.assertRaises(vesica.VesicaError):
-            vesica.crossings(shapes[0], shapes[1])
+        self.assertEqual(len(vesica.crossings(shapes[1], vesica.circles([2.5, 0.5, 0.6])).places), 8)
+        self.assertEqual(vesica.de9im(shapes[0], shapes[1]), "FF2FF1212")
 
     def test_bad_vertices(self):
         array = SQUARES.copy()
