@@ -14,9 +14,9 @@ limit() {
 }
 
 modules=$1
-limit "$modules/vesica.wasm" 1935 597
-limit "$modules/simd/vesica.wasm" 2092 640
-limit "$modules/vesica-overlap.wasm" 722 225
-limit "$modules/simd/vesica-overlap.wasm" 801 238
+limit "$modules/vesica.wasm" 2036 618
+limit "$modules/simd/vesica.wasm" 2196 663
+limit "$modules/vesica-overlap.wasm" 744 232
+limit "$modules/simd/vesica-overlap.wasm" 826 246
 limit "$modules/vesica-methods.wasm" 106 49
 [ $failures = 0 ]
