@@ -104,9 +104,7 @@ TEST_P(Within, EveryWorkload) {
     properties::Random random(properties::seed() + 22);
     // The oracle is slowest where an ellipse is the first: beside a core with a radius.
     const int count = both_curved ? (wild ? 4 : 3)
-                      : curved    ? (wild                    ? 2
-                                     : k.a == VESICA_ELLIPSE ? 4
-                                                             : 10)
+                      : curved    ? (wild || k.a == VESICA_ELLIPSE ? 2 : 10)
                                   : (wild ? 8 : 40);
     for (int i = 0; i < count * properties::repeat(); ++i) {
       const Pair p = stream.next();
