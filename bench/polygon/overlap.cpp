@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <functional>
 #include <string>
+#include <type_traits>
 #include <vector>
 #include <vesica/polygon/overlap.hpp>
 
@@ -98,21 +99,12 @@ void each(const Pairs& pairs, Bytes& out, Ask ask) {
   for (std::size_t i = 0; i < count; ++i) out[i] = static_cast<std::uint8_t>(ask(pairs.place(i)));
 }
 
-vesica_shapes_f64 array(const std::vector<double>& xy, int n) {
-  vesica_shapes_f64 s{};
+template <class T>
+auto array(const std::vector<T>& xy, int n) {
+  std::conditional_t<std::is_same_v<T, float>, vesica_shapes_f32, vesica_shapes_f64> s{};
   s.kind = VESICA_POLYGON;
   s.count = count;
-  s.stride = 2 * sizeof(double);
-  s.field[0] = xy.data();
-  s.field[1] = xy.data() + 1;
-  s.each = n;
-  return s;
-}
-vesica_shapes_f32 array(const std::vector<float>& xy, int n) {
-  vesica_shapes_f32 s{};
-  s.kind = VESICA_POLYGON;
-  s.count = count;
-  s.stride = 2 * sizeof(float);
+  s.stride = 2 * sizeof(T);
   s.field[0] = xy.data();
   s.field[1] = xy.data() + 1;
   s.each = n;

@@ -17,7 +17,8 @@
 #   ./run bench model        the array kernels as llvm-mca models them on seven processors
 #   ./run bench nearest      distances and depths with their errors, beside FCL, Boost.Geometry, GEOS and gradient
 #                            descent
-#   ./run bench polygon      polygons: distances, areas, and many questions about one, beside GEOS and Boost.Geometry
+#   ./run bench polygon      polygons: distances, areas, many questions about one, overlap of triangles and
+#                            quadrilaterals, beside GEOS, Boost.Geometry and Box2D
 #   ./run bench relation     relation, containment, areas and suppression, beside yardsticks and Boost.Geometry
 #   ./run bench start        loading the library, the memory this takes, and the first calls
 #   ./run bench topology     within a distance, DE-9IM, shared regions, soft suppression, beside yardsticks and GEOS
@@ -37,6 +38,7 @@ bench_of() {
       "$programs/polygon/vesica_bench_polygon"
       "$programs/polygon/vesica_bench_polygon_area"
       "$programs/polygon/vesica_bench_polygon_kept"
+      "$programs/polygon/vesica_bench_polygon_overlap"
       ;;
     *) "$programs/$1/vesica_bench_$1" "${@:2}" ;;
   esac
