@@ -36,8 +36,8 @@ struct Room {
 
 /// -1 if p comes before q along an edge, 1 if after. Both are on its line.
 inline int order_along(const Edge& e, const Point<double>& p, const Point<double>& q) noexcept {
-  const int x = sign_of_order(e.x1, e.x0);
-  return x != 0 ? x * sign_of_order(p.x, q.x) : sign_of_order(e.y1, e.y0) * sign_of_order(p.y, q.y);
+  const int x = compared(e.x1, e.x0);
+  return x != 0 ? x * compared(p.x, q.x) : compared(e.y1, e.y0) * compared(p.y, q.y);
 }
 inline bool is_on(const Point<double>& p, const Edge& e) noexcept {
   return holds(box_of(e), p) && side(p.x, p.y, e) == 0;
@@ -74,13 +74,8 @@ struct Fraction {
 };
 
 VESICA_COLD inline int exact_order_of_crossings(const Edge& e, const Edge& f, const Edge& g) noexcept {
-  using exact::from_double;
-  const auto cross = [](double px, double py, const Edge& h) {
-    const auto x = from_double(px), y = from_double(py);
-    return (from_double(h.x0) - x) * (from_double(h.y1) - y) - (from_double(h.y0) - y) * (from_double(h.x1) - x);
-  };
-  const auto start_f = cross(e.x0, e.y0, f), start_g = cross(e.x0, e.y0, g);
-  const auto whole_f = start_f - cross(e.x1, e.y1, f), whole_g = start_g - cross(e.x1, e.y1, g);
+  const auto start_f = exact_cross(e.x0, e.y0, f), start_g = exact_cross(e.x0, e.y0, g);
+  const auto whole_f = start_f - exact_cross(e.x1, e.y1, f), whole_g = start_g - exact_cross(e.x1, e.y1, g);
   return exact::compare_products(exact::abs(start_f), exact::abs(whole_g), exact::abs(start_g), exact::abs(whole_f));
 }
 

@@ -19,10 +19,10 @@ struct Ahead {
   Point<double> v;
   const Middle& to;
 
-  int order_x(double x) const noexcept { return first_of(sign_of_order(x, v.x), -to_x(), to_y()); }
-  int order_y(double y) const noexcept { return first_of(sign_of_order(y, v.y), -to_y(), -to_x()); }
+  int order_x(double x) const noexcept { return first_of(compared(x, v.x), -to_x(), to_y()); }
+  int order_y(double y) const noexcept { return first_of(compared(y, v.y), -to_y(), -to_x()); }
   int side(const Edge& e) const noexcept {
-    const int along_x = sign_of_order(e.x1, e.x0) * to_x(), along_y = sign_of_order(e.y1, e.y0) * to_y();
+    const int along_x = compared(e.x1, e.x0) * to_x(), along_y = compared(e.y1, e.y0) * to_y();
     const int s = polygon::side(v.x, v.y, e);
     return s != 0 ? s : first_of(to.side(e), along_x, along_y);
   }

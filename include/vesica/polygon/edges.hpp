@@ -18,6 +18,12 @@ inline constexpr double infinite = std::numeric_limits<double>::infinity();
 /// Holds nothing, and meets no box.
 inline constexpr Box no_box{infinite, infinite, -infinite, -infinite};
 
+/// -1, 0 or 1 as two numbers are in order, equal, or not.
+template <class Number>
+constexpr int compared(Number a, Number b) noexcept {
+  return (a > b) - (a < b);
+}
+
 constexpr bool meet(const Box& a, const Box& b) noexcept {
   using lane::both;
   return both(both(a.min_x <= b.max_x, b.min_x <= a.max_x), both(a.min_y <= b.max_y, b.min_y <= a.max_y));

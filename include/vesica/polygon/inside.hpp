@@ -7,12 +7,16 @@
 
 namespace vesica::detail::polygon {
 
-/// The side of p on which b lies, seen from a: the sign of (a - p) x (b - p), exact.
-VESICA_COLD inline int exact_side(double px, double py, const Edge& e) noexcept {
+/// (a - p) x (b - p) for an edge from a to b, exact.
+inline exact::Number<2> exact_cross(double px, double py, const Edge& e) noexcept {
   using exact::from_double;
-  if ((px == e.x0 && py == e.y0) || (px == e.x1 && py == e.y1)) return 0;
   const auto x = from_double(px), y = from_double(py);
-  return ((from_double(e.x0) - x) * (from_double(e.y1) - y) - (from_double(e.y0) - y) * (from_double(e.x1) - x)).sign;
+  return (from_double(e.x0) - x) * (from_double(e.y1) - y) - (from_double(e.y0) - y) * (from_double(e.x1) - x);
+}
+/// The side of p on which b lies, seen from a: the sign of that.
+VESICA_COLD inline int exact_side(double px, double py, const Edge& e) noexcept {
+  if ((px == e.x0 && py == e.y0) || (px == e.x1 && py == e.y1)) return 0;
+  return exact_cross(px, py, e).sign;
 }
 VESICA_INLINE int side(double px, double py, const Edge& e) noexcept {
   const double left = (e.x0 - px) * (e.y1 - py), right = (e.y0 - py) * (e.x1 - px);
@@ -70,52 +74,6 @@ bool inside(const Edges<T>& edges, const Point<double>& p) noexcept {
   if (!edges.closed()) return false;
   return edges.boxes() != nullptr ? odd_crossings(edges, *edges.boxes(), p.x, p.y)
                                   : odd_crossings(edges, edges.all(), p.x, p.y);
-}
-
-/// The same for many points: blocks that no ray can meet are skipped.
-template <class T>
-class Insides {
- public:
-  Insides(const Edges<T>& edges, const Box& box) noexcept
-      : edges_(edges), box_(box), blocks_(edges, edges.all(), [](const Box&) { return true; }) {}
-
-  bool hold(const Point<double>& p) const noexcept {
-    if (!edges_.closed() || !meet(box_, {p.x, p.y, p.x, p.y})) return false;
-    bool odd = false;
-    for (int i = 0; i < blocks_.count; ++i) {
-      const Box& box = blocks_.box[i];
-      if (p.y < box.min_y || p.y > box.max_y || p.x > box.max_x) continue;
-      odd ^= odd_crossings(edges_, blocks_.range(i), p.x, p.y);
-    }
-    return odd;
-  }
-
- private:
-  const Edges<T>& edges_;
-  Box box_;
-  Blocks blocks_;
-};
-
-/// A vertex of b inside a, or -1: the first vertex of one of b's rings. If no edges meet, a ring lies inside as its
-/// first vertex does.
-template <class T>
-std::int64_t vertex_inside(const Edges<T>& a, const Box& box_a, const Edges<T>& b) noexcept {
-  if (!a.closed()) return -1;
-  if (b.rings() == 1) {
-    const std::int64_t first = b.ring(0).first;
-    const Point<double> p = b.vertex(first);
-    return meet(box_a, {p.x, p.y, p.x, p.y}) && inside(a, p) ? first : -1;
-  }
-  const Insides<T> insides(a, box_a);
-  for (std::int64_t j = 0; j < b.rings(); ++j) {
-    const Range ring = b.ring(j);
-    if (ring.length() > 0 && insides.hold(b.vertex(ring.first))) return ring.first;
-  }
-  return -1;
-}
-template <class T>
-bool holds_ring(const Edges<T>& a, const Box& box_a, const Edges<T>& b) noexcept {
-  return vertex_inside(a, box_a, b) >= 0;
 }
 
 }  // namespace vesica::detail::polygon

@@ -280,12 +280,6 @@ class LeastOfPairs {
   Waiting waiting_[room];
 };
 
-/// -1, 0 or 1 as two numbers are in order, equal, or not.
-template <class Number>
-constexpr int compared(Number a, Number b) noexcept {
-  return (a > b) - (a < b);
-}
-
 /// An order of paths that does not depend on which is the first operand; 0 if they are the same.
 template <class T>
 int compared(const Edges<T>& a, const Edges<T>& b) noexcept {

@@ -4,12 +4,36 @@
 #pragma once
 
 #include <vesica/polygon/few_vertices.hpp>
-#include <vesica/polygon/inside.hpp>
 #include <vesica/polygon/other.hpp>
+#include <vesica/polygon/place.hpp>
 
 namespace vesica {
 
 namespace detail::polygon {
+
+/// A vertex of b inside a, or -1: the first vertex of one of b's rings. If no edges meet, a ring lies inside as its
+/// first vertex does.
+template <class T>
+std::int64_t vertex_inside(const Edges<T>& a, const Box& box_a, const Edges<T>& b) noexcept {
+  if (!a.closed()) return -1;
+  if (b.rings() == 1) {
+    const std::int64_t first = b.ring(0).first;
+    const Point<double> p = b.vertex(first);
+    return meet(box_a, {p.x, p.y, p.x, p.y}) && inside(a, p) ? first : -1;
+  }
+  const Locator<T> locator(a);
+  for (std::int64_t j = 0; j < b.rings(); ++j) {
+    const Range ring = b.ring(j);
+    if (ring.length() == 0) continue;
+    const Point<double> p = b.vertex(ring.first);
+    if (meet(box_a, {p.x, p.y, p.x, p.y}) && locator.is_odd(Stored{p})) return ring.first;
+  }
+  return -1;
+}
+template <class T>
+bool holds_ring(const Edges<T>& a, const Box& box_a, const Edges<T>& b) noexcept {
+  return vertex_inside(a, box_a, b) >= 0;
+}
 
 /// Is a stored point of one shape inside the other? If no edges meet, this decides whether the shapes overlap; if it
 /// is found, it is a point of both in any case. `about` holds b.

@@ -6,14 +6,12 @@
 
 namespace vesica::detail::polygon {
 
-constexpr int sign_of_order(double a, double b) noexcept { return (a > b ? 1 : 0) - (a < b ? 1 : 0); }
-
 /// A stored point. order_x(x) is the sign of x - its x; side(e) is 1 if it lies left of an edge, 0 if on its line.
 struct Stored {
   Point<double> at;
 
-  int order_x(double x) const noexcept { return sign_of_order(x, at.x); }
-  int order_y(double y) const noexcept { return sign_of_order(y, at.y); }
+  int order_x(double x) const noexcept { return compared(x, at.x); }
+  int order_y(double y) const noexcept { return compared(y, at.y); }
   int side(const Edge& e) const noexcept { return polygon::side(at.x, at.y, e); }
 };
 
@@ -85,8 +83,8 @@ struct Beside {
   int order_y(double y) const noexcept {
     const int order = at.order_y(y);
     if (order != 0) return order;
-    const int along = sign_of_order(edge.y0, edge.y1);
-    return along != 0 ? along : sign_of_order(edge.x0, edge.x1);  // n's y is t's x
+    const int along = compared(edge.y0, edge.y1);
+    return along != 0 ? along : compared(edge.x0, edge.x1);  // n's y is t's x
   }
   int side(const Edge& e) const noexcept {
     const int s = at.side(e);
@@ -151,7 +149,7 @@ class Locator {
     if (ray.on_edge()) return 0;
     return ray.odd() && edges_.closed() ? 1 : -1;
   }
-  /// Is there a point inside a polygon as near as need be, if no edge of a length passes through the place?
+  /// Is a place inside a polygon, if it is on no edge but one without length?
   template <class Place>
   bool is_odd(const Place& place) const noexcept {
     return ray_from(place).odd();

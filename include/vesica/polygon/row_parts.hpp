@@ -25,15 +25,15 @@ struct Thin {
 
   /// Does q lie after p, both on the shape?
   bool is_after(const Point<double>& p, const Point<double>& q) const noexcept {
-    return x != 0 ? x * sign_of_order(q.x, p.x) > 0 : y * sign_of_order(q.y, p.y) > 0;
+    return x != 0 ? x * compared(q.x, p.x) > 0 : y * compared(q.y, p.y) > 0;
   }
 };
 
 inline Thin between(const Point<double>& p, const Point<double>& q) noexcept {
-  return {{{p, 0, 0, 0}, {q, 0, 0, 0}}, sign_of_order(q.x, p.x), sign_of_order(q.y, p.y)};
+  return {{{p, 0, 0, 0}, {q, 0, 0, 0}}, compared(q.x, p.x), compared(q.y, p.y)};
 }
 inline Thin about_centre(const Point<double>& c, double h, double ux, double uy) noexcept {
-  return {{{c, -h, ux, uy}, {c, h, ux, uy}}, sign_of_order(ux, 0), sign_of_order(uy, 0)};
+  return {{{c, -h, ux, uy}, {c, h, ux, uy}}, compared(ux, 0.0), compared(uy, 0.0)};
 }
 
 /// 0, 1 or 2, the two ends if it is 1, and a point inside.
