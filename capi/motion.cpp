@@ -99,9 +99,8 @@ consteval RestOfCasts<T> rest_of_casts() noexcept {
 template <class T>
 constinit const RestOfCasts<T> casts_by_kind = rest_of_casts<T>();
 
-constexpr bool is_path(int32_t kind) noexcept { return vesica::is_kind(kind) && !vesica::is_row(kind); }
 /// True if casts take shapes of this kind.
-constexpr bool casts_take(int32_t kind) noexcept { return vesica::has_core(kind) || is_path(kind); }
+constexpr bool casts_take(int32_t kind) noexcept { return vesica::has_core(kind) || vesica::has_vertices(kind); }
 
 template <class T, class Out>
 int32_t cast_path(int32_t kind_a, const void* a, int32_t kind_b, const void* b, const Motion& motion,
@@ -120,7 +119,8 @@ int32_t cast_any(int32_t kind_a, const void* a, int32_t kind_b, const void* b, T
   VESICA_DEFAULT_ENVIRONMENT((cast_any<T, Out>), kind_a, a, kind_b, b, vx, vy, end, out);
   if (a == nullptr || b == nullptr || out == nullptr) return VESICA_E_NULL;
   const Motion motion = motion_of(vx, vy, end);
-  if (is_path(kind_a) || is_path(kind_b)) return cast_path<T>(kind_a, a, kind_b, b, motion, out);
+  if (vesica::has_vertices(kind_a) || vesica::has_vertices(kind_b))
+    return cast_path<T>(kind_a, a, kind_b, b, motion, out);
   if (!vesica::has_core(kind_a) || !vesica::has_core(kind_b)) return VESICA_E_KIND;
   if (kind_b == VESICA_POINT) {
     return vesica::with_core(kind_a, [&]<template <class> class Shape>(vesica::Named<Shape>) {

@@ -10,6 +10,7 @@
 #include "by_kind.hpp"
 #include "environment.hpp"
 #include "polygon/answers.hpp"
+#include "polygon/operand.hpp"
 #include "vesica_index.h"
 
 namespace {
@@ -33,26 +34,19 @@ constexpr Header header_of(std::int32_t kind, std::int32_t scalar_bytes, const R
   return {{'V', 'E', 'S', 'B', 'O', 'X', 'E', '1'}, kind, scalar_bytes, all.first, all.length(), no_box};
 }
 
-template <class T>
-Edges<T> edges_of(std::int32_t kind, const void* path) noexcept {
-  if (kind == vesica::polygon_kind) return *static_cast<const vesica::Polygon<T>*>(path);
-  return *static_cast<const vesica::Polyline<T>*>(path);
-}
-
 std::int64_t size_for(std::int64_t vertices) noexcept {
   return static_cast<std::int64_t>(sizeof(Header)) +
          KeptBoxes(0, vertices, edges_in_run).boxes() * static_cast<std::int64_t>(sizeof(KeptBox));
 }
 
-bool has_vertices(std::int32_t kind) noexcept { return kind == vesica::polygon_kind || kind == vesica::polyline_kind; }
 bool is_aligned(const void* p) noexcept { return reinterpret_cast<std::uintptr_t>(p) % alignof(Header) == 0; }
 
 template <class T>
 std::int32_t make_boxes(std::int32_t kind, const void* path, void* boxes, std::int64_t size) noexcept {
   VESICA_DEFAULT_ENVIRONMENT(make_boxes<T>, kind, path, boxes, size);
   if (path == nullptr || boxes == nullptr) return VESICA_E_NULL;
-  if (!has_vertices(kind)) return VESICA_E_KIND;
-  const Edges<T> edges = edges_of<T>(kind, path);
+  if (!vesica::has_vertices(kind)) return VESICA_E_KIND;
+  const Edges<T> edges = vesica::polygon::edges<T>({kind, std::is_same_v<T, float>, path});
   Box whole;
   const int error = edges.check(whole);
   if (error != 0) return error == vesica::error_null ? VESICA_E_NULL : VESICA_E_SHAPE;
@@ -71,11 +65,12 @@ template <class T, class Action>
 std::int32_t with_boxes(std::int32_t kind, const void* path, const void* boxes, std::int64_t size, std::int32_t kind_b,
                         const void* b, const Action& action) noexcept {
   if (path == nullptr || boxes == nullptr || b == nullptr) return VESICA_E_NULL;
-  if (!has_vertices(kind) || !vesica::has_core_or_path(kind_b)) return VESICA_E_KIND;
-  const Edges<T> edges = edges_of<T>(kind, path);
+  if (!vesica::has_vertices(kind) || !vesica::has_core_or_path(kind_b)) return VESICA_E_KIND;
+  constexpr bool is_float = std::is_same_v<T, float>;
+  const Edges<T> edges = vesica::polygon::edges<T>({kind, is_float, path});
   if (edges.has_null()) return VESICA_E_NULL;
-  if (static_cast<const vesica::Polygon<T>*>(path)->count < 1) return VESICA_E_INDEX;
-  if (!is_aligned(boxes) || size < static_cast<std::int64_t>(sizeof(Header))) return VESICA_E_INDEX;
+  if (edges.rings() < 1 || !is_aligned(boxes) || size < static_cast<std::int64_t>(sizeof(Header)))
+    return VESICA_E_INDEX;
   Header header;
   std::memcpy(&header, boxes, sizeof header);
   const Range all = edges.all();
@@ -86,7 +81,6 @@ std::int32_t with_boxes(std::int32_t kind, const void* path, const void* boxes, 
   }
   KeptBoxes kept(all.first, all.length(), edges_in_run);
   kept.use(reinterpret_cast<const KeptBox*>(static_cast<const std::byte*>(boxes) + sizeof header), header.whole);
-  constexpr bool is_float = std::is_same_v<T, float>;
   return action(Operand{kind, is_float, path, &kept}, Operand{kind_b, is_float, b});
 }
 

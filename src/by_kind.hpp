@@ -29,6 +29,8 @@ concept CoreOrPath = HasCore<Shape> || Path<Shape>;
 VESICA_INLINE constexpr bool is_row(std::int32_t kind) noexcept { return kind >= 0 && kind < kind_count; }
 /// Those, polygons and polylines.
 VESICA_INLINE constexpr bool is_kind(std::int32_t kind) noexcept { return kind >= 0 && kind < all_kinds; }
+/// Polygons and polylines.
+VESICA_INLINE constexpr bool has_vertices(std::int32_t kind) noexcept { return is_kind(kind) && !is_row(kind); }
 
 /// One shape from its struct's bytes, which need no alignment.
 template <class Shape>
@@ -135,9 +137,7 @@ constexpr bool has_core(std::int32_t kind) noexcept {
 }
 
 /// True if shapes of this kind have a core, or are polygons or polylines.
-constexpr bool has_core_or_path(std::int32_t kind) noexcept {
-  return has_core(kind) || (is_kind(kind) && !is_row(kind));
-}
+constexpr bool has_core_or_path(std::int32_t kind) noexcept { return has_core(kind) || has_vertices(kind); }
 
 /// True if shapes of this kind may have an area.
 constexpr bool has_area(std::int32_t kind) noexcept {
