@@ -283,6 +283,7 @@ VESICA_API int32_t vesica_polygon_boxes_overlap_f64(int32_t kind, const void *pa
  * The distance of a path with boxes and another shape, and where it is. As vesica_nearest_f64.
  * Requires, Errors: those of vesica_polygon_boxes_overlap_f64; also VESICA_E_RANGE.
  * Returns: 0.
+ * Cost: with another polygon or polyline as vesica_nearest_f64, since boxes do not help there.
  */
 VESICA_API int32_t vesica_polygon_boxes_nearest_f64(int32_t kind, const void *path, const void *boxes, int64_t size,
                                                     int32_t kind_b, const void *b, vesica_closest_points_f64 *out);

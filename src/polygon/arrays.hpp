@@ -20,7 +20,9 @@ bool has_path(const Shapes<T>& a, const Shapes<T>& b) noexcept {
   return !is_row(a.kind) || !is_row(b.kind);
 }
 
-/// Boxes about the edges of one path, for as long as a call lasts.
+/// Boxes about the edges of one path, for as long as a call lasts. To make them takes 0.4 to 0.7 of a question without
+/// them; then a point in a path of 64 vertices is answered 3.9 times as fast, of 1,000 vertices 40 times (Zen 3,
+/// vesica_bench_polygon_kept).
 class ElementBoxes {
  public:
   /// True if the path is valid, and large enough to be worth boxes.
@@ -117,8 +119,8 @@ std::int64_t repeats(const Shapes<T>& shapes, std::int64_t i, std::int64_t n) no
   return count;
 }
 
-/// Calls ask(element of a, element of b, i) for pairs in step. A path that is repeated is asked by boxes if that pays:
-/// they cost about as much as two questions. Joins repeat a path for each shape near it.
+/// Calls ask(element of a, element of b, i) for pairs in step. A path that is repeated is asked by boxes. Joins
+/// repeat a path for each shape near it.
 template <class T, class Ask>
 void each_in_step(const Shapes<T>& a, const Shapes<T>& b, std::int64_t n, const Ask& ask) noexcept {
   const std::int64_t step_a = a.count == 1 ? 0 : 1, step_b = b.count == 1 ? 0 : 1;

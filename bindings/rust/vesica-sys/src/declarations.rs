@@ -3159,6 +3159,8 @@ extern "C" {
     ///
     /// Returns: 0.
     ///
+    /// Cost: with another polygon or polyline as vesica_nearest_f64, since boxes do not help there.
+    ///
     /// Since: 0.1.
     pub fn vesica_polygon_boxes_nearest_f64(kind: i32, path: *const c_void, boxes: *const c_void, size: i64,
         kind_b: i32, b: *const c_void, out: *mut ClosestPoints<f64>) -> i32;
@@ -3360,6 +3362,8 @@ extern "C" {
     /// Requires, Errors: those of vesica_polygon_boxes_overlap_f32; also VESICA_E_RANGE.
     ///
     /// Returns: 0.
+    ///
+    /// Cost: with another polygon or polyline as vesica_nearest_f32, since boxes do not help there.
     ///
     /// Since: 0.1.
     pub fn vesica_polygon_boxes_nearest_f32(kind: i32, path: *const c_void, boxes: *const c_void, size: i64,
