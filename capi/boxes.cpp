@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Arrays of boxes, corners and bounds: an element at a time, or a block by a kernel where there is one.
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <vesica/bounds.hpp>
 #include <vesica/boxes.hpp>
@@ -64,8 +64,8 @@ class BoxColumns {
     const double* const* const from = columns_.numbers();
     std::copy_n(from, vesica::max_fields, number_);
     if (shapes.kind != VESICA_CIRCLE) return;
-    const double* const of_circle[] = {from[0], from[1], one_, zero_, from[2], from[2]};
-    std::copy_n(of_circle, std::size(of_circle), number_);
+    const std::array<const double*, 6> of_circle = {from[0], from[1], one_, zero_, from[2], from[2]};
+    std::copy(of_circle.begin(), of_circle.end(), number_);
   }
   const double* const* numbers() const noexcept { return number_; }
 
