@@ -98,6 +98,8 @@ class Shapes:
             (index,) = index  # as numpy.nonzero() gives
         number = _one_number(index)
         if number is None:
+            if isinstance(index, list):
+                index = (index,)  # by itself, numpy 1.19 takes a list of lists for a tuple
             return _shapes_of(self.kind, _alike([column[index] for column in self.columns]))
         if not -len(self) <= number < len(self):
             raise IndexError(f"shape {number} of {len(self)}")
