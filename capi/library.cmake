@@ -18,6 +18,12 @@ foreach(flag --no-undefined-version -z,defs -O1)
   endif()
 endforeach()
 
+# MSVC's runtime has the functions of libm.
+set(libm m)
+if(WIN32 AND NOT MINGW)
+  set(libm)
+endif()
+
 function(vesica_library name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "MAP" "SOURCES;LINK;HAND_ON")
   string(REGEX REPLACE "^vesica_" "" alias ${name})
@@ -25,7 +31,7 @@ function(vesica_library name)
   add_library(${name} ${arg_SOURCES})
   set(headers $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(${name}
-    PRIVATE $<BUILD_INTERFACE:vesica_core> $<BUILD_INTERFACE:vesica_flags> ${arg_LINK} m
+    PRIVATE $<BUILD_INTERFACE:vesica_core> $<BUILD_INTERFACE:vesica_flags> ${arg_LINK} ${libm}
     INTERFACE ${arg_HAND_ON})
   target_include_directories(${name} PUBLIC ${headers} PRIVATE ${PROJECT_SOURCE_DIR}/src)
   target_compile_definitions(${name} PRIVATE VESICA_BUILDING)
@@ -67,7 +73,7 @@ function(vesica_library name)
     target_include_directories(${name}_interface INTERFACE ${headers})
     list(TRANSFORM arg_HAND_ON APPEND _interface)
     target_link_libraries(${name}_interface INTERFACE
-      $<BUILD_INTERFACE:$<TARGET_FILE:${name}>> $<INSTALL_INTERFACE:${name}> ${arg_LINK} ${arg_HAND_ON} m)
+      $<BUILD_INTERFACE:$<TARGET_FILE:${name}>> $<INSTALL_INTERFACE:${name}> ${arg_LINK} ${arg_HAND_ON} ${libm})
     set_target_properties(${name} PROPERTIES EXPORT_NAME ${alias}_archive)
     set_target_properties(${name}_interface PROPERTIES EXPORT_NAME ${alias})
     add_library(vesica::${alias} ALIAS ${name}_interface)
