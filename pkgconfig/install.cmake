@@ -51,6 +51,12 @@ configure_file(${CMAKE_CURRENT_LIST_DIR}/vesica-methods.pc.in vesica-methods.pc 
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/vesica.pc ${CMAKE_CURRENT_BINARY_DIR}/vesica-methods.pc
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
+# What the library is made of, as SPDX. The date is the release's, so that the same tree gives the same bytes.
+file(STRINGS ${PROJECT_SOURCE_DIR}/CITATION.cff VESICA_DATE REGEX "^date-released: ")
+string(REPLACE "date-released: " "" VESICA_DATE "${VESICA_DATE}")
+configure_file(${CMAKE_CURRENT_LIST_DIR}/vesica.spdx.json.in vesica.spdx.json @ONLY)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/vesica.spdx.json DESTINATION ${CMAKE_INSTALL_DATADIR}/vesica)
+
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/vesica)
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/vesica-config.cmake.in vesica-config.cmake
   INSTALL_DESTINATION ${package_dir})

@@ -9,8 +9,8 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 mkdir -p "$1"
 out=$(cd "$1" && pwd)
 
-# The time in the DLL and of the files is that of the last change: the same tree gives the same zip.
-SOURCE_DATE_EPOCH=$(date -d "$(sed -n 's/^ -- .*>  //p' "$root/packaging/debian/changelog" | head -n 1)" +%s)
+# The time in the DLL and of the files is the release's: the same tree gives the same zip.
+SOURCE_DATE_EPOCH=$("$root/packaging/date.sh")
 export SOURCE_DATE_EPOCH
 
 tree=${2:-}
