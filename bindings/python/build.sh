@@ -12,11 +12,8 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 export PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_NO_INDEX=1
 
-# The sources are built from a copy: setuptools writes beside them.
-mkdir "$work/repository"
-tar -C "$here/../.." --exclude=./build --exclude=./.git --exclude=__pycache__ -cf - . | tar -C "$work/repository" -xf -
 rm -f "$directory"/vesica-*.whl
-/usr/bin/python3 -m pip wheel --quiet --no-build-isolation --no-deps -w "$directory" "$work/repository/bindings/python"
+"$here/wheel.sh" "$directory"
 
 # numpy is Debian's. Nothing of the sources is in reach of what is tested.
 /usr/bin/python3 -m venv --system-site-packages "$work/environment"

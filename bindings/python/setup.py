@@ -8,7 +8,7 @@ import shutil
 import subprocess
 import sys
 
-from setuptools import setup
+from setuptools import Distribution, setup
 from setuptools.command.build_py import build_py
 from wheel.bdist_wheel import bdist_wheel
 
@@ -20,28 +20,46 @@ def version():
     return ".".join(re.search(rf"#define VESICA_VERSION_{part} (\d+)", text)[1] for part in ("MAJOR", "MINOR", "PATCH"))
 
 
+def build_folder(command):
+    """The folder of cmake's that has the library, or gets it."""
+    return pathlib.Path(os.environ.get("VESICA_BUILD") or command.get_finalized_command("build").build_temp).resolve()
+
+
 class BuildWithLibrary(build_py):
     def run(self):
         subprocess.check_call([sys.executable, "-B", REPOSITORY / "bindings" / "declare", "python"])
         super().run()
-        build = pathlib.Path(os.environ.get("VESICA_BUILD") or self.get_finalized_command("build").build_temp).resolve()
-        if "VESICA_BUILD" not in os.environ:  # a build folder of cmake's that has the library
+        build = build_folder(self)
+        if "VESICA_BUILD" not in os.environ:
             subprocess.check_call(["cmake", "-S", REPOSITORY, "-B", build, "-DCMAKE_BUILD_TYPE=Release"])
             subprocess.check_call(["cmake", "--build", build, "--target", "vesica", "--parallel"])
         library = pathlib.Path(self.build_lib, "vesica", "libvesica.so.0")
         shutil.copy(build / "capi" / library.name, library)
-        subprocess.check_call(["strip", "--strip-unneeded", library])
+        subprocess.check_call([os.environ.get("STRIP", "strip"), "--strip-unneeded", library])
+
+
+class WithLibrary(Distribution):
+    """Belongs among what is compiled, though nothing is compiled for Python."""
+
+    def has_ext_modules(self):
+        return True
 
 
 class PlatformWheel(bdist_wheel):
     """For one platform, as the library is, and for any Python, as ctypes is."""
 
-    def finalize_options(self):
-        super().finalize_options()
-        self.root_is_pure = False
-
     def get_tag(self):
-        return "py3", "none", super().get_tag()[2]
+        return "py3", "none", os.environ.get("VESICA_PLATFORM") or super().get_tag()[2]
+
+    def write_wheelfile(self, wheelfile_base, *more, **named):
+        super().write_wheelfile(wheelfile_base, *more, **named)
+        parts = pathlib.Path(wheelfile_base, "sboms")
+        parts.mkdir()
+        shutil.copy(build_folder(self) / "vesica.spdx.json", parts)
 
 
-setup(version=version(), cmdclass={"build_py": BuildWithLibrary, "bdist_wheel": PlatformWheel})
+setup(
+    version=version(),
+    distclass=WithLibrary,
+    cmdclass={"build_py": BuildWithLibrary, "bdist_wheel": PlatformWheel},
+)

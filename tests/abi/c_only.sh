@@ -20,7 +20,7 @@ if grep -E '^_Z|^__cxa_|^__gxx|^_Unwind_' <<<"$names" | grep -Ev '^__cxa_(finali
 fi
 needed=$("$2" -dW "$3" | sed -n 's/.*(NEEDED).*\[\(.*\)\].*/\1/p')
 [ -n "$needed" ] || fail "readelf shows no needed library, not even libc"
-if grep -Ev '^lib[cm]\.so\.[0-9]+$' <<<"$needed"; then
+if grep -Ev '^lib[cm]\.so(\.[0-9]+)?$' <<<"$needed"; then
   fail "these libraries are needed beside libc and libm"
 fi
 echo "no C++ name; needs ${needed//$'\n'/ }"

@@ -44,7 +44,7 @@ settings() {
       ;;
     musl)
       packages=(musl-tools)
-      arguments=("-DCMAKE_TOOLCHAIN_FILE=$here/musl.cmake" -DVESICA_CROSS_NO_LIBSTDCXX=ON -DCMAKE_BUILD_TYPE=Release)
+      arguments=("-DCMAKE_TOOLCHAIN_FILE=$root/packaging/linux/musl.cmake" -DVESICA_CROSS_NO_LIBSTDCXX=ON -DCMAKE_BUILD_TYPE=Release)
       ;;
     windows)
       packages=(g++-mingw-w64-x86-64 wine wine64 zip)

@@ -21,6 +21,7 @@ small_packages=(fp-compiler gfortran gnat guile-3.0 libffi-platypus-perl luajit 
   "${npm[@]}")
 
 debian_packages=(build-essential cmake debhelper python3)
+linux_packages=("${build_packages[@]}" g++-aarch64-linux-gnu qemu-user)
 windows_packages=(cmake ninja-build g++-mingw-w64-x86-64 zip)
 cross_packages=(googletest g++-aarch64-linux-gnu g++-s390x-linux-gnu qemu-user)
 engine_packages=(libopenmpi-dev libsqlite3-dev make openmpi-bin postgresql-15 postgresql-server-dev-15 python3-dask

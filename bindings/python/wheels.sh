@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# wheels.sh DIRECTORY [TARGET...]: builds the library and a wheel for each target (packaging/linux/targets.sh; all four
+# unless told), for Python 3.9 and later. Those for glibc run their tests in Debian 11: Python 3.9, numpy 1.19 and glibc
+# 2.31, under qemu-user for another processor. There is no Python for musl here: `./run package c` tests its library.
+# shellcheck disable=SC2154
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+root=$(cd "$here/../.." && pwd)
+mkdir -p "$1"
+directory=$(cd "$1" && pwd)
+
+# check TARGET WHEEL: the tests, by the Python of an unpacked Debian 11, which has nothing of this machine's.
+check() {
+  # shellcheck source=/dev/null
+  . "$root/packaging/linux/targets.sh" "$1"
+  [ "$libc" = gnu ] || return 0
+  local work old=$root/build/linux/debian11-$processor triplet=$processor-linux-gnu libraries folder
+  "$root/packaging/linux/root.sh" bullseye "$processor" "$old" python3-numpy
+  work=$(mktemp -d)
+  # shellcheck disable=SC2064
+  trap "rm -rf '$work'" EXIT
+  /usr/bin/python3 -m zipfile -e "$2" "$work/site"
+  cp -r "$here/tests" "$work/tests"
+  cp "$here/../vectors/vectors.txt" "$here/../calls/calls.txt" "$here/README.md" "$work/tests"
+  for folder in lib usr/lib; do libraries+=$old/$folder/$triplet:$old/$folder/$triplet/blas:$old/$folder/$triplet/lapack:; done
+  cd "$work"
+  PYTHONHOME=$old/usr PYTHONPATH=$work/site:$old/usr/lib/python3/dist-packages VESICA_REPEAT=0.25 \
+    "${emulator[@]}" "$(echo "$old/lib/$triplet"/ld-2.*.so)" --library-path "$libraries" "$old/usr/bin/python3.9" -B \
+    -m unittest discover -s tests
+}
+
+targets=("${@:2}")
+[ ${#targets[@]} -gt 0 ] || targets=(x86_64-gnu x86_64-musl aarch64-gnu aarch64-musl)
+for target in "${targets[@]}"; do
+  tree=$("$root/packaging/linux/library.sh" "$target")
+  wheel=$(
+    # shellcheck source=/dev/null
+    . "$root/packaging/linux/targets.sh" "$target"
+    VESICA_BUILD=$tree "$here/wheel.sh" "$directory" "$platform"
+  )
+  (check "$target" "$wheel")
+  echo "$wheel"
+done
