@@ -15,13 +15,13 @@ export PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_NO_INDEX=1
 rm -f "$directory"/vesica-*.whl
 "$here/wheel.sh" "$directory"
 
-# numpy is Debian's. Nothing of the sources is in reach of what is tested.
+# numpy and pandas are Debian's. Nothing of the sources is in reach of what is tested.
 /usr/bin/python3 -m venv --system-site-packages "$work/environment"
 "$work/environment/bin/pip" install --quiet --no-deps "$directory"/vesica-*.whl
 cp -r "$here/tests" "$work/tests"
 cp "$here/../vectors/vectors.txt" "$here/../calls/calls.txt" "$here/README.md" "$work/tests"
 cd "$work"
-"$work/environment/bin/python" -B -m unittest discover -s "$work/tests"
+VESICA_PANDAS=1 "$work/environment/bin/python" -B -m unittest discover -s "$work/tests"
 "$work/environment/bin/python" -B -c 'import vesica; print("installed:", vesica.__version__, vesica.__file__)'
 if [ -n "${VESICA_OLDER:-}" ]; then
   cp "$VESICA_OLDER/libvesica.so.0" "$work"/environment/lib/python3*/site-packages/vesica

@@ -10,7 +10,7 @@ npm=()
 command -v npm >/dev/null || npm=(npm)
 
 # The packages for other languages, and what tests the folders of bindings/small.
-python_packages=(g++ cmake python3-numpy python3-pip python3-setuptools python3-venv python3-wheel)
+python_packages=(g++ cmake python3-numpy python3-pandas python3-pip python3-setuptools python3-venv python3-wheel)
 rust_packages=(g++ cmake cargo rustc)
 go_packages=(g++ cmake golang-go unzip zip)
 java_packages=(g++ cmake default-jdk-headless python3)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Arrays of Arrow in GeoArrow's form, by the C data interface: their vertices and offsets, where they lie."""
+"""Arrays of Arrow in GeoArrow's form, by the C data interface: their numbers, where they lie."""
 import ctypes
 import struct
 
@@ -14,6 +14,10 @@ class _Schema(ctypes.Structure):
 
 class _Array(ctypes.Structure):
     """struct ArrowArray."""
+
+
+class _Stream(ctypes.Structure):
+    """struct ArrowArrayStream."""
 
 
 _Schema._fields_ = [
@@ -39,6 +43,14 @@ _Array._fields_ = [
     ("release", ctypes.c_void_p),
     ("private_data", ctypes.c_void_p),
 ]
+_Stream._fields_ = [
+    ("get_schema", ctypes.CFUNCTYPE(ctypes.c_int, ctypes.POINTER(_Stream), ctypes.POINTER(_Schema))),
+    ("get_next", ctypes.CFUNCTYPE(ctypes.c_int, ctypes.POINTER(_Stream), ctypes.POINTER(_Array))),
+    ("get_last_error", ctypes.c_void_p),
+    ("release", ctypes.c_void_p),
+    ("private_data", ctypes.c_void_p),
+]
+_RELEASE = ctypes.CFUNCTYPE(None, ctypes.c_void_p)
 
 _pointer = ctypes.pythonapi.PyCapsule_GetPointer
 _pointer.restype, _pointer.argtypes = ctypes.c_void_p, (ctypes.py_object, ctypes.c_char_p)
@@ -54,17 +66,53 @@ class _Memory:
         }
 
 
+class _Taken:
+    """The one array of a stream. It is released with the last view of its numbers."""
+
+    def __init__(self, exporter):
+        self.schema, self.array = _Schema(), _Array()
+        capsule = exporter.__arrow_c_stream__()
+        stream = _Stream.from_address(_pointer(capsule, b"arrow_array_stream"))
+        later = _Array()
+        codes = stream.get_schema(stream, self.schema), stream.get_next(stream, self.array)
+        if any(codes) or (self.array.release and stream.get_next(stream, later)):
+            raise ValueError(f"an Arrow stream ends in the error {max(codes)}")
+        if later.release:
+            _RELEASE(later.release)(ctypes.addressof(later))
+            raise ValueError("an Arrow stream of several arrays: make one of them first, as by combine_chunks()")
+        if not self.array.release:
+            raise ValueError("an Arrow stream without an array")
+
+    def __del__(self):
+        for struct in (self.schema, self.array):
+            if struct.release:
+                _RELEASE(struct.release)(ctypes.addressof(struct))
+
+
+def is_arrow(value):
+    """Is it an array of Arrow, or a stream that numpy cannot read?"""
+    return hasattr(value, "__arrow_c_array__") or (
+        hasattr(value, "__arrow_c_stream__") and not hasattr(value, "__array__")
+    )
+
+
+def _imported(exporter):
+    """(owner, schema, array)."""
+    if not hasattr(exporter, "__arrow_c_array__"):
+        owner = _Taken(exporter)
+        return owner, owner.schema, owner.array
+    owner = exporter.__arrow_c_array__()
+    schema = _Schema.from_address(_pointer(owner[0], b"arrow_schema"))
+    return owner, schema, _Array.from_address(_pointer(owner[1], b"arrow_array"))
+
+
 def of_geoarrow(exporter, geometries):
     """(vertices (n, 2), [offsets of rings, of parts ...]): views of the arrays that an object exports.
 
     geometries: the names of GeoArrow's types that are wanted.
     """
-    owner = exporter.__arrow_c_array__()
-    schema = _Schema.from_address(_pointer(owner[0], b"arrow_schema"))
-    array = _Array.from_address(_pointer(owner[1], b"arrow_array"))
-    name = _extension(schema)
-    if name and name not in [f"geoarrow.{each}" for each in geometries]:
-        raise ValueError(f"an Arrow array of {name} is none of {', '.join(geometries)}")
+    owner, schema, array = _imported(exporter)
+    _check_name(schema, geometries)
     offsets, start, count = [], array.offset, array.length
     while schema.format in (b"+l", b"+L"):
         _without_nulls(array)
@@ -78,7 +126,30 @@ def of_geoarrow(exporter, geometries):
         start, count = array.offset, array.length
     if not offsets:
         raise ValueError(f"an Arrow array of lists of vertices is needed, not of the format {schema.format.decode()!r}")
-    return _vertices(schema, array, start, count, owner), offsets[::-1]
+    (x, y), step, dtype = _places(schema, array, start, [(b"x", b"y")])
+    if count == 0:
+        return numpy.empty((0, 2), dtype), offsets[::-1]
+    return numpy.asarray(_Memory(x, (count, 2), (step, y - x), dtype, owner)), offsets[::-1]
+
+
+def columns_of(exporter, geometry, *names):
+    """A view of each column of an array of structs, or of pairs and the like.
+
+    geometry: GeoArrow's name of the type, or None. names: tuples of the columns' names, any of which will do.
+    """
+    owner, schema, array = _imported(exporter)
+    _check_name(schema, [geometry] if geometry else [])
+    places, step, dtype = _places(schema, array, array.offset, [tuple(map(str.encode, each)) for each in names])
+    count = array.length
+    if count == 0:
+        return [numpy.empty(0, dtype) for _ in places]
+    return [numpy.asarray(_Memory(place, (count,), (step,), dtype, owner)) for place in places]
+
+
+def _check_name(schema, geometries):
+    name = _extension(schema)
+    if name and name not in [f"geoarrow.{each}" for each in geometries]:
+        raise ValueError(f"an Arrow array of {name} is none of {', '.join(geometries)}")
 
 
 def _extension(schema):
@@ -101,33 +172,43 @@ def _extension(schema):
 
 
 def _without_nulls(array):
-    if array.null_count != 0 and array.n_buffers > 0 and array.buffers[0]:
+    if array.null_count == 0 or array.n_buffers == 0 or not array.buffers[0]:
+        return
+    first, count = array.offset, array.length
+    bits = numpy.asarray(_Memory(array.buffers[0], ((first + count + 7) // 8,), None, numpy.dtype("u1"), None))
+    if array.null_count > 0 or not numpy.unpackbits(bits, bitorder="little")[first : first + count].all():
         raise ValueError("an Arrow array of shapes must have no nulls: drop or fill them first")
 
 
-def _vertices(schema, array, start, count, owner):
-    """A view of x and y: side by side, or columns at any distance."""
+def _places(schema, array, start, names):
+    """(addresses, step, dtype): where the numbers of the first element lie, and how far the next one's are."""
     _without_nulls(array)
+    wanted = names[0]
     if schema.format.startswith(b"+w:"):
         width = int(schema.format[3:])
-        first = array.children[0].contents
-        places, step = [first.offset + start * width + i for i in range(2)], width
-        columns, formats = [first, first], [schema.children[0].contents.format] * 2
+        columns, formats = [array.children[0].contents], [schema.children[0].contents.format]
+        places, step = [(0, columns[0].offset + start * width + i) for i in range(len(wanted))], width
     elif schema.format == b"+s":
-        names = [schema.children[i].contents.name for i in range(schema.n_children)]
-        if names[:2] != [b"x", b"y"]:
-            raise ValueError(f"vertices in Arrow have the columns x and y, not {names}")
-        columns = [array.children[i].contents for i in range(2)]
-        places, step, width = [start + column.offset for column in columns], 1, 2
-        formats = [schema.children[i].contents.format for i in range(2)]
+        found = [schema.children[i].contents.name for i in range(schema.n_children)]
+        wanted = next((each for each in names if set(each) <= set(found)), None)
+        if wanted is None:
+            raise ValueError(f"an Arrow array of structs needs the columns {_words(names)}, not {_words([found])}")
+        indexes = [found.index(name) for name in wanted]
+        columns = [array.children[i].contents for i in indexes]
+        formats = [schema.children[i].contents.format for i in indexes]
+        places, step, width = [(i, start + column.offset) for i, column in enumerate(columns)], 1, len(wanted)
     else:
-        raise ValueError(f"vertices in Arrow are pairs or columns x and y, not {schema.format.decode()!r}")
-    if width < 2 or formats not in ([b"g"] * 2, [b"f"] * 2):
-        raise ValueError(f"coordinates in Arrow are two doubles or floats, not {formats} of {width}")
-    dtype = numpy.dtype("f8" if formats[0] == b"g" else "f4")
-    if count == 0:
-        return numpy.empty((0, 2), dtype)
+        form = schema.format.decode()
+        raise ValueError(f"numbers in Arrow are lists of one size or columns {_words(names)}, not {form!r}")
+    points_have_more = wanted == (b"x", b"y") and width > 2
+    if (width != len(wanted) and not points_have_more) or set(formats) not in ({b"g"}, {b"f"}):
+        formats = ", ".join(form.decode() for form in formats)
+        raise ValueError(f"numbers in Arrow are {len(wanted)} doubles or floats, not {width} of the format {formats}")
     for column in columns:
         _without_nulls(column)
-    x, y = [(column.buffers[1] or 0) + place * dtype.itemsize for column, place in zip(columns, places)]
-    return numpy.asarray(_Memory(x, (count, 2), (step * dtype.itemsize, y - x), dtype, owner))
+    dtype = numpy.dtype("f8" if formats[0] == b"g" else "f4")
+    return [(columns[i].buffers[1] or 0) + place * dtype.itemsize for i, place in places], step * dtype.itemsize, dtype
+
+
+def _words(names):
+    return " or ".join(" ".join(name.decode() for name in each) for each in names)

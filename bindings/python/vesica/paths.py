@@ -5,7 +5,7 @@ import ctypes
 import numpy
 
 from . import _declarations
-from .arrow import of_geoarrow
+from .arrow import is_arrow, of_geoarrow
 from .shapes import VIEWS, Kind, Shapes, _floats, new_shapes
 
 # The C struct of a polygon, as numbers of the size of a pointer: x, y, stride, rings, count.
@@ -59,6 +59,28 @@ class Paths(Shapes):
             found.append([vertices[first + a : first + b].copy() for a, b in zip(ends, ends[1:])])
         return found
 
+    def ragged(self):
+        """(vertices (m, 2), offsets of rings, offsets of shapes): as GeoArrow and shapely.from_ragged_array have them.
+
+        Vertices are not copied if the shapes lie one after the other, as those of an array and of a slice do.
+        """
+        structs, vertices = self.columns[:2]
+        counts, index = structs["count"], numpy.arange(len(structs) + 1, dtype=numpy.int32)
+        if len(structs) == 0:
+            return vertices[:0], index, index
+        with_rings = len(self.columns) > 2
+        base, step = vertices.ctypes.data, vertices.strides[0]
+        if with_rings:
+            base, step = self.columns[2].ctypes.data, self.columns[2].itemsize
+        first = (structs["rings" if with_rings else "x"] - numpy.uintp(base)).astype(numpy.int64) // step
+        ends = first + counts
+        if (first[1:] != ends[:-1]).any():
+            return _of_rings(self.kind, self.rings, self.dtype).ragged()
+        offsets = numpy.append(first, ends[-1])
+        if not with_rings:
+            return vertices, offsets.astype(numpy.int32), index
+        return vertices, self.columns[2][offsets[0] : offsets[-1] + 1], (offsets - offsets[0]).astype(numpy.int32)
+
     @property
     def numbers(self):
         raise TypeError("polygons and polylines have no row of numbers; see `rings`")
@@ -88,7 +110,7 @@ def polygons(vertices, *offsets):
 
     vertices: (n, k, 2), so that (n, 4, 2) are quads and (n, 3, 2) triangles; (k, 2) for a single polygon; a list of
     polygons, each (k, 2) or a list of rings; (m, 2) with offsets; or an array of Arrow in GeoArrow's form, which has
-    __arrow_c_array__. Arrays are read where they lie.
+    __arrow_c_array__ or __arrow_c_stream__. Arrays are read where they lie.
     offsets: where each ring begins among the vertices, with the end: one ring a polygon. With a second array, where each
     polygon begins among the rings: those of GeoArrow, and of shapely.to_ragged_array.
     """
@@ -112,7 +134,7 @@ def _of_arrow(kind, array):
 
 
 def _make(kind, vertices, offsets):
-    if not offsets and hasattr(vertices, "__arrow_c_array__"):
+    if not offsets and is_arrow(vertices):
         return _of_arrow(kind, vertices)
     if len(offsets) == 1 and isinstance(offsets[0], tuple):
         offsets = offsets[0]

@@ -4,12 +4,14 @@ import ctypes
 import enum
 import itertools
 import operator
+from collections.abc import Mapping
 from numbers import Integral
 
 import numpy
 
 from . import _declarations
 from ._library import VesicaError, by_scalar, checked
+from .arrow import columns_of, is_arrow
 
 
 class Kind(enum.IntEnum):
@@ -33,6 +35,9 @@ FIELDS = {
     for kind in Kind
     if kind < Kind.POLYGON
 }
+# What GeoArrow calls the kinds that it has, and the numbers of boxes.
+_GEOARROW = {Kind.POINT: "point", Kind.AABB: "box"}
+_GEOARROW_BOX = ("xmin", "ymin", "xmax", "ymax")
 VIEWS = {"d": _declarations.shapes_f64, "f": _declarations.shapes_f32}
 CHECK = by_scalar("check")
 _RECT_FROM_CORNERS, _CORNERS_MISFIT = by_scalar("rect_from_corners"), by_scalar("rect_corners_misfit")
@@ -201,6 +206,8 @@ def _one_number(index):
 
 def plain(values, name):
     """Values as an array that has them all. Those that a mask hides would come to light, so there may be none."""
+    if hasattr(values, "__dlpack__") and not isinstance(values, numpy.ndarray):
+        values = _of_dlpack(values, name)
     kinds, masked = _elements(values) if isinstance(values, (list, tuple)) else (set(), numpy.ma.is_masked(values))
     if masked:
         raise ValueError(f"{name}: some of the numbers are masked, and masks are not looked at; take the others alone")
@@ -208,6 +215,22 @@ def plain(values, name):
     if kinds - {float, list, tuple} and array.dtype.kind == "f" and _rounded(values, array):
         raise ValueError(f"{name}: {array.dtype} lacks some of these whole numbers: above 2**53 it has not all")
     return array
+
+
+# What DLPack calls the devices whose memory this processor reads, and others.
+_READ_HERE = {1, 3, 11, 13}  # its own; CUDA's and ROCm's pinned and managed memory
+_DEVICES = {2: "CUDA", 4: "OpenCL", 7: "Vulkan", 8: "Metal", 10: "ROCm", 14: "oneAPI", 15: "WebGPU"}
+
+
+def _of_dlpack(tensor, name):
+    """A tensor of another library, as PyTorch, JAX and CuPy have them, where it lies."""
+    device, number = tensor.__dlpack_device__()
+    if int(device) not in _READ_HERE:
+        where = _DEVICES.get(int(device), f"of DLPack's type {int(device)}")
+        raise TypeError(f"{name}: the tensor is on the device {where} {number}; move it to the CPU first, as by .cpu()")
+    if not hasattr(numpy, "from_dlpack"):  # before 1.22
+        return numpy.asarray(tensor)
+    return numpy.from_dlpack(tensor)
 
 
 def _elements(values):
@@ -289,13 +312,22 @@ def _rows(array, what, *names):
 def shapes(kind, array):
     """Shapes of a kind from their numbers as the library has them (FIELDS), without a copy.
 
-    array: (n, numbers), a row a shape, of any strides; (numbers,) for a single shape; a list of such; or a structured
-    array that has fields of the names in FIELDS, among others.
+    array: (n, numbers), a row a shape, of any strides; (numbers,) for a single shape; a list of such; a structured
+    array, a dict or a table, as pandas and polars have it, with columns of the names in FIELDS, among others; or an
+    array of Arrow, of structs that have such columns, or of lists that have so many numbers. Boxes along the axes may
+    have GeoArrow's names there. A table that has other names is taken by the order of its columns.
     """
     kind = Kind(kind)
     if kind not in FIELDS:
         raise TypeError(f"{kind.name.lower()} shapes have vertices: they are made by vesica.{kind.name.lower()}s")
+    if is_arrow(array):
+        names = [FIELDS[kind], _GEOARROW_BOX] if kind == Kind.AABB else [FIELDS[kind]]
+        return _shapes_of(kind, columns_of(array, _GEOARROW.get(kind), *names))
     names = getattr(getattr(array, "dtype", None), "names", None)
+    if names is None and isinstance(array, Mapping):
+        names = list(array)
+    if names is None and set(FIELDS[kind]) <= set(getattr(array, "columns", ())):
+        names = list(array.columns)
     if names is None:
         rows, single = _rows(array, f"{kind.name.lower()} shapes", *FIELDS[kind])
         return _shapes_of(kind, [rows[:, i] for i in range(rows.shape[1])], single)
@@ -303,10 +335,13 @@ def shapes(kind, array):
     if missing:
         wanted = f"{kind.name.lower()} shapes need fields {' '.join(FIELDS[kind])}"
         raise ValueError(f"{wanted}; missing: {' '.join(missing)}")
-    columns = [_floats(numpy.atleast_1d(array)[name]) for name in FIELDS[kind]]
+    single = getattr(array, "ndim", None) == 0
+    columns = [_floats(numpy.atleast_1d(array)[name] if single else array[name]) for name in FIELDS[kind]]
     if len({column.dtype for column in columns}) > 1:
         raise TypeError("the fields of shapes are all float64 or all float32")
-    return _shapes_of(kind, _alike(columns), array.ndim == 0)
+    if len({column.shape for column in columns}) > 1:
+        raise ValueError(f"columns of different lengths: {', '.join(str(len(column)) for column in columns)}")
+    return _shapes_of(kind, _alike(columns), single)
 
 
 def points(xy):
