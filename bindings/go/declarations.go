@@ -729,6 +729,41 @@ func cBoundsMany(wide bool, shapes C.vesica_go_view, out *C.char) C.int64_t {
 	return C.go_bounds_many_f32(shapes, out)
 }
 
+func cConvexHull(wide bool, points *C.char, out *C.char, capacity C.int64_t) C.int64_t {
+	if wide {
+		return C.go_convex_hull_f64(points, out, capacity)
+	}
+	return C.go_convex_hull_f32(points, out, capacity)
+}
+
+func cMinAreaRect(wide bool, points *C.char, out *C.char) C.int32_t {
+	if wide {
+		return C.go_min_area_rect_f64(points, out)
+	}
+	return C.go_min_area_rect_f32(points, out)
+}
+
+func cMinPerimeterRect(wide bool, points *C.char, out *C.char) C.int32_t {
+	if wide {
+		return C.go_min_perimeter_rect_f64(points, out)
+	}
+	return C.go_min_perimeter_rect_f32(points, out)
+}
+
+func cMinAreaRectMany(wide bool, points C.vesica_go_view, out *C.char) C.int64_t {
+	if wide {
+		return C.go_min_area_rect_many_f64(points, out)
+	}
+	return C.go_min_area_rect_many_f32(points, out)
+}
+
+func cMinPerimeterRectMany(wide bool, points C.vesica_go_view, out *C.char) C.int64_t {
+	if wide {
+		return C.go_min_perimeter_rect_many_f64(points, out)
+	}
+	return C.go_min_perimeter_rect_many_f32(points, out)
+}
+
 func cIndexBuild(wide bool, sets C.vesica_go_sets, setCount C.int32_t, index *C.char, indexSize C.int64_t,
 	scratch *C.char, scratchSize C.int64_t) C.int64_t {
 	if wide {

@@ -678,6 +678,54 @@ static inline int64_t go_bounds_many_f32(vesica_go_view shapes, char *out) {
     return vesica_bounds_many_f32(&of_shapes, (void *)out);
 }
 
+static inline int64_t go_convex_hull_f64(const char *points, char *out, int64_t capacity) {
+    return vesica_convex_hull_f64((const void *)points, (void *)out, capacity);
+}
+
+static inline int64_t go_convex_hull_f32(const char *points, char *out, int64_t capacity) {
+    return vesica_convex_hull_f32((const void *)points, (void *)out, capacity);
+}
+
+static inline int32_t go_min_area_rect_f64(const char *points, char *out) {
+    return vesica_min_area_rect_f64((const void *)points, (void *)out);
+}
+
+static inline int32_t go_min_area_rect_f32(const char *points, char *out) {
+    return vesica_min_area_rect_f32((const void *)points, (void *)out);
+}
+
+static inline int32_t go_min_perimeter_rect_f64(const char *points, char *out) {
+    return vesica_min_perimeter_rect_f64((const void *)points, (void *)out);
+}
+
+static inline int32_t go_min_perimeter_rect_f32(const char *points, char *out) {
+    return vesica_min_perimeter_rect_f32((const void *)points, (void *)out);
+}
+
+static inline int64_t go_min_area_rect_many_f64(vesica_go_view points, char *out) {
+    vesica_shapes_f64 of_points;
+    memcpy(&of_points, &points, sizeof of_points);
+    return vesica_min_area_rect_many_f64(&of_points, (void *)out);
+}
+
+static inline int64_t go_min_area_rect_many_f32(vesica_go_view points, char *out) {
+    vesica_shapes_f32 of_points;
+    memcpy(&of_points, &points, sizeof of_points);
+    return vesica_min_area_rect_many_f32(&of_points, (void *)out);
+}
+
+static inline int64_t go_min_perimeter_rect_many_f64(vesica_go_view points, char *out) {
+    vesica_shapes_f64 of_points;
+    memcpy(&of_points, &points, sizeof of_points);
+    return vesica_min_perimeter_rect_many_f64(&of_points, (void *)out);
+}
+
+static inline int64_t go_min_perimeter_rect_many_f32(vesica_go_view points, char *out) {
+    vesica_shapes_f32 of_points;
+    memcpy(&of_points, &points, sizeof of_points);
+    return vesica_min_perimeter_rect_many_f32(&of_points, (void *)out);
+}
+
 static inline int64_t go_index_build_f64(vesica_go_sets sets, int32_t set_count, char *index, int64_t index_size,
     char *scratch, int64_t scratch_size) {
     vesica_shapes_f64 of_sets[64];

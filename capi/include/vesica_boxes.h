@@ -1,5 +1,6 @@
 /*
- * Vesica: arrays of boxes as detectors write them, with centre, width, height and angle; corners and bounds of arrays.
+ * Vesica: arrays of boxes as detectors write them, with centre, width, height and angle; corners and bounds of arrays;
+ * convex hulls of points and the smallest rectangles about them.
  *
  * SPDX-License-Identifier: Apache-2.0
  *
@@ -82,6 +83,67 @@ VESICA_API int64_t vesica_corners_of_shapes_f64(const vesica_shapes_f64 *shapes,
  */
 VESICA_API int64_t vesica_bounds_many_f64(const vesica_shapes_f64 *shapes, vesica_aabb_f64 *out);
 
+/* ---- Hulls of points, double ----
+ * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+ * Since: 0.1.
+ */
+
+/**
+ * The convex hull of points: the smallest convex polygon that contains them.
+ *
+ * Points are the vertices of a polygon; their order and its rings do not matter. Corners of the hull run counter-
+ * clockwise where y points up, from the lowest of the leftmost points on. None of them is on the line between its
+ * neighbours. Equal points have one corner; points on one line have two.
+ * Requires: out, room for `capacity` points: as many as there are, because they are sorted there.
+ * Returns: the number of corners.
+ * Errors: VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_ARGUMENT (less room). Nothing is written.
+ * Accuracy: exact.
+ * Cost: that of sorting the points.
+ */
+VESICA_API int64_t vesica_convex_hull_f64(const vesica_polygon_f64 *points, vesica_point_f64 *out, int64_t capacity);
+
+/**
+ * The rectangle of the least area that contains points.
+ *
+ * Points are as in vesica_convex_hull_f64. The rectangle has a side along an edge of their hull. Its axis is the
+ * direction of that edge, counter-clockwise round the hull where y points up, and hx is half the length along it. Of
+ * equal rectangles it is the first, from the lowest of the leftmost points on; areas are compared as they are computed.
+ * Points on one line give a rectangle without height. vesica_rect_corners_misfit_f64 says how far four corners are from
+ * it.
+ * Returns: 0.
+ * Errors: VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_RANGE (a number would overflow), VESICA_E_NOT_CONVEX (the hull
+ * has more than 512 corners, and the points are not in its order: find it by vesica_convex_hull_f64 first).
+ * Accuracy: no point is outside by more than 8 u times the sum of the points' extent and the largest coordinate, and
+ * each side is that near to a point.
+ * Cost: that of vesica_convex_hull_f64, and for each corner of the hull about as much again as for a point.
+ */
+VESICA_API int32_t vesica_min_area_rect_f64(const vesica_polygon_f64 *points, vesica_rect_f64 *out);
+
+/**
+ * The rectangle of the least perimeter that contains points, else as vesica_min_area_rect_f64.
+ * Returns: 0.
+ * Errors: as vesica_min_area_rect_f64.
+ * Accuracy: as vesica_min_area_rect_f64.
+ */
+VESICA_API int32_t vesica_min_perimeter_rect_f64(const vesica_polygon_f64 *points, vesica_rect_f64 *out);
+
+/**
+ * The rectangles of the least area about each polygon or polyline of an array.
+ * Requires: points, of kind VESICA_POLYGON or VESICA_POLYLINE; out, room for `count`.
+ * Returns: 0.
+ * Errors: as the arrays above. If the hull of an element has too many corners, that is VESICA_E_SHAPE.
+ * Accuracy: as vesica_min_area_rect_f64.
+ */
+VESICA_API int64_t vesica_min_area_rect_many_f64(const vesica_shapes_f64 *points, vesica_rect_f64 *out);
+
+/**
+ * The rectangles of the least perimeter about each polygon or polyline of an array.
+ * Requires: as vesica_min_area_rect_many_f64.
+ * Errors: as vesica_min_area_rect_many_f64.
+ * Accuracy: as vesica_min_area_rect_f64.
+ */
+VESICA_API int64_t vesica_min_perimeter_rect_many_f64(const vesica_shapes_f64 *points, vesica_rect_f64 *out);
+
 /* ---- The same functions with float in place of double ---- */
 
 /** As vesica_rects_from_boxes_f64, rounded to float. */
@@ -96,6 +158,16 @@ VESICA_API int64_t vesica_boxes_from_shapes_f32(const vesica_shapes_f32 *shapes,
 VESICA_API int64_t vesica_corners_of_shapes_f32(const vesica_shapes_f32 *shapes, float *corners);
 /** As vesica_bounds_many_f64. */
 VESICA_API int64_t vesica_bounds_many_f32(const vesica_shapes_f32 *shapes, vesica_aabb_f32 *out);
+/** As vesica_convex_hull_f64. */
+VESICA_API int64_t vesica_convex_hull_f32(const vesica_polygon_f32 *points, vesica_point_f32 *out, int64_t capacity);
+/** As vesica_min_area_rect_f64, rounded to float. */
+VESICA_API int32_t vesica_min_area_rect_f32(const vesica_polygon_f32 *points, vesica_rect_f32 *out);
+/** As vesica_min_perimeter_rect_f64, rounded to float. */
+VESICA_API int32_t vesica_min_perimeter_rect_f32(const vesica_polygon_f32 *points, vesica_rect_f32 *out);
+/** As vesica_min_area_rect_many_f64, rounded to float. */
+VESICA_API int64_t vesica_min_area_rect_many_f32(const vesica_shapes_f32 *points, vesica_rect_f32 *out);
+/** As vesica_min_perimeter_rect_many_f64, rounded to float. */
+VESICA_API int64_t vesica_min_perimeter_rect_many_f32(const vesica_shapes_f32 *points, vesica_rect_f32 *out);
 
 #ifdef __cplusplus
 }

@@ -24,6 +24,12 @@
 #define vesica_bounds(shape, out) VESICA_ONE_(vesica_bounds, shape, out)
 #define vesica_polygon_facts(polygon, out) \
     VESICA_QUERY_(vesica_polygon_facts, VESICA_SIZE_(polygon) & VESICA_SIZE_(out))(polygon, out)
+#define vesica_convex_hull(points, out, capacity) \
+    VESICA_QUERY_(vesica_convex_hull, VESICA_SIZE_(points) & VESICA_SIZE_(out))(points, out, capacity)
+#define vesica_min_area_rect(points, out) \
+    VESICA_QUERY_(vesica_min_area_rect, VESICA_SIZE_(points) & VESICA_SIZE_(out))(points, out)
+#define vesica_min_perimeter_rect(points, out) \
+    VESICA_QUERY_(vesica_min_perimeter_rect, VESICA_SIZE_(points) & VESICA_SIZE_(out))(points, out)
 
 #define vesica_overlap(a, b) VESICA_TWO_(vesica_overlap, a, b)
 #define vesica_interiors_overlap(a, b) VESICA_TWO_(vesica_interiors_overlap, a, b)

@@ -70,7 +70,9 @@ FITTING = {
     "kind": lambda draw: vesica.Kind.ELLIPSE,
     "array": lambda draw: rows(draw, draw.choice([5, 6])),
     "xy": lambda draw: rows(draw, 2),
-    "vertices": lambda draw: draw.choice([[rows(draw, 2)] * 3, rows(draw, 2), numpy.zeros((2, 4, 2))]),
+    **dict.fromkeys(
+        ("vertices", "points"), lambda draw: draw.choice([[rows(draw, 2)] * 3, rows(draw, 2), numpy.zeros((2, 4, 2))])
+    ),
     "offsets": lambda draw: (),
     "xyr": lambda draw: rows(draw, 3),
     "xyxy": lambda draw: rows(draw, 4),

@@ -414,16 +414,16 @@ def shape_area(shape):
 
 def bounds(shape):
     """The smallest boxes that surely contain shapes, as aabbs."""
-    return shapes(Kind.AABB, _numbers_of(shape, _BOUNDS, 4))
+    return shapes(Kind.AABB, numbers_of(shape, _BOUNDS, 4))
 
 
 def corners(shape):
     """The corners of rectangles, or of the boxes about ellipses: (n, 4, 2), or (4, 2) of a single one."""
-    numbers = _numbers_of(shape, _CORNERS, 8)
+    numbers = numbers_of(shape, _CORNERS, 8)
     return numbers.reshape(numbers.shape[:-1] + (4, 2))
 
 
-def _numbers_of(shape, functions, numbers):
+def numbers_of(shape, functions, numbers):
     """Some numbers of each shape, by a C function of arrays."""
     the_shapes(shape, "shape")
     out = numpy.empty((len(shape.columns[0]), numbers), shape.dtype)

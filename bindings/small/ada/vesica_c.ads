@@ -1041,6 +1041,28 @@ package Vesica_C is
    function Vesica_Bounds_Many_F64 (Shapes : System.Address; Output : System.Address) return Integer_64
      with Import, Convention => C, External_Name => "vesica_bounds_many_f64";
 
+   --  The convex hull of points: the smallest convex polygon that contains them.
+   function Vesica_Convex_Hull_F64 (Points : System.Address; Output : System.Address; Capacity : Integer_64)
+      return Integer_64
+     with Import, Convention => C, External_Name => "vesica_convex_hull_f64";
+
+   --  The rectangle of the least area that contains points.
+   function Vesica_Min_Area_Rect_F64 (Points : System.Address; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_min_area_rect_f64";
+
+   --  The rectangle of the least perimeter that contains points, else as vesica_min_area_rect_f64.
+   function Vesica_Min_Perimeter_Rect_F64 (Points : System.Address; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_min_perimeter_rect_f64";
+
+   --  The rectangles of the least area about each polygon or polyline of an array.
+   function Vesica_Min_Area_Rect_Many_F64 (Points : System.Address; Output : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_min_area_rect_many_f64";
+
+   --  The rectangles of the least perimeter about each polygon or polyline of an array.
+   function Vesica_Min_Perimeter_Rect_Many_F64 (Points : System.Address; Output : System.Address) return
+      Integer_64
+     with Import, Convention => C, External_Name => "vesica_min_perimeter_rect_many_f64";
+
    --  Rectangles from boxes.
    function Vesica_Rects_From_Boxes_F32 (Boxes : System.Address; Count : Integer_64; Stride : ptrdiff_t; Angle :
       Integer_32; Output : System.Address) return Integer_64
@@ -1063,6 +1085,28 @@ package Vesica_C is
    --  Bounding boxes of an array of any kind: out[i] is the result of vesica_bounds_f32.
    function Vesica_Bounds_Many_F32 (Shapes : System.Address; Output : System.Address) return Integer_64
      with Import, Convention => C, External_Name => "vesica_bounds_many_f32";
+
+   --  The convex hull of points: the smallest convex polygon that contains them.
+   function Vesica_Convex_Hull_F32 (Points : System.Address; Output : System.Address; Capacity : Integer_64)
+      return Integer_64
+     with Import, Convention => C, External_Name => "vesica_convex_hull_f32";
+
+   --  The rectangle of the least area that contains points.
+   function Vesica_Min_Area_Rect_F32 (Points : System.Address; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_min_area_rect_f32";
+
+   --  The rectangle of the least perimeter that contains points, else as vesica_min_area_rect_f32.
+   function Vesica_Min_Perimeter_Rect_F32 (Points : System.Address; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_min_perimeter_rect_f32";
+
+   --  The rectangles of the least area about each polygon or polyline of an array.
+   function Vesica_Min_Area_Rect_Many_F32 (Points : System.Address; Output : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_min_area_rect_many_f32";
+
+   --  The rectangles of the least perimeter about each polygon or polyline of an array.
+   function Vesica_Min_Perimeter_Rect_Many_F32 (Points : System.Address; Output : System.Address) return
+      Integer_64
+     with Import, Convention => C, External_Name => "vesica_min_perimeter_rect_many_f32";
 
    --  How many bytes suffice for an index of `count` shapes, of any kinds?
    function Vesica_Index_Size (Count : Integer_64) return Integer_64

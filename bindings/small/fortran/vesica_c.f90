@@ -1593,6 +1593,42 @@ module vesica_c
       type(c_ptr), value :: out
     end function
 
+    !> The convex hull of points: the smallest convex polygon that contains them.
+    integer(c_int64_t) function vesica_convex_hull_f64(points, out, capacity) bind(c)
+      import
+      type(vesica_polygon_f64), intent(in) :: points
+      type(vesica_point_f64), intent(out) :: out
+      integer(c_int64_t), value :: capacity
+    end function
+
+    !> The rectangle of the least area that contains points.
+    integer(c_int32_t) function vesica_min_area_rect_f64(points, out) bind(c)
+      import
+      type(vesica_polygon_f64), intent(in) :: points
+      type(vesica_rect_f64), intent(out) :: out
+    end function
+
+    !> The rectangle of the least perimeter that contains points, else as vesica_min_area_rect_f64.
+    integer(c_int32_t) function vesica_min_perimeter_rect_f64(points, out) bind(c)
+      import
+      type(vesica_polygon_f64), intent(in) :: points
+      type(vesica_rect_f64), intent(out) :: out
+    end function
+
+    !> The rectangles of the least area about each polygon or polyline of an array.
+    integer(c_int64_t) function vesica_min_area_rect_many_f64(points, out) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: points
+      type(vesica_rect_f64), intent(out) :: out
+    end function
+
+    !> The rectangles of the least perimeter about each polygon or polyline of an array.
+    integer(c_int64_t) function vesica_min_perimeter_rect_many_f64(points, out) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: points
+      type(vesica_rect_f64), intent(out) :: out
+    end function
+
     !> Rectangles from boxes.
     integer(c_int64_t) function vesica_rects_from_boxes_f32(boxes, count, stride, angle, out) bind(c)
       import
@@ -1633,6 +1669,42 @@ module vesica_c
       import
       type(vesica_shapes_f32), intent(in) :: shapes
       type(c_ptr), value :: out
+    end function
+
+    !> The convex hull of points: the smallest convex polygon that contains them.
+    integer(c_int64_t) function vesica_convex_hull_f32(points, out, capacity) bind(c)
+      import
+      type(vesica_polygon_f32), intent(in) :: points
+      type(vesica_point_f32), intent(out) :: out
+      integer(c_int64_t), value :: capacity
+    end function
+
+    !> The rectangle of the least area that contains points.
+    integer(c_int32_t) function vesica_min_area_rect_f32(points, out) bind(c)
+      import
+      type(vesica_polygon_f32), intent(in) :: points
+      type(vesica_rect_f32), intent(out) :: out
+    end function
+
+    !> The rectangle of the least perimeter that contains points, else as vesica_min_area_rect_f32.
+    integer(c_int32_t) function vesica_min_perimeter_rect_f32(points, out) bind(c)
+      import
+      type(vesica_polygon_f32), intent(in) :: points
+      type(vesica_rect_f32), intent(out) :: out
+    end function
+
+    !> The rectangles of the least area about each polygon or polyline of an array.
+    integer(c_int64_t) function vesica_min_area_rect_many_f32(points, out) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: points
+      type(vesica_rect_f32), intent(out) :: out
+    end function
+
+    !> The rectangles of the least perimeter about each polygon or polyline of an array.
+    integer(c_int64_t) function vesica_min_perimeter_rect_many_f32(points, out) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: points
+      type(vesica_rect_f32), intent(out) :: out
     end function
 
     !> How many bytes suffice for an index of `count` shapes, of any kinds?

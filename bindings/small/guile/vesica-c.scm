@@ -371,6 +371,16 @@
 (c vesica_corners_of_shapes_f64 int64 '* '*)
 ;; Bounding boxes of an array of any kind: out[i] is the result of vesica_bounds_f64.
 (c vesica_bounds_many_f64 int64 '* '*)
+;; The convex hull of points: the smallest convex polygon that contains them.
+(c vesica_convex_hull_f64 int64 '* '* int64)
+;; The rectangle of the least area that contains points.
+(c vesica_min_area_rect_f64 int32 '* '*)
+;; The rectangle of the least perimeter that contains points, else as vesica_min_area_rect_f64.
+(c vesica_min_perimeter_rect_f64 int32 '* '*)
+;; The rectangles of the least area about each polygon or polyline of an array.
+(c vesica_min_area_rect_many_f64 int64 '* '*)
+;; The rectangles of the least perimeter about each polygon or polyline of an array.
+(c vesica_min_perimeter_rect_many_f64 int64 '* '*)
 ;; Rectangles from boxes.
 (c vesica_rects_from_boxes_f32 int64 '* int64 ptrdiff_t int32 '*)
 ;; Ellipses from their bounding boxes: each touches the sides of its turned box in the middle.
@@ -381,6 +391,16 @@
 (c vesica_corners_of_shapes_f32 int64 '* '*)
 ;; Bounding boxes of an array of any kind: out[i] is the result of vesica_bounds_f32.
 (c vesica_bounds_many_f32 int64 '* '*)
+;; The convex hull of points: the smallest convex polygon that contains them.
+(c vesica_convex_hull_f32 int64 '* '* int64)
+;; The rectangle of the least area that contains points.
+(c vesica_min_area_rect_f32 int32 '* '*)
+;; The rectangle of the least perimeter that contains points, else as vesica_min_area_rect_f32.
+(c vesica_min_perimeter_rect_f32 int32 '* '*)
+;; The rectangles of the least area about each polygon or polyline of an array.
+(c vesica_min_area_rect_many_f32 int64 '* '*)
+;; The rectangles of the least perimeter about each polygon or polyline of an array.
+(c vesica_min_perimeter_rect_many_f32 int64 '* '*)
 ;; How many bytes suffice for an index of `count` shapes, of any kinds?
 (c vesica_index_size int64 int64)
 ;; How many bytes of scratch does building an index of `count` shapes need?

@@ -780,6 +780,21 @@ function vesica_corners_of_shapes_f64(shapes: PVesicaShapesF64; corners: PDouble
 // Bounding boxes of an array of any kind: out[i] is the result of vesica_bounds_f64.
 function vesica_bounds_many_f64(shapes: PVesicaShapesF64; output: PVesicaAabbF64): Int64; cdecl; external
   vesica_library;
+// The convex hull of points: the smallest convex polygon that contains them.
+function vesica_convex_hull_f64(points: PVesicaPolygonF64; output: PVesicaPointF64; capacity: Int64): Int64; cdecl;
+  external vesica_library;
+// The rectangle of the least area that contains points.
+function vesica_min_area_rect_f64(points: PVesicaPolygonF64; output: PVesicaRectF64): Int32; cdecl; external
+  vesica_library;
+// The rectangle of the least perimeter that contains points, else as vesica_min_area_rect_f64.
+function vesica_min_perimeter_rect_f64(points: PVesicaPolygonF64; output: PVesicaRectF64): Int32; cdecl; external
+  vesica_library;
+// The rectangles of the least area about each polygon or polyline of an array.
+function vesica_min_area_rect_many_f64(points: PVesicaShapesF64; output: PVesicaRectF64): Int64; cdecl; external
+  vesica_library;
+// The rectangles of the least perimeter about each polygon or polyline of an array.
+function vesica_min_perimeter_rect_many_f64(points: PVesicaShapesF64; output: PVesicaRectF64): Int64; cdecl;
+  external vesica_library;
 // Rectangles from boxes.
 function vesica_rects_from_boxes_f32(boxes: PSingle; count: Int64; stride: PtrInt; angle: Int32; output:
   PVesicaRectF32): Int64; cdecl; external vesica_library;
@@ -795,6 +810,21 @@ function vesica_corners_of_shapes_f32(shapes: PVesicaShapesF32; corners: PSingle
 // Bounding boxes of an array of any kind: out[i] is the result of vesica_bounds_f32.
 function vesica_bounds_many_f32(shapes: PVesicaShapesF32; output: PVesicaAabbF32): Int64; cdecl; external
   vesica_library;
+// The convex hull of points: the smallest convex polygon that contains them.
+function vesica_convex_hull_f32(points: PVesicaPolygonF32; output: PVesicaPointF32; capacity: Int64): Int64; cdecl;
+  external vesica_library;
+// The rectangle of the least area that contains points.
+function vesica_min_area_rect_f32(points: PVesicaPolygonF32; output: PVesicaRectF32): Int32; cdecl; external
+  vesica_library;
+// The rectangle of the least perimeter that contains points, else as vesica_min_area_rect_f32.
+function vesica_min_perimeter_rect_f32(points: PVesicaPolygonF32; output: PVesicaRectF32): Int32; cdecl; external
+  vesica_library;
+// The rectangles of the least area about each polygon or polyline of an array.
+function vesica_min_area_rect_many_f32(points: PVesicaShapesF32; output: PVesicaRectF32): Int64; cdecl; external
+  vesica_library;
+// The rectangles of the least perimeter about each polygon or polyline of an array.
+function vesica_min_perimeter_rect_many_f32(points: PVesicaShapesF32; output: PVesicaRectF32): Int64; cdecl;
+  external vesica_library;
 // How many bytes suffice for an index of `count` shapes, of any kinds?
 function vesica_index_size(count: Int64): Int64; cdecl; external vesica_library;
 // How many bytes of scratch does building an index of `count` shapes need?

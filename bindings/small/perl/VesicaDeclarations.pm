@@ -371,6 +371,16 @@ our @FUNCTIONS = (
     [vesica_corners_of_shapes_f64 => ['opaque', 'opaque'] => 'sint64'],
     # Bounding boxes of an array of any kind: out[i] is the result of vesica_bounds_f64.
     [vesica_bounds_many_f64 => ['opaque', 'opaque'] => 'sint64'],
+    # The convex hull of points: the smallest convex polygon that contains them.
+    [vesica_convex_hull_f64 => ['opaque', 'opaque', 'sint64'] => 'sint64'],
+    # The rectangle of the least area that contains points.
+    [vesica_min_area_rect_f64 => ['opaque', 'opaque'] => 'sint32'],
+    # The rectangle of the least perimeter that contains points, else as vesica_min_area_rect_f64.
+    [vesica_min_perimeter_rect_f64 => ['opaque', 'opaque'] => 'sint32'],
+    # The rectangles of the least area about each polygon or polyline of an array.
+    [vesica_min_area_rect_many_f64 => ['opaque', 'opaque'] => 'sint64'],
+    # The rectangles of the least perimeter about each polygon or polyline of an array.
+    [vesica_min_perimeter_rect_many_f64 => ['opaque', 'opaque'] => 'sint64'],
     # Rectangles from boxes.
     [vesica_rects_from_boxes_f32 => ['opaque', 'sint64', 'sint64', 'sint32', 'opaque'] => 'sint64'],
     # Ellipses from their bounding boxes: each touches the sides of its turned box in the middle.
@@ -381,6 +391,16 @@ our @FUNCTIONS = (
     [vesica_corners_of_shapes_f32 => ['opaque', 'opaque'] => 'sint64'],
     # Bounding boxes of an array of any kind: out[i] is the result of vesica_bounds_f32.
     [vesica_bounds_many_f32 => ['opaque', 'opaque'] => 'sint64'],
+    # The convex hull of points: the smallest convex polygon that contains them.
+    [vesica_convex_hull_f32 => ['opaque', 'opaque', 'sint64'] => 'sint64'],
+    # The rectangle of the least area that contains points.
+    [vesica_min_area_rect_f32 => ['opaque', 'opaque'] => 'sint32'],
+    # The rectangle of the least perimeter that contains points, else as vesica_min_area_rect_f32.
+    [vesica_min_perimeter_rect_f32 => ['opaque', 'opaque'] => 'sint32'],
+    # The rectangles of the least area about each polygon or polyline of an array.
+    [vesica_min_area_rect_many_f32 => ['opaque', 'opaque'] => 'sint64'],
+    # The rectangles of the least perimeter about each polygon or polyline of an array.
+    [vesica_min_perimeter_rect_many_f32 => ['opaque', 'opaque'] => 'sint64'],
     # How many bytes suffice for an index of `count` shapes, of any kinds?
     [vesica_index_size => ['sint64'] => 'sint64'],
     # How many bytes of scratch does building an index of `count` shapes need?

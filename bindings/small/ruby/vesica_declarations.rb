@@ -363,6 +363,16 @@ module Vesica
     'int64_t vesica_corners_of_shapes_f64(void *, void *)',
     # Bounding boxes of an array of any kind: out[i] is the result of vesica_bounds_f64.
     'int64_t vesica_bounds_many_f64(void *, void *)',
+    # The convex hull of points: the smallest convex polygon that contains them.
+    'int64_t vesica_convex_hull_f64(void *, void *, int64_t)',
+    # The rectangle of the least area that contains points.
+    'int vesica_min_area_rect_f64(void *, void *)',
+    # The rectangle of the least perimeter that contains points, else as vesica_min_area_rect_f64.
+    'int vesica_min_perimeter_rect_f64(void *, void *)',
+    # The rectangles of the least area about each polygon or polyline of an array.
+    'int64_t vesica_min_area_rect_many_f64(void *, void *)',
+    # The rectangles of the least perimeter about each polygon or polyline of an array.
+    'int64_t vesica_min_perimeter_rect_many_f64(void *, void *)',
     # Rectangles from boxes.
     'int64_t vesica_rects_from_boxes_f32(void *, int64_t, ptrdiff_t, int, void *)',
     # Ellipses from their bounding boxes: each touches the sides of its turned box in the middle.
@@ -373,6 +383,16 @@ module Vesica
     'int64_t vesica_corners_of_shapes_f32(void *, void *)',
     # Bounding boxes of an array of any kind: out[i] is the result of vesica_bounds_f32.
     'int64_t vesica_bounds_many_f32(void *, void *)',
+    # The convex hull of points: the smallest convex polygon that contains them.
+    'int64_t vesica_convex_hull_f32(void *, void *, int64_t)',
+    # The rectangle of the least area that contains points.
+    'int vesica_min_area_rect_f32(void *, void *)',
+    # The rectangle of the least perimeter that contains points, else as vesica_min_area_rect_f32.
+    'int vesica_min_perimeter_rect_f32(void *, void *)',
+    # The rectangles of the least area about each polygon or polyline of an array.
+    'int64_t vesica_min_area_rect_many_f32(void *, void *)',
+    # The rectangles of the least perimeter about each polygon or polyline of an array.
+    'int64_t vesica_min_perimeter_rect_many_f32(void *, void *)',
     # How many bytes suffice for an index of `count` shapes, of any kinds?
     'int64_t vesica_index_size(int64_t)',
     # How many bytes of scratch does building an index of `count` shapes need?

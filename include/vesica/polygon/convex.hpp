@@ -15,13 +15,19 @@ struct Convexity {
   Edge span;
 };
 
+/// The order from left to right, and upwards.
+template <class P>
+bool is_left_of(const P& p, const P& q) noexcept {
+  return p.x < q.x || (p.x == q.x && p.y < q.y);
+}
+
 /// Follows a ring by its distinct vertices.
 class Turns {
  public:
   void pass(const Point<double>& q) noexcept {
     if (count_ > 0 && q.x == to_.x && q.y == to_.y) return;
     if (count_ > 0) {
-      const bool forward = precedes(to_, q);
+      const bool forward = is_left_of(to_, q);
       if (count_ > 1) turn(q, forward);
       forward_ = forward;
       from_ = to_;
@@ -40,13 +46,9 @@ class Turns {
   /// A ring that winds once goes back once.
   bool convex() const noexcept { return left_ != right_ && !reversed_ && changes_ == 2; }
 
-  static bool precedes(const Point<double>& p, const Point<double>& q) noexcept {
-    return p.x < q.x || (p.x == q.x && p.y < q.y);
-  }
-
  private:
   void turn(const Point<double>& q, bool forward) noexcept {
-    const int side = polygon::side(q.x, q.y, {from_.x, from_.y, to_.x, to_.y});
+    const int side = polygon::turn(from_, to_, q);
     left_ = left_ || side > 0;
     right_ = right_ || side < 0;
     reversed_ = reversed_ || (side == 0 && forward != forward_);
@@ -73,8 +75,8 @@ Convexity convexity(const Edges<T>& edges) noexcept {
   for (std::int64_t i = ring.first; i < ring.last; ++i) {
     const Point<double> p = edges.vertex(i);
     turns.pass(p);
-    if (Turns::precedes(p, least)) least = p;
-    if (Turns::precedes(most, p)) most = p;
+    if (is_left_of(p, least)) least = p;
+    if (is_left_of(most, p)) most = p;
   }
   if (edges.closed()) turns.close(edges.vertex(ring.first));
   const bool flat = turns.flat();

@@ -41,6 +41,7 @@ constexpr void extend(Box& box, double x, double y) noexcept {
   box.max_y = lane::max(y, box.max_y);
 }
 
+constexpr bool has_length(const Edge& e) noexcept { return e.x0 != e.x1 || e.y0 != e.y1; }
 constexpr Box box_of(const Edge& e) noexcept {
   return {lesser(e.x0, e.x1), lesser(e.y0, e.y1), greater(e.x0, e.x1), greater(e.y0, e.y1)};
 }

@@ -27,6 +27,10 @@ VESICA_INLINE int side(double px, double py, const Edge& e) noexcept {
   if (cross < -bound) return -1;
   return exact_side(px, py, e);
 }
+/// 1 if the way from a through b to c turns left at b, -1 if right, 0 if it does not turn. Exact.
+VESICA_INLINE int turn(const Point<double>& a, const Point<double>& b, const Point<double>& c) noexcept {
+  return side(c.x, c.y, {a.x, a.y, b.x, b.y});
+}
 
 /// Does the ray from p to the right cross an edge? The edge holds its lower end and not its upper one, so that a
 /// vertex on the ray counts once. p must be on no edge.

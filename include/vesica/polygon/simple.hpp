@@ -36,11 +36,6 @@ class SelfCrossing {
     }
   };
 
-  /// 1 if a, b and c turn left, -1 if right, 0 if they are on one line.
-  static int turn(const Point<double>& a, const Point<double>& b, const Point<double>& c) noexcept {
-    return side(a.x, a.y, {b.x, b.y, c.x, c.y});
-  }
-
   bool conflict(const Edge& e, std::int64_t i, const Edge& f, std::int64_t j) const noexcept {
     if (!has_length(e) || !has_length(f)) return false;
     const int s0 = side(f.x0, f.y0, e), s1 = side(f.x1, f.y1, e), t0 = side(e.x0, e.y0, f), t1 = side(e.x1, e.y1, f);

@@ -22,7 +22,6 @@
 
 namespace vesica::detail::polygon {
 
-constexpr bool has_length(const Edge& e) noexcept { return e.x0 != e.x1 || e.y0 != e.y1; }
 constexpr bool same(const Point<double>& p, const Point<double>& q) noexcept { return p.x == q.x && p.y == q.y; }
 constexpr Point<double> start_of(const Edge& e) noexcept { return {e.x0, e.y0}; }
 constexpr Point<double> end_of(const Edge& e) noexcept { return {e.x1, e.y1}; }

@@ -2789,6 +2789,78 @@ extern "C" {
     ///
     /// Since: 0.1.
     pub fn vesica_bounds_many_f64(shapes: *const Shapes<f64>, out: *mut Aabb<f64>) -> i64;
+    /// The convex hull of points: the smallest convex polygon that contains them.
+    ///
+    /// Points are the vertices of a polygon; their order and its rings do not matter. Corners of the hull run counter-
+    /// clockwise where y points up, from the lowest of the leftmost points on. None of them is on the line between its
+    /// neighbours. Equal points have one corner; points on one line have two.
+    ///
+    /// Requires: out, room for `capacity` points: as many as there are, because they are sorted there.
+    ///
+    /// Returns: the number of corners.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_ARGUMENT (less room). Nothing is written.
+    ///
+    /// Accuracy: exact.
+    ///
+    /// Cost: that of sorting the points.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_convex_hull_f64(points: *const Polygon<f64>, out: *mut Point<f64>, capacity: i64) -> i64;
+    /// The rectangle of the least area that contains points.
+    ///
+    /// Points are as in vesica_convex_hull_f64. The rectangle has a side along an edge of their hull. Its axis is the
+    /// direction of that edge, counter-clockwise round the hull where y points up, and hx is half the length along it.
+    /// Of equal rectangles it is the first, from the lowest of the leftmost points on; areas are compared as they are
+    /// computed. Points on one line give a rectangle without height. vesica_rect_corners_misfit_f64 says how far four
+    /// corners are from it.
+    ///
+    /// Returns: 0.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_RANGE (a number would overflow), VESICA_E_NOT_CONVEX (the hull
+    /// has more than 512 corners, and the points are not in its order: find it by vesica_convex_hull_f64 first).
+    ///
+    /// Accuracy: no point is outside by more than 8 u times the sum of the points' extent and the largest coordinate,
+    /// and each side is that near to a point. In bounds on errors u is 2^-53, half a unit in the last place of 1. The
+    /// scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4
+    /// u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
+    ///
+    /// Cost: that of vesica_convex_hull_f64, and for each corner of the hull about as much again as for a point.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_min_area_rect_f64(points: *const Polygon<f64>, out: *mut Rect<f64>) -> i32;
+    /// The rectangle of the least perimeter that contains points, else as vesica_min_area_rect_f64.
+    ///
+    /// Returns: 0.
+    ///
+    /// Errors: as vesica_min_area_rect_f64.
+    ///
+    /// Accuracy: as vesica_min_area_rect_f64.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_min_perimeter_rect_f64(points: *const Polygon<f64>, out: *mut Rect<f64>) -> i32;
+    /// The rectangles of the least area about each polygon or polyline of an array.
+    ///
+    /// Requires: points, of kind VESICA_POLYGON or VESICA_POLYLINE; out, room for `count`.
+    ///
+    /// Returns: 0.
+    ///
+    /// Errors: as the arrays above. If the hull of an element has too many corners, that is VESICA_E_SHAPE.
+    ///
+    /// Accuracy: as vesica_min_area_rect_f64.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_min_area_rect_many_f64(points: *const Shapes<f64>, out: *mut Rect<f64>) -> i64;
+    /// The rectangles of the least perimeter about each polygon or polyline of an array.
+    ///
+    /// Requires: as vesica_min_area_rect_many_f64.
+    ///
+    /// Errors: as vesica_min_area_rect_many_f64.
+    ///
+    /// Accuracy: as vesica_min_area_rect_f64.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_min_perimeter_rect_many_f64(points: *const Shapes<f64>, out: *mut Rect<f64>) -> i64;
     /// Rectangles from boxes.
     ///
     /// Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; angle, a unit of angles,
@@ -2882,6 +2954,82 @@ extern "C" {
     ///
     /// Since: 0.1.
     pub fn vesica_bounds_many_f32(shapes: *const Shapes<f32>, out: *mut Aabb<f32>) -> i64;
+    /// The convex hull of points: the smallest convex polygon that contains them.
+    ///
+    /// Points are the vertices of a polygon; their order and its rings do not matter. Corners of the hull run counter-
+    /// clockwise where y points up, from the lowest of the leftmost points on. None of them is on the line between its
+    /// neighbours. Equal points have one corner; points on one line have two.
+    ///
+    /// Requires: out, room for `capacity` points: as many as there are, because they are sorted there.
+    ///
+    /// Returns: the number of corners.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_ARGUMENT (less room). Nothing is written.
+    ///
+    /// Accuracy: exact.
+    ///
+    /// Cost: that of sorting the points.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_convex_hull_f32(points: *const Polygon<f32>, out: *mut Point<f32>, capacity: i64) -> i64;
+    /// The rectangle of the least area that contains points.
+    ///
+    /// Points are as in vesica_convex_hull_f32. The rectangle has a side along an edge of their hull. Its axis is the
+    /// direction of that edge, counter-clockwise round the hull where y points up, and hx is half the length along it.
+    /// Of equal rectangles it is the first, from the lowest of the leftmost points on; areas are compared as they are
+    /// computed. Points on one line give a rectangle without height. vesica_rect_corners_misfit_f32 says how far four
+    /// corners are from it.
+    ///
+    /// Returns: 0.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_RANGE (a number would overflow), VESICA_E_NOT_CONVEX (the hull
+    /// has more than 512 corners, and the points are not in its order: find it by vesica_convex_hull_f32 first).
+    ///
+    /// Accuracy: no point is outside by more than 8 u times the sum of the points' extent and the largest coordinate,
+    /// and each side is that near to a point. Each number is computed in double, within these bounds, and then rounded
+    /// to float once. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is
+    /// the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an
+    /// error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
+    ///
+    /// Cost: that of vesica_convex_hull_f32, and for each corner of the hull about as much again as for a point.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_min_area_rect_f32(points: *const Polygon<f32>, out: *mut Rect<f32>) -> i32;
+    /// The rectangle of the least perimeter that contains points, else as vesica_min_area_rect_f32.
+    ///
+    /// Returns: 0.
+    ///
+    /// Errors: as vesica_min_area_rect_f32.
+    ///
+    /// Accuracy: as vesica_min_area_rect_f32.
+    /// Each number is computed in double, within these bounds, and then rounded to float once.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_min_perimeter_rect_f32(points: *const Polygon<f32>, out: *mut Rect<f32>) -> i32;
+    /// The rectangles of the least area about each polygon or polyline of an array.
+    ///
+    /// Requires: points, of kind VESICA_POLYGON or VESICA_POLYLINE; out, room for `count`.
+    ///
+    /// Returns: 0.
+    ///
+    /// Errors: as the arrays above. If the hull of an element has too many corners, that is VESICA_E_SHAPE.
+    ///
+    /// Accuracy: as vesica_min_area_rect_f32.
+    /// Each number is computed in double, within these bounds, and then rounded to float once.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_min_area_rect_many_f32(points: *const Shapes<f32>, out: *mut Rect<f32>) -> i64;
+    /// The rectangles of the least perimeter about each polygon or polyline of an array.
+    ///
+    /// Requires: as vesica_min_area_rect_many_f32.
+    ///
+    /// Errors: as vesica_min_area_rect_many_f32.
+    ///
+    /// Accuracy: as vesica_min_area_rect_f32.
+    /// Each number is computed in double, within these bounds, and then rounded to float once.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_min_perimeter_rect_many_f32(points: *const Shapes<f32>, out: *mut Rect<f32>) -> i64;
     /// How many bytes suffice for an index of `count` shapes, of any kinds?
     ///
     /// Returns: 17 bytes a shape and 64 KiB. A built index takes fewer, mostly 13 a shape: see vesica_index_bytes.
@@ -4630,6 +4778,11 @@ pub unsafe trait Scalar: Copy + Default + PartialEq + PartialOrd + core::fmt::De
     unsafe fn boxes_from_shapes(shapes: *const Shapes<Self>, angle: i32, boxes: *mut Self) -> i64;
     unsafe fn corners_of_shapes(shapes: *const Shapes<Self>, corners: *mut Self) -> i64;
     unsafe fn bounds_many(shapes: *const Shapes<Self>, out: *mut Aabb<Self>) -> i64;
+    unsafe fn convex_hull(points: *const Polygon<Self>, out: *mut Point<Self>, capacity: i64) -> i64;
+    unsafe fn min_area_rect(points: *const Polygon<Self>, out: *mut Rect<Self>) -> i32;
+    unsafe fn min_perimeter_rect(points: *const Polygon<Self>, out: *mut Rect<Self>) -> i32;
+    unsafe fn min_area_rect_many(points: *const Shapes<Self>, out: *mut Rect<Self>) -> i64;
+    unsafe fn min_perimeter_rect_many(points: *const Shapes<Self>, out: *mut Rect<Self>) -> i64;
     unsafe fn index_build(sets: *const Shapes<Self>, set_count: i32, index: *mut c_void, index_size: i64,
         scratch: *mut c_void, scratch_size: i64) -> i64;
     unsafe fn index_step(step: i32, part: i64, parts: i64, sets: *const Shapes<Self>, set_count: i32,
@@ -5006,6 +5159,26 @@ unsafe impl Scalar for f64 {
     #[inline]
     unsafe fn bounds_many(shapes: *const Shapes<f64>, out: *mut Aabb<f64>) -> i64 {
         vesica_bounds_many_f64(shapes, out)
+    }
+    #[inline]
+    unsafe fn convex_hull(points: *const Polygon<f64>, out: *mut Point<f64>, capacity: i64) -> i64 {
+        vesica_convex_hull_f64(points, out, capacity)
+    }
+    #[inline]
+    unsafe fn min_area_rect(points: *const Polygon<f64>, out: *mut Rect<f64>) -> i32 {
+        vesica_min_area_rect_f64(points, out)
+    }
+    #[inline]
+    unsafe fn min_perimeter_rect(points: *const Polygon<f64>, out: *mut Rect<f64>) -> i32 {
+        vesica_min_perimeter_rect_f64(points, out)
+    }
+    #[inline]
+    unsafe fn min_area_rect_many(points: *const Shapes<f64>, out: *mut Rect<f64>) -> i64 {
+        vesica_min_area_rect_many_f64(points, out)
+    }
+    #[inline]
+    unsafe fn min_perimeter_rect_many(points: *const Shapes<f64>, out: *mut Rect<f64>) -> i64 {
+        vesica_min_perimeter_rect_many_f64(points, out)
     }
     #[inline]
     unsafe fn index_build(sets: *const Shapes<f64>, set_count: i32, index: *mut c_void, index_size: i64,
@@ -5512,6 +5685,26 @@ unsafe impl Scalar for f32 {
     #[inline]
     unsafe fn bounds_many(shapes: *const Shapes<f32>, out: *mut Aabb<f32>) -> i64 {
         vesica_bounds_many_f32(shapes, out)
+    }
+    #[inline]
+    unsafe fn convex_hull(points: *const Polygon<f32>, out: *mut Point<f32>, capacity: i64) -> i64 {
+        vesica_convex_hull_f32(points, out, capacity)
+    }
+    #[inline]
+    unsafe fn min_area_rect(points: *const Polygon<f32>, out: *mut Rect<f32>) -> i32 {
+        vesica_min_area_rect_f32(points, out)
+    }
+    #[inline]
+    unsafe fn min_perimeter_rect(points: *const Polygon<f32>, out: *mut Rect<f32>) -> i32 {
+        vesica_min_perimeter_rect_f32(points, out)
+    }
+    #[inline]
+    unsafe fn min_area_rect_many(points: *const Shapes<f32>, out: *mut Rect<f32>) -> i64 {
+        vesica_min_area_rect_many_f32(points, out)
+    }
+    #[inline]
+    unsafe fn min_perimeter_rect_many(points: *const Shapes<f32>, out: *mut Rect<f32>) -> i64 {
+        vesica_min_perimeter_rect_many_f32(points, out)
     }
     #[inline]
     unsafe fn index_build(sets: *const Shapes<f32>, set_count: i32, index: *mut c_void, index_size: i64,
