@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # build.sh DIRECTORY: builds a zip into DIRECTORY, of the assembly, its texts and the native library beside it, unpacks
 # it into a fresh folder, and there compiles and runs its tests, by mcs and mono. VESICA_SHARED names a folder with a
-# libvesica.so.0 to be taken; VESICA_OLDER one with a library that is to be refused.
+# libvesica.so.0 to be taken; VESICA_OLDER one with a library that is to be refused. VESICA_TREES names the folder where
+# packaging/linux/library.sh has built: the zip then has those libraries too, where NuGet looks for them.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -20,6 +21,13 @@ compile -target:library "-doc:$work/vesica-csharp/Vesica.xml" "-out:$work/vesica
   "$here"/src/*.cs "$here"/generated/*.cs
 cp "$library/libvesica.so.0" "$work/vesica-csharp/libvesica.so"
 strip --strip-unneeded "$work/vesica-csharp/libvesica.so"
+if [ -n "${VESICA_TREES:-}" ]; then
+  for target in x86_64-gnu=linux-x64 x86_64-musl=linux-musl-x64 aarch64-gnu=linux-arm64 aarch64-musl=linux-musl-arm64; do
+    runtime=$work/vesica-csharp/runtimes/${target#*=}/native
+    mkdir -p "$runtime"
+    "${target%%-*}-linux-gnu-strip" --strip-unneeded -o "$runtime/libvesica.so" "$VESICA_TREES/${target%=*}/capi/libvesica.so"
+  done
+fi
 cp -r "$here/src" "$here/generated" "$here/Vesica.csproj" "$here/README.md" "$here/../../LICENSE" "$work/vesica-csharp"
 rm -f "$directory"/vesica-csharp-*.zip
 (cd "$work" && zip -qr "$directory/vesica-csharp-$version.zip" vesica-csharp && rm -rf vesica-csharp)

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # build.sh DIRECTORY: builds the jar into DIRECTORY, with the native library inside, and tests it in a fresh folder.
 # VESICA_ARCHIVE names a folder with a libvesica.a to be taken; VESICA_OLDER one with a library that is to be refused.
+# VESICA_TREES names the folder where packaging/linux/library.sh has built: the jar then has the libraries for all those
+# targets inside.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -10,7 +12,6 @@ directory=$(cd "$1" && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 /usr/bin/python3 -B "$here/../declare" java
-library=$("$here/../../tools/build_library.sh" static "$directory/static")
 version=$(sed -n 's/ *"version": "\(.*\)",/\1/p' "$here/../../capi/vesica.json")
 jdk=$(dirname "$(dirname "$(readlink -f "$(command -v javac)")")")
 
@@ -23,11 +24,36 @@ native() {
 
 javac -Xlint:all -Werror --release 17 -d "$work/classes" "$here"/{src,generated}/vesica/*.java
 system=Linux-$(java -XshowSettings:properties -version 2>&1 | sed -n 's/ *os.arch = //p')
-mkdir -p "$work/classes/native/$system"
-native "$work/classes/native/$system/libvesica_jni.so" "$library/libvesica.a"
-strip --strip-unneeded "$work/classes/native/$system/libvesica_jni.so"
+# inside SYSTEM LIBRARY...: puts the native methods, linked to a library, into the jar.
+inside() {
+  local file=$work/classes/native/$1/libvesica_jni.so
+  mkdir -p "${file%/*}"
+  native "$file" "${@:2}"
+  "${STRIP:-strip}" --strip-unneeded "$file"
+}
+
+# inside_for TARGET: the same for a target of packaging/linux, of the objects of its library.
+# shellcheck disable=SC2154
+inside_for() (
+  root=$here/../..
+  # shellcheck source=/dev/null
+  . "$root/packaging/linux/targets.sh"
+  tree=$VESICA_TREES/$1 CC=$processor-linux-gnu-gcc
+  mapfile -t objects < <(find "$tree/src" "$tree/capi/CMakeFiles/vesica.dir" -name '*.o')
+  if [ "$libc" = musl ]; then objects+=("-specs=$tree/musl-gcc.specs"); fi
+  inside "Linux-${processor/x86_64/amd64}$([ "$libc" = gnu ] || echo -musl)" "${objects[@]}"
+)
+
+if [ -n "${VESICA_TREES:-}" ]; then
+  for tree in "$VESICA_TREES"/{x86_64,aarch64}-{gnu,musl}; do inside_for "${tree##*/}"; done
+else
+  library=$("$here/../../tools/build_library.sh" static "$directory/static")
+  inside "$system" "$library/libvesica.a"
+fi
 cp "$here/../../LICENSE" "$work/classes/vesica"
-jar --create --file "$directory/vesica-$version.jar" -C "$work/classes" .
+# The release's date for all files: one tree gives the same bytes each time.
+date=$(date -u -d "@$("$here/../../packaging/date.sh")" +%FT%TZ)
+jar --create --date="$date" --file "$directory/vesica-$version.jar" -C "$work/classes" .
 rm -rf "$work/classes"
 javadoc -quiet -Xdoclint:all,-missing -Werror -d "$work/javadoc" "$here"/{src,generated}/vesica/*.java
 

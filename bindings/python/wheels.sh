@@ -10,16 +10,19 @@ root=$(cd "$here/../.." && pwd)
 mkdir -p "$1"
 directory=$(cd "$1" && pwd)
 
-# check TARGET WHEEL: the tests, by the Python of an unpacked Debian 11, which has nothing of this machine's.
+# check TARGET WHEEL: pip takes the wheel for the target's platform, and it passes its tests, by the Python of an unpacked Debian 11, which has nothing of this machine's.
 check() {
   # shellcheck source=/dev/null
   . "$root/packaging/linux/targets.sh" "$1"
-  [ "$libc" = gnu ] || return 0
   local work old=$root/build/linux/debian11-$processor triplet=$processor-linux-gnu libraries folder
-  "$root/packaging/linux/root.sh" bullseye "$processor" "$old" python3-numpy
   work=$(mktemp -d)
   # shellcheck disable=SC2064
   trap "rm -rf '$work'" EXIT
+  /usr/bin/python3 -m pip download --quiet --no-index --find-links "$directory" --no-deps --only-binary :all: \
+    --platform "${platform%%.*}" --python-version 39 -d "$work/taken" vesica
+  cmp "$work"/taken/*.whl "$2"
+  [ "$libc" = gnu ] || return 0
+  "$root/packaging/linux/root.sh" bullseye "$processor" "$old" python3-numpy
   /usr/bin/python3 -m zipfile -e "$2" "$work/site"
   cp -r "$here/tests" "$work/tests"
   cp "$here/../vectors/vectors.txt" "$here/../calls/calls.txt" "$here/README.md" "$work/tests"
@@ -30,15 +33,13 @@ check() {
     -m unittest discover -s tests
 }
 
-targets=("${@:2}")
-[ ${#targets[@]} -gt 0 ] || targets=(x86_64-gnu x86_64-musl aarch64-gnu aarch64-musl)
-for target in "${targets[@]}"; do
-  tree=$("$root/packaging/linux/library.sh" "$target")
+built=$("$root/packaging/linux/library.sh" "${@:2}")
+while read -r target tree; do
   wheel=$(
     # shellcheck source=/dev/null
     . "$root/packaging/linux/targets.sh" "$target"
     VESICA_BUILD=$tree "$here/wheel.sh" "$directory" "$platform"
-  )
-  (check "$target" "$wheel")
+  ) </dev/null
+  (check "$target" "$wheel") </dev/null
   echo "$wheel"
-done
+done <<<"$built"

@@ -31,11 +31,9 @@ check() {
   run "$prefix/lib" "$work/vectors" "$root/bindings/vectors/vectors.txt"
 }
 
-targets=("${@:2}")
-[ ${#targets[@]} -gt 0 ] || targets=(x86_64-gnu x86_64-musl aarch64-gnu aarch64-musl)
-for target in "${targets[@]}"; do
-  tree=$("$root/packaging/linux/library.sh" "$target")
+built=$("$root/packaging/linux/library.sh" "${@:2}")
+while read -r target tree; do
   packed=$("$root/packaging/linux/pack.sh" "$tree" "$target" "$out")
-  (check "$target" "$packed")
+  (check "$target" "$packed") </dev/null
   echo "$packed"
-done
+done <<<"$built"

@@ -4,7 +4,7 @@
 #
 #   ./run package            the Debian packages
 #   ./run package NAME       csharp, go, java, javascript or rust: the package for that language, tested in a fresh
-#                            folder or environment
+#                            folder or environment. Those of csharp and java are for the four systems of c
 #   ./run package c          tars of the library for Linux: x86_64 and aarch64, for glibc 2.17 or later and for musl
 #   ./run package python     wheels for the same four, for Python 3.9 and later
 #   ./run package postgresql the Debian packages, and that of the extension for PostgreSQL 15
@@ -21,7 +21,15 @@ case "$*" in
     need "${linux_packages[@]}"
     step 'build for Linux' packaging/linux/build.sh "$out"
     ;;
-  csharp | go | java | javascript | rust)
+  csharp | java)
+    # shellcheck disable=SC2178
+    declare -n packages=$1_packages
+    need "${packages[@]}" "${linux_packages[@]}"
+    step 'build libraries' packaging/linux/library.sh
+    export VESICA_TREES=$root/build/linux VESICA_SHARED=$root/build/linux/$(uname -m)-gnu/capi
+    step "build and test $1" "bindings/$1/build.sh" "$out"
+    ;;
+  go | javascript | rust)
     # shellcheck disable=SC2178
     declare -n packages=$1_packages
     need "${packages[@]}"

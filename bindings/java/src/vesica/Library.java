@@ -18,7 +18,7 @@ final class Library {
   }
 
   private static String unpacked() {
-    String system = System.getProperty("os.name") + "-" + System.getProperty("os.arch");
+    String system = System.getProperty("os.name") + "-" + System.getProperty("os.arch") + libc();
     String name = "/native/" + system + "/libvesica_jni.so";
     try (InputStream library = Library.class.getResourceAsStream(name)) {
       if (library == null) {
@@ -31,6 +31,15 @@ final class Library {
       return file.toString();
     } catch (IOException e) {
       throw new UnsatisfiedLinkError("the library of the jar cannot be unpacked: " + e);
+    }
+  }
+
+  /** "-musl" where this process runs with that C library, as on Alpine Linux. */
+  private static String libc() {
+    try {
+      return Files.readString(Path.of("/proc/self/maps")).contains("/ld-musl-") ? "-musl" : "";
+    } catch (IOException e) {
+      return "";
     }
   }
 
