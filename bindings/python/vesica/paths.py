@@ -161,7 +161,7 @@ def _is_ragged(each):
 def _is_even(vertices):
     """Do nested lists make one array of numbers?"""
     try:
-        return numpy.asarray(vertices).dtype != object and len({numpy.shape(each) for each in vertices}) <= 1
+        return len({numpy.shape(each) for each in vertices}) <= 1 and numpy.asarray(vertices).dtype != object
     except ValueError:
         return False
 
