@@ -3,7 +3,7 @@
 #include "queries/topology.hpp"
 
 #include <vesica/de9im/matrix.hpp>
-#include <vesica/intersection.hpp>
+#include <vesica/polygon/intersection.hpp>
 
 #include "query_calls.hpp"
 #include "vesica_topology.h"
@@ -21,6 +21,11 @@ int64_t intersection(int32_t kind_a, const void* a, int32_t kind_b, const void* 
   VESICA_DEFAULT_ENVIRONMENT((intersection<T, CPoint>), kind_a, a, kind_b, b, out, capacity);
   const int32_t error = check_room(queries::intersection, kind_a, a, kind_b, b, out, capacity);
   if (error != 0) return error;
+  if (!vesica::is_row(kind_a) || !vesica::is_row(kind_b)) {
+    vesica::detail::polygon::RegionRoom room{out, std::is_same_v<T, float>, capacity};
+    const int32_t code = vesica::ask<T>(queries::intersection, kind_a, a, kind_b, b, &room);
+    return code < 0 ? code : room.count;
+  }
   vesica::SharedRegion<T> region;
   const int32_t count = vesica::ask<T>(queries::intersection, kind_a, a, kind_b, b, &region);
   for (int32_t i = 0; i < count && i < capacity; ++i) out[i] = {region.at[2 * i], region.at[2 * i + 1]};

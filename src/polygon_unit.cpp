@@ -6,6 +6,7 @@
 #include "polygon/de9im.cpp"
 #include "polygon/depth.cpp"
 #include "polygon/distances.cpp"
+#include "polygon/intersection.cpp"
 #include "polygon/overlap.cpp"
 #include "polygon/relation.cpp"
 #include "polygon/within.cpp"

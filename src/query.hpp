@@ -34,6 +34,8 @@ struct Query {
   Reversal reversal;
   /// With a polygon or a polyline; null if the query does not take them.
   PathFunction paths = nullptr;
+  /// Which kinds it takes together, one of which is a path; null for all.
+  bool (*takes_path)(std::int32_t kind_a, std::int32_t kind_b) noexcept = nullptr;
 
   // The rest is for batches.
   /// How many numbers a result has; 0 if it is the returned code.
@@ -60,7 +62,8 @@ struct Query {
   /// True if the query knows these kinds; both are kinds.
   bool answers(std::int32_t kind_a, std::int32_t kind_b) const noexcept {
     if (!is_row(kind_a) || !is_row(kind_b)) {
-      return paths != nullptr && has_core_or_path(kind_a) && has_core_or_path(kind_b);
+      return paths != nullptr && has_core_or_path(kind_a) && has_core_or_path(kind_b) &&
+             (takes_path == nullptr || takes_path(kind_a, kind_b));
     }
     return asked().doubles.of[kind_a][kind_b] != unknown_pair;
   }
@@ -82,7 +85,7 @@ VESICA_INLINE std::int32_t ask(const Query& query, std::int32_t kind_a, const vo
                                const void* b, void* out) noexcept {
   if (a == nullptr || b == nullptr) return error_null;
   if (!is_row(kind_a) || !is_row(kind_b)) [[unlikely]] {
-    if (query.paths == nullptr || !has_core_or_path(kind_a) || !has_core_or_path(kind_b)) return error_kind;
+    if (!query.answers(kind_a, kind_b)) return error_kind;
     return query.paths({kind_a, std::is_same_v<T, float>, a}, {kind_b, std::is_same_v<T, float>, b}, out);
   }
   return query.pairs(T{}).of[kind_a][kind_b](a, b, out);

@@ -215,6 +215,89 @@ void topology(std::int32_t a, std::int32_t b, Data data) {
   row(name, a, b, data, region_row);
 }
 
+/// Vertices of a ring, and the struct that reads them.
+struct Ring {
+  std::vector<double> xy;
+  vesica_polygon_f64 view() const {
+    return {xy.data(), xy.data() + 1, 2 * sizeof(double), nullptr, static_cast<std::int64_t>(xy.size() / 2)};
+  }
+};
+
+/// About one place near the origin: on a circle, or between half of its radius and all of it.
+Ring ring_of(int vertices, bool convex, Random& random) {
+  Ring ring;
+  const double x = random.between(-0.7, 0.7), y = random.between(-0.7, 0.7), start = random.between(0, 1);
+  for (int k = 0; k < vertices; ++k) {
+    const double angle = 6.283185307179586 * (k + start) / vertices, r = convex ? 1 : random.between(0.5, 1);
+    ring.xy.insert(ring.xy.end(), {x + r * std::cos(angle), y + r * std::sin(angle)});
+  }
+  return ring;
+}
+
+#if defined(VESICA_HAS_GEOS)
+GEOSGeometry* made(const Ring& ring, bool line) {
+  const auto n = static_cast<unsigned>(ring.xy.size() / 2);
+  GEOSCoordSequence* s = GEOSCoordSeq_create_r(geos(), line ? n : n + 1, 2);
+  for (unsigned i = 0; i < (line ? n : n + 1); ++i) {
+    GEOSCoordSeq_setXY_r(geos(), s, i, ring.xy[2 * (i % n)], ring.xy[2 * (i % n) + 1]);
+  }
+  if (line) return GEOSGeom_createLineString_r(geos(), s);
+  return GEOSGeom_createPolygon_r(geos(), GEOSGeom_createLinearRing_r(geos(), s), nullptr, 0);
+}
+#endif
+
+/// A polygon and another one, both convex, or one that is not and a segment across it. GEOS has both made.
+void shared_with_polygon(int vertices, bool segment) {
+  Random random(17);
+  constexpr int count = 256;
+  std::vector<Ring> first, second;
+  for (int i = 0; i < count; ++i) {
+    first.push_back(ring_of(vertices, !segment, random));
+    second.push_back(ring_of(segment ? 2 : vertices, true, random));
+  }
+  std::vector<vesica_point_f64> room(static_cast<std::size_t>(2 * vertices + 2));
+  std::vector<std::pair<std::string, std::function<std::int64_t(std::size_t)>>> all;
+  const auto with = [&](std::size_t i, const auto& action) {
+    const auto a = first[i].view(), b = second[i].view();
+    const void* other = segment ? static_cast<const void*>(second[i].xy.data()) : &b;
+    return static_cast<std::int64_t>(action(VESICA_POLYGON, &a, segment ? VESICA_SEGMENT : VESICA_POLYGON, other));
+  };
+  all.emplace_back("overlap", [&](std::size_t i) { return with(i, vesica_overlap_f64); });
+  all.emplace_back("intersection", [&](std::size_t i) {
+    return with(i, [&](auto... shapes) {
+      return vesica_intersection_f64(shapes..., room.data(), static_cast<std::int64_t>(room.size()));
+    });
+  });
+#if defined(VESICA_HAS_GEOS)
+  std::vector<GEOSGeometry*> a, b;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    a.push_back(made(first[i], false));
+    b.push_back(made(second[i], segment));
+  }
+  all.emplace_back("GEOS intersection", [&](std::size_t i) { return intersect(a[i], b[i]); });
+#endif
+  std::vector<std::vector<double>> times(all.size());
+  std::int64_t sum = 0;
+  for (std::size_t pass = 0; pass < 15; ++pass) {
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const std::size_t which = (k + pass) % all.size();
+      const auto begin = Clock::now();
+      for (std::size_t i = 0; i < first.size(); ++i) sum += all[which].second(i);
+      const std::chrono::duration<double, std::nano> took = Clock::now() - begin;
+      times[which].push_back(took.count() / count);
+    }
+  }
+  std::printf("%-28s",
+              (std::string(segment ? "segment " : "polygon ") + "polygon " + std::to_string(vertices)).c_str());
+  for (std::size_t k = 0; k < all.size(); ++k) std::printf("  %s %.0f ns", all[k].first.c_str(), median(times[k]));
+  std::printf("%s\n", sum == 1 ? " " : "");
+#if defined(VESICA_HAS_GEOS)
+  for (const auto* geometries : {&a, &b}) {
+    for (GEOSGeometry* g : *geometries) GEOSGeom_destroy_r(geos(), g);
+  }
+#endif
+}
+
 /// ns a comparison of a kept shape with one that is left.
 void suppression(std::int32_t decay) {
   constexpr std::size_t n = 2000;
@@ -312,6 +395,9 @@ void all() {
       topology(a, b, data);
     }
   }
+  std::puts("Regions that polygons share, both made before.");
+  for (const int vertices : {4, 8, 16, 64, 256}) shared_with_polygon(vertices, false);
+  for (const int vertices : {4, 16, 64, 1024}) shared_with_polygon(vertices, true);
   std::puts("Round shapes, beside rectangles.");
   for (const Data data : {Data::random, Data::grid}) {
     for (const std::int32_t kind : {VESICA_RECT, VESICA_CIRCLE, VESICA_ELLIPSE, VESICA_CAPSULE, VESICA_ROUND_RECT}) {

@@ -79,7 +79,8 @@ func DE9IMMatch(matrix, pattern string) (bool, error) {
 }
 
 // Intersection has the vertices of the region that two shapes share, counter-clockwise; none if they do not overlap. It
-// is of points, segments, boxes and rectangles, or of a point or a segment and any shape.
+// is of points, segments, boxes, rectangles and convex polygons, or of a point or a segment and any shape. Of a segment
+// and a polygon or a polyline it has two vertices for each piece, in order along the segment.
 func Intersection[A, B Shape](a A, b B) ([]Point[float64], error) {
 	return pointsOf(a.one(), b.one(), func(a, b one, out *C.char, room C.int64_t) C.int64_t {
 		return cIntersection(a.wide, a.kind, a.shape, b.kind, b.shape, out, room)

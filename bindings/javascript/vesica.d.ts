@@ -345,7 +345,8 @@ export class Vesica {
   de9im(a: Shape, b: Shape): string;
   /** Does such a matrix fit a pattern of F, 0, 1, 2, T (any of 0, 1 and 2) and * (anything)? */
   de9imMatch(matrix: string, pattern: string): boolean;
-  /** The vertices of the region shared by points, segments, aabbs and rects, or by a segment and anything. */
+  /** The vertices of the region shared by points, segments, aabbs, rects and convex polygons, or by a segment and
+   * anything. Of a segment and a polygon or a polyline two for each piece, in order along the segment. */
   intersection(a: Shape, b: Shape): { x: number; y: number }[];
   /** What share of one shape the other covers, and other ratios by which detections are compared: see `ratios`. */
   ratio(which: Ratio, a: Shape, b: Shape): number;

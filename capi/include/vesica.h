@@ -84,6 +84,7 @@ extern "C" {
  *   check, bounds
  *   overlap, interiors_overlap, relation, contains
  *   crossings, de9im
+ *   intersection (with a segment or a point; polygons that are convex with one another, boxes and rectangles)
  *   nearest, boundary_distance
  *   signed_distance, within (where they overlap and their depth is asked for: if they are convex)
  *   cast, cast_first, sweep_bounds

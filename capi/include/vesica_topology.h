@@ -57,19 +57,27 @@ VESICA_API int32_t vesica_de9im_match(const char *matrix, const char *pattern);
  * The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
  *
  * The kinds are points, segments, boxes and rectangles. A point or a segment may also meet a circle, an ellipse, a
- * capsule or a rounded rectangle.
+ * capsule or a rounded rectangle, and a polygon that is convex a box, a rectangle or another one. A polygon on one line
+ * is a segment.
  * The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise if y points up. The first is the one with
  * the least y, of equal ones that with the least x, by the numbers written. One vertex is a point, two are the ends of
- * a segment. Exchanging the shapes changes no bit; a zero is +0.
+ * a segment. A vertex in the middle of a straight side is none. Exchanging the shapes changes no bit; a zero is +0.
+ *
+ * A segment and a polygon of any rings, or a polyline, may share several pieces. Then two vertices are written for each
+ * piece, where it begins and where it ends, in order along the segment; of a single point, twice the same. A point has
+ * one vertex.
  * Requires: capacity, how many vertices out has room for. It may be 0, and out then NULL.
- * Returns: how many vertices there are, even if that exceeds the capacity: at most 8 for these kinds, and 0 if the
- * shapes share nothing. The first `capacity` are written.
+ * Returns: how many vertices there are, even if that exceeds the capacity, and 0 if the shapes share nothing: at most
+ * 8, of two polygons as many as both have, of a segment and a path twice its vertices and two more. The first
+ * `capacity` are written.
  * Errors: VESICA_E_NULL, VESICA_E_KIND (also for other pairs of kinds than these), VESICA_E_ARGUMENT (a negative
- * capacity), VESICA_E_SHAPE, VESICA_E_RANGE (a vertex, or the length of a side that makes one, overflows).
+ * capacity), VESICA_E_SHAPE, VESICA_E_NOT_CONVEX (a polygon, unless the other shape is a point or a segment),
+ * VESICA_E_RANGE (a vertex, or the length of a side that makes one, overflows).
  * Accuracy: the number of vertices is exact: it is the true region's. A corner of a shape that lies in the other
  * keeps the stored numbers, or the numbers of vesica_corners_of_shapes_f64 for a rectangle. Others are right to 4 u
  * times the largest coordinate or size of either shape.
- * Cost: as vesica_overlap_f64 for disjoint shapes, else about as vesica_crossings_f64.
+ * Cost: as vesica_overlap_f64 for disjoint shapes, else about as vesica_crossings_f64. For two polygons it grows with
+ * the product of their numbers of vertices, for a segment and a path with the number of vertices.
  */
 VESICA_API int64_t vesica_intersection_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b,
                                            vesica_point_f64 *out, int64_t capacity);

@@ -26,6 +26,8 @@ constinit const Query intersection{
     .doubles = pair_table<IntersectionOfPair, double>(),
     .floats = pair_table<IntersectionOfPair, float>(),
     .reversal = IntersectionOfPair::reversal,
+    .paths = polygon::intersection,
+    .takes_path = polygon::has_intersection,
 };
 
 }  // namespace vesica::queries

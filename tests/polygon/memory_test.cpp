@@ -94,6 +94,15 @@ Bytes ask_one(const Given& a, const Given&) {
 }
 
 template <class T>
+Bytes ask_intersection(const Given& a, const Given& b) {
+  Bytes bytes;
+  std::array<T, 16> vertices{};
+  append(bytes, Face<T>::intersection(a.kind, a.shape, b.kind, b.shape, vertices.data()));
+  append(bytes, vertices);
+  return bytes;
+}
+
+template <class T>
 const std::vector<Question>& questions() {
   using F = Face<T>;
   static const std::vector<Question> all{
@@ -108,6 +117,7 @@ const std::vector<Question>& questions() {
       {"area", ask_out<T, F::area>},
       {"iou", ask_out<T, F::iou>},
       {"ratios", ask_ratios<T>},
+      {"intersection", ask_intersection<T>},
       {"motion", ask_motion<T>},
       {"one", ask_one<T>},
   };

@@ -35,7 +35,9 @@ namespace Vesica
         }
 
         /// <summary>The vertices of the region that two shapes share, counter-clockwise; none if they do not overlap.
-        /// It is of points, segments, boxes and rectangles, or of a point or a segment and any shape.</summary>
+        /// It is of points, segments, boxes, rectangles and convex polygons, or of a point or a segment and any shape. Of
+        /// a segment and a polygon or a polyline it has two vertices for each piece, in order along the
+        /// segment.</summary>
         public static Point[] Intersection<A, B>(A a, B b) where A : IShape where B : IShape
         {
             return Query.PointsOf(a, b, Native.Intersection);

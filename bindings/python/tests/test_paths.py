@@ -103,6 +103,12 @@ class Forms(unittest.TestCase):
         self.assertEqual((hit, impact.t), (vesica.Cast.HIT, 1.25))
         self.assertEqual(len(vesica.crossings(shapes[1], vesica.circles([2.5, 0.5, 0.6])).places), 8)
         self.assertEqual(vesica.de9im(shapes[0], shapes[1]), "FF2FF1212")
+        bent = vesica.polygons([[0, 0], [6, 0], [6, 4], [4, 4], [4, 2], [2, 2], [2, 4], [0, 4]])
+        self.assertEqual(vesica.intersection(bent, vesica.segments([-1, 3, 9, 3])).tolist(),
+                         [[0, 3], [2, 3], [4, 3], [6, 3]])
+        self.assertEqual(len(vesica.intersection(shapes[0], shapes[0])), 4)
+        with self.assertRaises(vesica.VesicaError):
+            vesica.intersection(bent, shapes[0])
 
     def test_bad_vertices(self):
         array = SQUARES.copy()

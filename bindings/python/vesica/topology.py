@@ -37,7 +37,8 @@ def de9im_match(matrix, pattern):
 def intersection(a, b):
     """The vertices (n, 2) of the region that two shapes share, counter-clockwise; n is 0 where they do not overlap.
 
-    Of points, segments, aabbs and rects; also of a point or a segment and a circle or an ellipse.
+    Of points, segments, aabbs, rects and convex polygons; also of a point or a segment and any shape. Of a segment and
+    a polygon or a polyline, two vertices for each piece, in order along the segment.
     """
     letter = same_scalar(a, b)
     _two(a, b, "a shared region")

@@ -34,7 +34,8 @@ public final class Topology {
 
   /**
    * The vertices of the region that two shapes share, counter-clockwise; none if they do not overlap. It is of points,
-   * segments, boxes and rectangles, or of a point or a segment and any shape.
+   * segments, boxes, rectangles and convex polygons, or of a point or a segment and any shape. Of a segment and a
+   * polygon or a polyline it has two vertices for each piece, in order along the segment.
    */
   public static List<Point> intersection(Shape a, Shape b) {
     int kindA = a.kind().value, kindB = b.kind().value;

@@ -4610,17 +4610,25 @@ extern "C" {
     /// The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
     ///
     /// The kinds are points, segments, boxes and rectangles. A point or a segment may also meet a circle, an ellipse, a
-    /// capsule or a rounded rectangle. The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise if y
-    /// points up. The first is the one with the least y, of equal ones that with the least x, by the numbers written.
-    /// One vertex is a point, two are the ends of a segment. Exchanging the shapes changes no bit; a zero is +0.
+    /// capsule or a rounded rectangle, and a polygon that is convex a box, a rectangle or another one. A polygon on one
+    /// line is a segment. The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise if y points up. The
+    /// first is the one with the least y, of equal ones that with the least x, by the numbers written. One vertex is a
+    /// point, two are the ends of a segment. A vertex in the middle of a straight side is none. Exchanging the shapes
+    /// changes no bit; a zero is +0.
+    ///
+    /// A segment and a polygon of any rings, or a polyline, may share several pieces. Then two vertices are written for
+    /// each piece, where it begins and where it ends, in order along the segment; of a single point, twice the same. A
+    /// point has one vertex.
     ///
     /// Requires: capacity, how many vertices out has room for. It may be 0, and out then NULL.
     ///
-    /// Returns: how many vertices there are, even if that exceeds the capacity: at most 8 for these kinds, and 0 if the
-    /// shapes share nothing. The first `capacity` are written.
+    /// Returns: how many vertices there are, even if that exceeds the capacity, and 0 if the shapes share nothing: at
+    /// most 8, of two polygons as many as both have, of a segment and a path twice its vertices and two more. The first
+    /// `capacity` are written.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND (also for other pairs of kinds than these), VESICA_E_ARGUMENT (a negative
-    /// capacity), VESICA_E_SHAPE, VESICA_E_RANGE (a vertex, or the length of a side that makes one, overflows).
+    /// capacity), VESICA_E_SHAPE, VESICA_E_NOT_CONVEX (a polygon, unless the other shape is a point or a segment),
+    /// VESICA_E_RANGE (a vertex, or the length of a side that makes one, overflows).
     ///
     /// Accuracy: the number of vertices is exact: it is the true region's. A corner of a shape that lies in the other
     /// keeps the stored numbers, or the numbers of vesica_corners_of_shapes_f64 for a rectangle. Others are right to 4
@@ -4629,7 +4637,8 @@ extern "C" {
     /// lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over
     /// shorter size.
     ///
-    /// Cost: as vesica_overlap_f64 for disjoint shapes, else about as vesica_crossings_f64.
+    /// Cost: as vesica_overlap_f64 for disjoint shapes, else about as vesica_crossings_f64. For two polygons it grows
+    /// with the product of their numbers of vertices, for a segment and a path with the number of vertices.
     ///
     /// Since: 0.1.
     pub fn vesica_intersection_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Point<f64>,
@@ -4661,17 +4670,25 @@ extern "C" {
     /// The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
     ///
     /// The kinds are points, segments, boxes and rectangles. A point or a segment may also meet a circle, an ellipse, a
-    /// capsule or a rounded rectangle. The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise if y
-    /// points up. The first is the one with the least y, of equal ones that with the least x, by the numbers written.
-    /// One vertex is a point, two are the ends of a segment. Exchanging the shapes changes no bit; a zero is +0.
+    /// capsule or a rounded rectangle, and a polygon that is convex a box, a rectangle or another one. A polygon on one
+    /// line is a segment. The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise if y points up. The
+    /// first is the one with the least y, of equal ones that with the least x, by the numbers written. One vertex is a
+    /// point, two are the ends of a segment. A vertex in the middle of a straight side is none. Exchanging the shapes
+    /// changes no bit; a zero is +0.
+    ///
+    /// A segment and a polygon of any rings, or a polyline, may share several pieces. Then two vertices are written for
+    /// each piece, where it begins and where it ends, in order along the segment; of a single point, twice the same. A
+    /// point has one vertex.
     ///
     /// Requires: capacity, how many vertices out has room for. It may be 0, and out then NULL.
     ///
-    /// Returns: how many vertices there are, even if that exceeds the capacity: at most 8 for these kinds, and 0 if the
-    /// shapes share nothing. The first `capacity` are written.
+    /// Returns: how many vertices there are, even if that exceeds the capacity, and 0 if the shapes share nothing: at
+    /// most 8, of two polygons as many as both have, of a segment and a path twice its vertices and two more. The first
+    /// `capacity` are written.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND (also for other pairs of kinds than these), VESICA_E_ARGUMENT (a negative
-    /// capacity), VESICA_E_SHAPE, VESICA_E_RANGE (a vertex, or the length of a side that makes one, overflows).
+    /// capacity), VESICA_E_SHAPE, VESICA_E_NOT_CONVEX (a polygon, unless the other shape is a point or a segment),
+    /// VESICA_E_RANGE (a vertex, or the length of a side that makes one, overflows).
     ///
     /// Accuracy: the number of vertices is exact: it is the true region's. A corner of a shape that lies in the other
     /// keeps the stored numbers, or the numbers of vesica_corners_of_shapes_f32 for a rectangle. Others are right to 4
@@ -4680,7 +4697,8 @@ extern "C" {
     /// two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
     /// means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
-    /// Cost: as vesica_overlap_f32 for disjoint shapes, else about as vesica_crossings_f32.
+    /// Cost: as vesica_overlap_f32 for disjoint shapes, else about as vesica_crossings_f32. For two polygons it grows
+    /// with the product of their numbers of vertices, for a segment and a path with the number of vertices.
     ///
     /// Since: 0.1.
     pub fn vesica_intersection_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Point<f32>,

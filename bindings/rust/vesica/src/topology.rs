@@ -106,7 +106,8 @@ impl<T> Region<T> {
     }
 }
 
-/// The region that two shapes share: of points, segments, boxes and rectangles; of a point or a segment and anything.
+/// The region that two shapes share: of points, segments, boxes, rectangles and convex polygons; of a point or a segment
+/// and anything. `Error::Room` if there are more than eight vertices: then take `intersection_into`.
 pub fn intersection<A, B>(a: &A, b: &B) -> Result<Region<A::Scalar>, Error>
 where
     A: Shape + ?Sized,
@@ -120,6 +121,22 @@ where
         return Err(Error::Room { needed: region.count, given: region.vertices.len() });
     }
     Ok(region)
+}
+
+/// The same in an output of any length. Returns how many vertices there are, and `Error::Room` if that is more. Of a
+/// segment and a polygon or a polyline, two for each piece, in order along the segment.
+pub fn intersection_into<A, B>(a: &A, b: &B, out: &mut [[A::Scalar; 2]]) -> Result<usize, Error>
+where
+    A: Shape + ?Sized,
+    B: Shape<Scalar = A::Scalar> + ?Sized,
+{
+    let (kind_a, kind_b, given) = (a.kind() as i32, b.kind() as i32, out.len());
+    let (a, b, to) = (a.address(), b.address(), out.as_mut_ptr().cast());
+    let needed = answer(|| unsafe { A::Scalar::intersection(kind_a, a, kind_b, b, to, given as i64) })?;
+    if needed > given {
+        return Err(Error::Room { needed, given });
+    }
+    Ok(needed)
 }
 
 /// How soft suppression lowers the score of what has a ratio r with a shape that is taken.

@@ -52,6 +52,11 @@ fn one_polygon() {
     assert_eq!(area(&triangle, &BOX), Ok(4.5));
     assert_eq!(iou(&frame, &Aabb { max_x: 8.0, max_y: 8.0, ..BOX }), Ok(0.75));
     assert_eq!(ratio(Ratio::OverFirst, &triangle, &BOX), Ok(0.75));
+    let (across, mut pieces) = (Segment { x0: -1.0, y0: 4.0, x1: 9.0, y1: 4.0 }, [[0.0; 2]; 4]);
+    assert_eq!(intersection_into(&frame, &across, &mut pieces), Ok(4));
+    assert_eq!(pieces, [[0.0, 4.0], [2.0, 4.0], [6.0, 4.0], [8.0, 4.0]]);
+    assert_eq!(intersection_into(&frame, &across, &mut pieces[..2]), Err(Error::Room { needed: 4, given: 2 }));
+    assert_eq!(intersection(&triangle, &BOX).unwrap().vertices().len(), 4);
     assert_eq!(shape_area(&frame), Ok(48.0));
     assert_eq!(bounds(&triangle), Ok(Aabb { min_x: 0.0, min_y: 0.0, max_x: 4.0, max_y: 3.0 }));
     assert_eq!(check(&frame), Ok(()));
