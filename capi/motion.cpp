@@ -237,16 +237,37 @@ int32_t sweep_bounds(int32_t kind, const void* shape, T vx, T vy, T end, Out* ou
   return error;
 }
 
+/// An item of an index's sets as an operand, which points to what is kept here.
+template <class T>
+struct Item {
+  vesica::Operand operand;
+  T number[vesica::max_fields];
+  vesica::Polygon<T> path;
+
+  Item(const index::Sets& sets, std::uint32_t item) noexcept {
+    const index::Set& set = sets.set[sets.of(item)];
+    const bool row = vesica::is_row(set.kind);
+    operand = {set.kind, std::is_same_v<T, float>, row ? static_cast<const void*>(number) : &path};
+    if (row) {
+      for (int k = 0; k < vesica::field_count(set.kind); ++k) number[k] = index::number_of<T>(set, k, item);
+    } else {
+      path = vesica::path_at<T>(set.paths(), static_cast<int64_t>(item) - set.first);
+    }
+  }
+  Item(const Item&) = delete;
+  Item& operator=(const Item&) = delete;
+};
+
 /// A moving shape, and the sets of an index that it is asked about.
 template <class T>
 struct Moving {
-  const index::Sets& sets;
-  Body body;
+  const index::Sets &sets, &single;
+  Body body;  // the moving shape, unless it is a path
   Motion motion;
   Impact<T> last, first;  // of the item asked about last, and of the one hit first
 
-  const unsigned char* place(const index::Set& set, int k, std::uint32_t item) const noexcept {
-    return set.field[k] + (static_cast<int64_t>(item) - set.first) * set.stride;
+  bool with_path(std::uint32_t item) const noexcept {
+    return !vesica::is_row(single.set[0].kind) || !vesica::is_row(sets.set[sets.of(item)].kind);
   }
   Body still(std::uint32_t item) const noexcept {
     Body out{};
@@ -256,18 +277,26 @@ struct Moving {
   static int32_t ask(void* context, std::uint32_t item, double end, double& t) {
     Moving& moving = *static_cast<Moving*>(context);
     const Motion until{moving.motion.vx, moving.motion.vy, end};
-    const int32_t code = vesica::queries::cast(moving.still(item), moving.body, until, moving.last);
+    const int32_t code = moving.with_path(item)
+                             ? vesica::polygon::cast(Item<T>(moving.sets, item).operand,
+                                                     Item<T>(moving.single, 0).operand, until, moving.last)
+                             : vesica::queries::cast(moving.still(item), moving.body, until, moving.last);
     t = static_cast<double>(moving.last.t);
     return code;
   }
   static int32_t meets(const void* context, std::uint32_t item) {
     const Moving& moving = *static_cast<const Moving*>(context);
-    return vesica::queries::meets(moving.still(item), moving.body, moving.motion);
+    return moving.with_path(item) ? vesica::polygon::meets(Item<T>(moving.sets, item).operand,
+                                                           Item<T>(moving.single, 0).operand, moving.motion)
+                                  : vesica::queries::meets(moving.still(item), moving.body, moving.motion);
   }
   static void prefetch(const void* context, std::uint32_t item) {
     const Moving& moving = *static_cast<const Moving*>(context);
     const index::Set& set = moving.sets.set[moving.sets.of(item)];
-    for (int k = 0; k < vesica::field_count(set.kind); ++k) __builtin_prefetch(moving.place(set, k, item));
+    if (!vesica::is_row(set.kind)) return;
+    for (int k = 0; k < vesica::field_count(set.kind); ++k) {
+      __builtin_prefetch(set.field[k] + (static_cast<int64_t>(item) - set.first) * set.stride);
+    }
   }
   static void keep(void* context) {
     Moving& moving = *static_cast<Moving*>(context);
@@ -282,7 +311,8 @@ int64_t through_index(const void* from, const CShapesOf<T>* sets, int32_t set_co
                       const Motion& motion, const IsSound& is_sound, const Action& action) noexcept {
   if (one == nullptr) return VESICA_E_NULL;
   index::Sets items, single;
-  const int32_t of_shapes = first_error(view_sets<T>(one, 1, single), view_sets<T>(sets, set_count, items));
+  const int32_t of_shapes =
+      first_error(view_sets<T>(one, 1, single, casts_take), view_sets<T>(sets, set_count, items, casts_take));
   const int32_t error = first_error(check_index(from), of_shapes);
   if (error != 0) return error;
   const bool fits = single.items == 1 && items.items == index::View(from).items();
@@ -290,7 +320,8 @@ int64_t through_index(const void* from, const CShapesOf<T>* sets, int32_t set_co
   double box[4];
   if (!index::bounds_of_item(index_kernels(), single, 0, box)) return VESICA_E_SHAPE;
   constexpr Impact<T> none = vesica::detail::cast::no_impact<T>();
-  Moving<T> moving{items, body_at(view<T>(*one), 0), motion, none, none};
+  const Body body = vesica::is_row(one->kind) ? body_at(view<T>(*one), 0) : Body{};
+  Moving<T> moving{items, single, body, motion, none, none};
   const index::Targets targets{&moving, Moving<T>::ask, Moving<T>::meets, Moving<T>::prefetch, Moving<T>::keep};
   const index::Cast cast{from, targets, box, motion.vx, motion.vy, motion.end, items.is_float};
   return action(cast, moving);

@@ -90,7 +90,7 @@ extern "C" {
  *   cast, cast_first, sweep_bounds
  *   depth, if they are convex
  *   shape_area, area, iou, ratio, suppression (polygons only)
- * the arrays of these, indexes, index_select, index_nearest, join_nearest, and joins.
+ * the arrays of these, indexes, index_select, index_nearest, index_cast, join_nearest, and joins.
  */
 #define VESICA_POINT 0   /**< x y */
 #define VESICA_SEGMENT 1 /**< x0 y0 x1 y1 */

@@ -22,7 +22,13 @@ namespace {
 using detail::cast::Body;
 using detail::cast::Motion;
 
-Body body_of(const detail::polygon::Edge& e) noexcept { return {Kind::segment, {e.x0, e.y0, e.x1, e.y1}}; }
+using detail::polygon::Box;
+using detail::polygon::box_of;
+using detail::polygon::Edge;
+using detail::polygon::may_touch;
+using detail::polygon::opposite;
+
+Body body_of(const Edge& e) noexcept { return {Kind::segment, {e.x0, e.y0, e.x1, e.y1}}; }
 Body body_of(const AnyShape& s) noexcept {
   Body body{static_cast<Kind>(s.kind), {}};
   std::memcpy(body.number, s.number, sizeof s.number);
@@ -37,6 +43,36 @@ struct AskBodies {
   }
 };
 
+/// Is there contact by the end? An edge that is undecided counts only if no other one is met.
+struct Meets {
+  const Motion& motion;
+  std::int32_t error = 0;
+
+  template <class A, class B>
+  bool any(const A& a, const B& b) noexcept {
+    const std::int32_t code = queries::meets(body_of(a), body_of(b), motion);
+    if (code < 0) error = code;
+    return code > 0;
+  }
+  // A walk asks this about two paths.
+  bool keeps(const Box& a, const Box& b) const noexcept { return may_touch(a, b, motion); }
+  bool visit(const Edge& e, std::int64_t, const Edge& f, std::int64_t) noexcept { return any(e, f); }
+};
+
+template <class T>
+bool any_edge_meets(const Edges<T>& a, const Box&, const AnyShape& b, const Box& about, bool reversed,
+                    Meets& meets) noexcept {
+  const Motion relative = reversed ? opposite(meets.motion) : meets.motion;
+  return a.for_edges([&](const Edge& e, std::int64_t) {
+    return may_touch(box_of(e), about, relative) && (reversed ? meets.any(b, e) : meets.any(e, b));
+  });
+}
+template <class T>
+bool any_edge_meets(const Edges<T>& a, const Box& box_a, const Edges<T>& b, const Box& box_b, bool,
+                    Meets& meets) noexcept {
+  return walk(a, box_a, b, box_b, meets);
+}
+
 }  // namespace
 
 bool is_valid(const Operand& s) noexcept {
@@ -50,6 +86,17 @@ bool is_valid(const Operand& s) noexcept {
 std::int32_t cast(const Operand& a, const Operand& b, const Motion& motion, Impact<double>& out) noexcept {
   return with_edges(a, b, [&](const auto& edges, const auto& other, bool reversed) {
     return detail::polygon::cast_or_error(edges, other, reversed, motion, AskBodies{}, out);
+  });
+}
+
+std::int32_t meets(const Operand& a, const Operand& b, const Motion& motion) noexcept {
+  return with_edges(a, b, [&](const auto& edges, const auto& other, bool reversed) -> std::int32_t {
+    Box box, about;
+    if (!detail::polygon::is_valid(edges, box) || !detail::polygon::is_valid(other, about)) return error_shape;
+    if (!may_touch(box, about, reversed ? opposite(motion) : motion)) return 0;
+    Meets meets{motion};
+    if (any_edge_meets(edges, box, other, about, reversed, meets)) return 1;
+    return detail::polygon::overlap_valid(edges, box, other, about) ? 1 : meets.error;
   });
 }
 

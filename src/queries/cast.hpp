@@ -77,6 +77,9 @@ namespace vesica::polygon {
 /// The same for operands of which one is a path. The motion is sound.
 std::int32_t cast(const Operand& a, const Operand& b, const detail::cast::Motion& motion, Impact<double>& out) noexcept;
 
+/// The same as queries::meets().
+std::int32_t meets(const Operand& a, const Operand& b, const detail::cast::Motion& motion) noexcept;
+
 bool is_valid(const Operand& s) noexcept;
 
 /// Rounded to T, as above.

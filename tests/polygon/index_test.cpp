@@ -3,9 +3,14 @@
 #include <gtest/gtest.h>
 #include <vesica_index.h>
 #include <vesica_measures.h>
+#include <vesica_motion.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
+#include <limits>
 #include <memory>
 #include <set>
 #include <utility>
@@ -80,6 +85,34 @@ struct Sets {
     single(i, a);
     single(j, b);
     return vesica_within_f64(a.kind, a.shape, b.kind, b.shape, distance);
+  }
+
+  /// Casts item j, which moves, at item i.
+  std::int32_t cast(std::int64_t i, std::int64_t j, double vx, double vy, double end, vesica_impact_f64& out) const {
+    Single a, b;
+    single(i, a);
+    single(j, b);
+    return vesica_cast_f64(a.kind, a.shape, b.kind, b.shape, vx, vy, end, &out);
+  }
+  /// An item alone, as an array of one in its set's layout.
+  vesica_shapes_f64 alone(std::int64_t item) const {
+    const auto set = static_cast<std::size_t>(item / each_set);
+    vesica_shapes_f64 one = sets[set];
+    const std::int64_t i = item % each_set;
+    one.count = 1;
+    if (set == 0) {
+      one.field[0] += 8 * i;
+      one.field[1] += 8 * i;
+    } else if (set == 1) {
+      one.polygons += i;
+    } else if (set == 2) {
+      one.field[0] = reinterpret_cast<const double*>(&structs[static_cast<std::size_t>(i)]);
+    } else if (set == 3) {
+      one.rings += i;
+    } else {
+      for (auto& field : one.field) field += field == nullptr ? 0 : i;
+    }
+    return one;
   }
 
  private:
@@ -170,23 +203,7 @@ TEST(PolygonIndex, SelectsAsEveryItemAsked) {
   const Room index = index_of(sets);
   std::size_t selected = 0;
   for (std::int64_t one = 0; one < sets.items(); one += 7) {
-    const auto set = static_cast<std::size_t>(one / each_set);
-    // The item alone, as an array of one in its set's layout.
-    vesica_shapes_f64 single = sets.sets[set];
-    const std::int64_t i = one % each_set;
-    single.count = 1;
-    if (set == 0) {
-      single.field[0] += 8 * i;
-      single.field[1] += 8 * i;
-    } else if (set == 1) {
-      single.polygons += i;
-    } else if (set == 2) {
-      single.field[0] = reinterpret_cast<const double*>(&sets.structs[static_cast<std::size_t>(i)]);
-    } else if (set == 3) {
-      single.rings += i;
-    } else {
-      for (auto& field : single.field) field += field == nullptr ? 0 : i;
-    }
+    const vesica_shapes_f64 single = sets.alone(one);
     std::set<std::int64_t> expected, found;
     for (std::int64_t j = 0; j < sets.items(); ++j) {
       if (sets.overlap(one, j) == 1) expected.insert(j);
@@ -202,6 +219,109 @@ TEST(PolygonIndex, SelectsAsEveryItemAsked) {
     selected += found.size();
   }
   EXPECT_GT(selected, 500U);
+}
+
+/// Items of every kind are cast at all others, from where they are and from outside.
+TEST(PolygonIndex, CastsAsEveryItemAsked) {
+  Random random(properties::seed());
+  const Sets sets(random);
+  const Room index = index_of(sets);
+  const auto count = static_cast<std::int32_t>(sets.sets.size());
+  std::size_t hits = 0, misses = 0, apart = 0;
+  for (std::int64_t one = 0; one < sets.items(); one += random.integer(1, 5)) {
+    const double x = random.between(-3, 3), y = random.chance(0.2) ? 0 : random.between(-3, 3),
+                 end = random.chance(0.5) ? random.between(0, 1) : 8;
+    const vesica_shapes_f64 single = sets.alone(one);
+    std::set<std::int64_t> expected, found;
+    std::int64_t first = sets.items();
+    vesica_impact_f64 impact{}, earliest{HUGE_VAL, 0, 0, 0, 0};
+    for (std::int64_t j = 0; j < sets.items(); ++j) {
+      const std::int32_t code = sets.cast(j, one, x, y, end, impact);
+      ASSERT_GE(code, 0);
+      if (code == VESICA_CAST_MISS) continue;
+      expected.insert(j);
+      if (first < sets.items() && impact.t >= earliest.t) continue;
+      first = j;
+      earliest = impact;
+    }
+    std::int64_t state[4] = {}, out[40];
+    while (state[0] != -1) {
+      const std::int64_t n =
+          vesica_index_cast_f64(index.memory.get(), sets.sets.data(), count, &single, x, y, end, out, 40, state);
+      ASSERT_GE(n, 0);
+      found.insert(out, out + n);
+    }
+    ASSERT_EQ(found, expected) << one;
+    ASSERT_EQ(
+        vesica_index_cast_f64(index.memory.get(), sets.sets.data(), count, &single, x, y, end, nullptr, 0, nullptr),
+        static_cast<std::int64_t>(expected.size()));
+    const std::int64_t item =
+        vesica_index_cast_first_f64(index.memory.get(), sets.sets.data(), count, &single, x, y, end, &impact);
+    ASSERT_EQ(item, first) << one;
+    if (item < sets.items()) {
+      ASSERT_EQ(std::memcmp(&impact, &earliest, sizeof impact), 0) << one;
+      apart += earliest.t > 0 ? 1 : 0;
+    }
+    hits += found.size();
+    misses += static_cast<std::size_t>(sets.items()) - found.size();
+  }
+  EXPECT_GT(std::min(hits, misses), 1000U);
+  // Each item overlaps itself, so the first contact is at the start. Rays from outside reach others first.
+  EXPECT_EQ(apart, 0U);
+  for (int i = 0; i < 200; ++i) {
+    const double turn = random.between(0, 6.28), x = 8 * std::cos(turn), y = 8 * std::sin(turn);
+    const vesica_point_f64 from{x, y};
+    const double vx = random.between(-1, 1) - x, vy = random.between(-1, 1) - y;
+    vesica_shapes_f64 ray;
+    ASSERT_EQ(vesica_shapes_from_records_f64(VESICA_POINT, 1, &from, sizeof from, &ray), 0);
+    std::int64_t first = sets.items();
+    vesica_impact_f64 earliest{HUGE_VAL, 0, 0, 0, 0};
+    for (std::size_t s = 0; s < sets.sets.size(); ++s) {
+      vesica_impact_f64 of_set{};
+      const std::int64_t k = vesica_cast_first_f64(&ray, &sets.sets[s], vx, vy, 2, &of_set);
+      ASSERT_GE(k, 0);
+      if (k == each_set || of_set.t >= earliest.t) continue;
+      first = static_cast<std::int64_t>(s) * each_set + k;
+      earliest = of_set;
+    }
+    vesica_impact_f64 impact{};
+    ASSERT_EQ(vesica_index_cast_first_f64(index.memory.get(), sets.sets.data(), count, &ray, vx, vy, 2, &impact),
+              first);
+    if (first < sets.items()) {
+      ASSERT_EQ(std::memcmp(&impact, &earliest, sizeof impact), 0);
+      apart += impact.t > 0 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(apart, 100U);
+}
+
+TEST(PolygonIndex, CastsInFloat) {
+  const std::vector<float> quads{0, 0, 1, 0, 1, 1, 0, 1, 4, 0, 6, 1, 4, 2, 5, 1};
+  vesica_shapes_f32 shapes{};
+  shapes.kind = VESICA_POLYGON;
+  shapes.count = 2;
+  shapes.stride = 8;
+  shapes.each = 4;
+  shapes.field[0] = quads.data();
+  shapes.field[1] = quads.data() + 1;
+  Room index(vesica_index_size(2)), scratch(vesica_index_scratch(2));
+  ASSERT_GT(vesica_index_build_f32(&shapes, 1, index.memory.get(), index.size, scratch.memory.get(), scratch.size), 0);
+  vesica_shapes_f32 first = shapes;
+  first.count = 1;
+  vesica_impact_f32 impact{};
+  vesica_shapes_f32 second = shapes;
+  second.count = 1;
+  second.field[0] += 8;
+  second.field[1] += 8;
+  EXPECT_EQ(vesica_index_cast_f32(index.memory.get(), &shapes, 1, &first, 1, 0, 4, nullptr, 0, nullptr), 2);
+  EXPECT_EQ(vesica_index_cast_f32(index.memory.get(), &shapes, 1, &first, 1, 0, 2.5F, nullptr, 0, nullptr), 1);
+  EXPECT_EQ(vesica_index_cast_first_f32(index.memory.get(), &shapes, 1, &second, -1, 0, 4, &impact), 1);
+  const vesica_point_f32 point{2, 0.5};
+  vesica_shapes_f32 ray;
+  ASSERT_EQ(vesica_shapes_from_records_f32(VESICA_POINT, 1, &point, sizeof point, &ray), 0);
+  EXPECT_EQ(vesica_index_cast_first_f32(index.memory.get(), &shapes, 1, &ray, 1, 0, 9, &impact), 1);
+  EXPECT_EQ(impact.t, 2.5F);
+  EXPECT_EQ(impact.x, 4.5F);
 }
 
 TEST(PolygonIndex, JoinsWithinADistance) {

@@ -86,6 +86,11 @@ class Forms(unittest.TestCase):
         index = vesica.Index(shapes, vesica.circles([[2.5, 0.5, 0.25], [0, 0, 0.1]]))
         a, b = index.join()
         self.assertEqual(sorted(zip(a.tolist(), b.tolist())), [(0, 4), (1, 3)])
+        self.assertEqual(sorted(index.cast(vesica.points([-1, 0.5]), (1, 0)).tolist()), [0, 1, 3])
+        item, impact = index.cast_first(shapes[0], (1, 0), 0.5)
+        self.assertEqual((item, impact.t), (0, 0))
+        item, impact = index.cast_first(vesica.points([1.5, 0.5]), (1, 0))
+        self.assertEqual((item, impact.t), (1, 0.5))
 
     def test_questions(self):
         shapes = vesica.polygons(SQUARES)

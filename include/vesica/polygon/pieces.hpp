@@ -189,7 +189,7 @@ class PiecesAlong {
       visit(Cut{{{}, f}, turns});
     }
   }
-  /// Of an edge on the segment's line.
+  /// The cuts that an edge on the segment's line makes.
   template <class Visit>
   void for_stretch(const Edge& f, const Visit& visit) const noexcept {
     const bool forward = order_along(segment_, start_of(f), end_of(f)) <= 0;
