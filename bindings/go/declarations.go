@@ -347,6 +347,18 @@ type Penetration[T Float] struct {
 	Y     T
 }
 
+// Grid: A grid of cells, such as the pixels of a picture.
+//
+// Cell (i, j) of column i and row j is the box from (x + i dx, y + j dy) to (x + (i + 1) dx, y + (j + 1) dy).
+type Grid[T Float] struct {
+	X       T
+	Y       T
+	DX      T
+	DY      T
+	Columns int64
+	Rows    int64
+}
+
 // Impact: A first contact: its time t, its point (x, y), and the unit normal (nx, ny) there, from a to b.
 //
 // After a miss t is infinity and all other numbers are NaN.
@@ -962,6 +974,22 @@ func cSuppressSoft(wide bool, shapes C.vesica_go_view, scores *C.char, labels *C
 	}
 	return C.go_suppress_soft_f32(shapes, scores, labels, ratio, decay, C.float(parameter), C.float(leastScore), most,
 		scratch, scratchSize, keep, decayed, kept)
+}
+
+func cCoverage(wide bool, kind C.int32_t, shape C.vesica_go_shape, grid *C.char, out *C.char,
+	rowStride C.ptrdiff_t) C.int32_t {
+	if wide {
+		return C.go_coverage_f64(kind, shape, grid, out, rowStride)
+	}
+	return C.go_coverage_f32(kind, shape, grid, out, rowStride)
+}
+
+func cCoverageCells(wide bool, kind C.int32_t, shape C.vesica_go_shape, grid *C.char, cells *C.char, shares *C.char,
+	capacity C.int64_t) C.int64_t {
+	if wide {
+		return C.go_coverage_cells_f64(kind, shape, grid, cells, shares, capacity)
+	}
+	return C.go_coverage_cells_f32(kind, shape, grid, cells, shares, capacity)
 }
 
 func cCast(wide bool, kindA C.int32_t, a C.vesica_go_shape, kindB C.int32_t, b C.vesica_go_shape, vx float64,

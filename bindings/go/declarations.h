@@ -1122,6 +1122,30 @@ static inline int32_t go_suppress_soft_f32(vesica_go_view shapes, const char *sc
         least_score, most, (void *)scratch, scratch_size, (void *)keep, (void *)decayed, (void *)kept);
 }
 
+static inline int32_t go_coverage_f64(int32_t kind, vesica_go_shape shape, const char *grid, char *out,
+    ptrdiff_t row_stride) {
+    vesica_go_f64 of_shape = go_read_f64(kind, &shape);
+    return vesica_coverage_f64(kind, &of_shape, (const void *)grid, (void *)out, row_stride);
+}
+
+static inline int32_t go_coverage_f32(int32_t kind, vesica_go_shape shape, const char *grid, char *out,
+    ptrdiff_t row_stride) {
+    vesica_go_f32 of_shape = go_read_f32(kind, &shape);
+    return vesica_coverage_f32(kind, &of_shape, (const void *)grid, (void *)out, row_stride);
+}
+
+static inline int64_t go_coverage_cells_f64(int32_t kind, vesica_go_shape shape, const char *grid, char *cells,
+    char *shares, int64_t capacity) {
+    vesica_go_f64 of_shape = go_read_f64(kind, &shape);
+    return vesica_coverage_cells_f64(kind, &of_shape, (const void *)grid, (void *)cells, (void *)shares, capacity);
+}
+
+static inline int64_t go_coverage_cells_f32(int32_t kind, vesica_go_shape shape, const char *grid, char *cells,
+    char *shares, int64_t capacity) {
+    vesica_go_f32 of_shape = go_read_f32(kind, &shape);
+    return vesica_coverage_cells_f32(kind, &of_shape, (const void *)grid, (void *)cells, (void *)shares, capacity);
+}
+
 static inline int32_t go_cast_f64(int32_t kind_a, vesica_go_shape a, int32_t kind_b, vesica_go_shape b, double vx,
     double vy, double t_end, char *out) {
     vesica_go_f64 of_a = go_read_f64(kind_a, &a);

@@ -31,6 +31,13 @@
 #define vesica_min_perimeter_rect(points, out) \
     VESICA_QUERY_(vesica_min_perimeter_rect, VESICA_SIZE_(points) & VESICA_SIZE_(out))(points, out)
 
+#define vesica_coverage(shape, grid, out, row_stride) \
+    VESICA_QUERY_(vesica_coverage, VESICA_SIZE_(shape) & VESICA_SIZE_(grid) & VESICA_SIZE_(out)) \
+    (VESICA_SHAPE_(shape), grid, out, row_stride)
+#define vesica_coverage_cells(shape, grid, cells, shares, capacity) \
+    VESICA_QUERY_(vesica_coverage_cells, VESICA_SIZE_(shape) & VESICA_SIZE_(grid) & VESICA_SIZE_(shares)) \
+    (VESICA_SHAPE_(shape), grid, cells, shares, capacity)
+
 #define vesica_overlap(a, b) VESICA_TWO_(vesica_overlap, a, b)
 #define vesica_interiors_overlap(a, b) VESICA_TWO_(vesica_interiors_overlap, a, b)
 #define vesica_relation(a, b) VESICA_TWO_(vesica_relation, a, b)
@@ -90,11 +97,11 @@
         double: 8, vesica_point_f64: 8, vesica_segment_f64: 8, vesica_circle_f64: 8, vesica_aabb_f64: 8, \
         vesica_rect_f64: 8, vesica_ellipse_f64: 8, vesica_capsule_f64: 8, vesica_round_rect_f64: 8, \
         vesica_polygon_f64: 8, vesica_polyline_f64: 8, vesica_facts_f64: 8, vesica_closest_points_f64: 8, \
-        vesica_penetration_f64: 8, vesica_impact_f64: 8, vesica_turn_f64: 8, \
+        vesica_grid_f64: 8, vesica_penetration_f64: 8, vesica_impact_f64: 8, vesica_turn_f64: 8, \
         float: 4, vesica_point_f32: 4, vesica_segment_f32: 4, vesica_circle_f32: 4, vesica_aabb_f32: 4, \
         vesica_rect_f32: 4, vesica_ellipse_f32: 4, vesica_capsule_f32: 4, vesica_round_rect_f32: 4, \
         vesica_polygon_f32: 4, vesica_polyline_f32: 4, vesica_facts_f32: 4, vesica_closest_points_f32: 4, \
-        vesica_penetration_f32: 4, vesica_impact_f32: 4, vesica_turn_f32: 4)
+        vesica_grid_f32: 4, vesica_penetration_f32: 4, vesica_impact_f32: 4, vesica_turn_f32: 4)
 
 /* Chooses by a constant size. Sizes of several arguments are joined by &: 8 & 4 is 0, which matches nothing. */
 #define VESICA_PICK_(size, of_double, of_float) \

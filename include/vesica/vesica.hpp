@@ -16,6 +16,7 @@
 #include <vesica/cast.hpp>
 #include <vesica/check.hpp>
 #include <vesica/construct.hpp>
+#include <vesica/coverage.hpp>
 #include <vesica/crossings.hpp>
 #include <vesica/de9im.hpp>
 #include <vesica/depth.hpp>
@@ -36,6 +37,7 @@
 #include <vesica/polygon/ratio.hpp>
 #include <vesica/polygon/relation.hpp>
 #include <vesica/polygon/simple.hpp>
+#include <vesica/polygon/smallest_rect.hpp>
 #include <vesica/polygon/within.hpp>
 #include <vesica/ratio.hpp>
 #include <vesica/relation.hpp>

@@ -68,6 +68,20 @@ static void test_polygons(void) {
   EXPECT(facts.area == 8 && facts.convex == 1, 1);
   EXPECT(vesica_polygon_facts(&polygon_f32, &facts_f32), 0);
   EXPECT(facts_f32.area == 8 && facts_f32.convex == 1, 1);
+  vesica_point_f64 corners[3];
+  vesica_rect_f64 rect;
+  EXPECT(vesica_convex_hull(&polygon, corners, 3) == 3 && corners[1].x == 4, 1);
+  EXPECT(vesica_min_area_rect(&polygon, &rect), 0);
+  EXPECT(vesica_min_perimeter_rect(&polygon, &rect), 0);
+  EXPECT(rect.hx == 2 && rect.hy == 2, 1);
+  const vesica_grid_f64 grid = {0, 0, 4, 4, 1, 1};
+  const vesica_grid_f32 grid_f32 = {0, 0, 4, 4, 1, 1};
+  double share = 0;
+  float share_f32 = 0;
+  int64_t cell = -1;
+  EXPECT(vesica_coverage(&polygon, &grid, &share, 1), 0);
+  EXPECT(vesica_coverage_cells(&polygon_f32, &grid_f32, &cell, &share_f32, 1) == 1 && cell == 0, 1);
+  EXPECT(share == 0.5 && share_f32 == 0.5f, 1);
 }
 
 static void test_float(void) {

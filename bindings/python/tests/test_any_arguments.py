@@ -53,7 +53,7 @@ def numbers(draw, count):
     return [float(draw.randrange(-4, 5)) for _ in range(count)]
 
 
-OF_SINGLES = ("crossings", "de9im", "impact_time", "intersection", "sweep_bounds")
+OF_SINGLES = ("coverage", "coverage_cells", "crossings", "de9im", "impact_time", "intersection", "sweep_bounds")
 
 # What fits an argument of that name.
 FITTING = {
@@ -74,6 +74,7 @@ FITTING = {
         ("vertices", "points"), lambda draw: draw.choice([[rows(draw, 2)] * 3, rows(draw, 2), numpy.zeros((2, 4, 2))])
     ),
     "offsets": lambda draw: (),
+    **dict.fromkeys(("rows", "columns"), lambda draw: draw.choice([0, 1, 7])),
     "xyr": lambda draw: rows(draw, 3),
     "xyxy": lambda draw: rows(draw, 4),
     "xyxyr": lambda draw: rows(draw, 5),

@@ -17,6 +17,7 @@ answers of all others. `vesica.c` is the C library itself, and help(vesica.c.ves
 """
 from ._library import VesicaError
 from ._library import library as c
+from .coverage import coverage, coverage_cells
 from .hull import convex_hull, min_area_rects, min_perimeter_rects
 from .index import Index
 from .motion import Cast, Impact, Turn, cast, cast_first, impact_time, sweep_bounds

@@ -331,6 +331,26 @@ package Vesica_C is
       Each : Integer_64;
    end record with Convention => C;
 
+   --  A grid of cells, such as the pixels of a picture.
+   type Vesica_Grid_F64 is record
+      X : IEEE_Float_64;
+      Y : IEEE_Float_64;
+      Dx : IEEE_Float_64;
+      Dy : IEEE_Float_64;
+      Columns : Integer_64;
+      Rows : Integer_64;
+   end record with Convention => C;
+
+   --  A grid of cells, such as the pixels of a picture.
+   type Vesica_Grid_F32 is record
+      X : IEEE_Float_32;
+      Y : IEEE_Float_32;
+      Dx : IEEE_Float_32;
+      Dy : IEEE_Float_32;
+      Columns : Integer_64;
+      Rows : Integer_64;
+   end record with Convention => C;
+
    --  A first contact: its time t, its point (x, y), and the unit normal (nx, ny) there, from a to b.
    type Vesica_Impact_F64 is record
       T : IEEE_Float_64;
@@ -1350,6 +1370,16 @@ package Vesica_C is
       System.Address; Kept : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_suppress_soft_f64";
 
+   --  The share of each cell that a shape covers: out[j * row_stride + i] is area covered / area of cell (i, j).
+   function Vesica_Coverage_F64 (Kind : Integer_32; Shape : System.Address; Grid : System.Address; Output :
+      System.Address; Row_Stride : ptrdiff_t) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_coverage_f64";
+
+   --  The cells of which a shape covers more than nothing, and their shares, as vesica_coverage_f64 has them.
+   function Vesica_Coverage_Cells_F64 (Kind : Integer_32; Shape : System.Address; Grid : System.Address; Cells :
+      System.Address; Shares : System.Address; Capacity : Integer_64) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_coverage_cells_f64";
+
    --  A ratio by which detections are compared: IoU and its relatives, as `ratio` says.
    function Vesica_Ratio_F32 (Ratio : Integer_32; Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B
       : System.Address; Output : System.Address) return Integer_32
@@ -1422,6 +1452,16 @@ package Vesica_C is
       Integer_64; Scratch : System.Address; Scratch_Size : Integer_64; Keep : System.Address; Decayed :
       System.Address; Kept : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_suppress_soft_f32";
+
+   --  The share of each cell that a shape covers: out[j * row_stride + i] is area covered / area of cell (i, j).
+   function Vesica_Coverage_F32 (Kind : Integer_32; Shape : System.Address; Grid : System.Address; Output :
+      System.Address; Row_Stride : ptrdiff_t) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_coverage_f32";
+
+   --  The cells of which a shape covers more than nothing, and their shares, as vesica_coverage_f32 has them.
+   function Vesica_Coverage_Cells_F32 (Kind : Integer_32; Shape : System.Address; Grid : System.Address; Cells :
+      System.Address; Shares : System.Address; Capacity : Integer_64) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_coverage_cells_f32";
 
    --  Does b touch a while it moves, when first, and where?
    function Vesica_Cast_F64 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B : System.Address; Vx

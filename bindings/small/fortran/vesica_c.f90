@@ -326,6 +326,26 @@ module vesica_c
     integer(c_int64_t) :: each
   end type
 
+  !> A grid of cells, such as the pixels of a picture.
+  type, bind(c) :: vesica_grid_f64
+    real(c_double) :: x
+    real(c_double) :: y
+    real(c_double) :: dx
+    real(c_double) :: dy
+    integer(c_int64_t) :: columns
+    integer(c_int64_t) :: rows
+  end type
+
+  !> A grid of cells, such as the pixels of a picture.
+  type, bind(c) :: vesica_grid_f32
+    real(c_float) :: x
+    real(c_float) :: y
+    real(c_float) :: dx
+    real(c_float) :: dy
+    integer(c_int64_t) :: columns
+    integer(c_int64_t) :: rows
+  end type
+
   !> A first contact: its time t, its point (x, y), and the unit normal (nx, ny) there, from a to b.
   type, bind(c) :: vesica_impact_f64
     real(c_double) :: t
@@ -2233,6 +2253,27 @@ module vesica_c
       type(c_ptr), value :: kept
     end function
 
+    !> The share of each cell that a shape covers: out[j * row_stride + i] is area covered / area of cell (i, j).
+    integer(c_int32_t) function vesica_coverage_f64(kind, shape, grid, out, row_stride) bind(c)
+      import
+      integer(c_int32_t), value :: kind
+      real(c_double), intent(in) :: shape(*)
+      type(vesica_grid_f64), intent(in) :: grid
+      type(c_ptr), value :: out
+      integer(c_ptrdiff_t), value :: row_stride
+    end function
+
+    !> The cells of which a shape covers more than nothing, and their shares, as vesica_coverage_f64 has them.
+    integer(c_int64_t) function vesica_coverage_cells_f64(kind, shape, grid, cells, shares, capacity) bind(c)
+      import
+      integer(c_int32_t), value :: kind
+      real(c_double), intent(in) :: shape(*)
+      type(vesica_grid_f64), intent(in) :: grid
+      type(c_ptr), value :: cells
+      type(c_ptr), value :: shares
+      integer(c_int64_t), value :: capacity
+    end function
+
     !> A ratio by which detections are compared: IoU and its relatives, as `ratio` says.
     integer(c_int32_t) function vesica_ratio_f32(ratio, kind_a, a, kind_b, b, out) bind(c)
       import
@@ -2380,6 +2421,27 @@ module vesica_c
       type(c_ptr), value :: keep
       type(c_ptr), value :: decayed
       type(c_ptr), value :: kept
+    end function
+
+    !> The share of each cell that a shape covers: out[j * row_stride + i] is area covered / area of cell (i, j).
+    integer(c_int32_t) function vesica_coverage_f32(kind, shape, grid, out, row_stride) bind(c)
+      import
+      integer(c_int32_t), value :: kind
+      real(c_float), intent(in) :: shape(*)
+      type(vesica_grid_f32), intent(in) :: grid
+      type(c_ptr), value :: out
+      integer(c_ptrdiff_t), value :: row_stride
+    end function
+
+    !> The cells of which a shape covers more than nothing, and their shares, as vesica_coverage_f32 has them.
+    integer(c_int64_t) function vesica_coverage_cells_f32(kind, shape, grid, cells, shares, capacity) bind(c)
+      import
+      integer(c_int32_t), value :: kind
+      real(c_float), intent(in) :: shape(*)
+      type(vesica_grid_f32), intent(in) :: grid
+      type(c_ptr), value :: cells
+      type(c_ptr), value :: shares
+      integer(c_int64_t), value :: capacity
     end function
 
     !> Does b touch a while it moves, when first, and where?

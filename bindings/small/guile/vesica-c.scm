@@ -495,6 +495,10 @@
 (c vesica_suppress_soft_scratch int64 int64)
 ;; Soft suppression (soft-NMS): a shape that a better one covers is not dropped, but gets a lower score.
 (c vesica_suppress_soft_f64 int32 '* '* '* int32 int32 double double int64 '* int64 '* '* '*)
+;; The share of each cell that a shape covers: out[j * row_stride + i] is area covered / area of cell (i, j).
+(c vesica_coverage_f64 int32 int32 '* '* '* ptrdiff_t)
+;; The cells of which a shape covers more than nothing, and their shares, as vesica_coverage_f64 has them.
+(c vesica_coverage_cells_f64 int64 int32 '* '* '* '* int64)
 ;; A ratio by which detections are compared: IoU and its relatives, as `ratio` says.
 (c vesica_ratio_f32 int32 int32 int32 '* int32 '* '*)
 ;; A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f32.
@@ -523,6 +527,10 @@
 (c vesica_within_matrix_f32 int64 '* '* float '* ptrdiff_t)
 ;; Soft suppression (soft-NMS): a shape that a better one covers is not dropped, but gets a lower score.
 (c vesica_suppress_soft_f32 int32 '* '* '* int32 int32 float float int64 '* int64 '* '* '*)
+;; The share of each cell that a shape covers: out[j * row_stride + i] is area covered / area of cell (i, j).
+(c vesica_coverage_f32 int32 int32 '* '* '* ptrdiff_t)
+;; The cells of which a shape covers more than nothing, and their shares, as vesica_coverage_f32 has them.
+(c vesica_coverage_cells_f32 int64 int32 '* '* '* '* int64)
 ;; Does b touch a while it moves, when first, and where?
 (c vesica_cast_f64 int32 int32 '* int32 '* double double double '*)
 ;; When and where does b[i], moved by t (vx[i], vy[i]), touch a[i]?

@@ -328,6 +328,26 @@ type
     each: Int64;
   end;
   PVesicaShapesF32 = ^TVesicaShapesF32;
+  // A grid of cells, such as the pixels of a picture.
+  TVesicaGridF64 = record
+    x: Double;
+    y: Double;
+    dx: Double;
+    dy: Double;
+    columns: Int64;
+    rows: Int64;
+  end;
+  PVesicaGridF64 = ^TVesicaGridF64;
+  // A grid of cells, such as the pixels of a picture.
+  TVesicaGridF32 = record
+    x: Single;
+    y: Single;
+    dx: Single;
+    dy: Single;
+    columns: Int64;
+    rows: Int64;
+  end;
+  PVesicaGridF32 = ^TVesicaGridF32;
   // A first contact: its time t, its point (x, y), and the unit normal (nx, ny) there, from a to b.
   TVesicaImpactF64 = record
     t: Double;
@@ -963,6 +983,12 @@ function vesica_suppress_soft_scratch(count: Int64): Int64; cdecl; external vesi
 function vesica_suppress_soft_f64(shapes: PVesicaShapesF64; scores: PDouble; labels: PInt32; ratio: Int32; decay:
   Int32; parameter: Double; least_score: Double; most: Int64; scratch: Pointer; scratch_size: Int64; keep: PInt64;
   decayed: PDouble; kept: PInt64): Int32; cdecl; external vesica_library;
+// The share of each cell that a shape covers: out[j * row_stride + i] is area covered / area of cell (i, j).
+function vesica_coverage_f64(kind: Int32; shape: Pointer; grid: PVesicaGridF64; output: PDouble; row_stride:
+  PtrInt): Int32; cdecl; external vesica_library;
+// The cells of which a shape covers more than nothing, and their shares, as vesica_coverage_f64 has them.
+function vesica_coverage_cells_f64(kind: Int32; shape: Pointer; grid: PVesicaGridF64; cells: PInt64; shares:
+  PDouble; capacity: Int64): Int64; cdecl; external vesica_library;
 // A ratio by which detections are compared: IoU and its relatives, as `ratio` says.
 function vesica_ratio_f32(ratio: Int32; kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output: PSingle):
   Int32; cdecl; external vesica_library;
@@ -1007,6 +1033,12 @@ function vesica_within_matrix_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; dist
 function vesica_suppress_soft_f32(shapes: PVesicaShapesF32; scores: PSingle; labels: PInt32; ratio: Int32; decay:
   Int32; parameter: Single; least_score: Single; most: Int64; scratch: Pointer; scratch_size: Int64; keep: PInt64;
   decayed: PSingle; kept: PInt64): Int32; cdecl; external vesica_library;
+// The share of each cell that a shape covers: out[j * row_stride + i] is area covered / area of cell (i, j).
+function vesica_coverage_f32(kind: Int32; shape: Pointer; grid: PVesicaGridF32; output: PSingle; row_stride:
+  PtrInt): Int32; cdecl; external vesica_library;
+// The cells of which a shape covers more than nothing, and their shares, as vesica_coverage_f32 has them.
+function vesica_coverage_cells_f32(kind: Int32; shape: Pointer; grid: PVesicaGridF32; cells: PInt64; shares:
+  PSingle; capacity: Int64): Int64; cdecl; external vesica_library;
 // Does b touch a while it moves, when first, and where?
 function vesica_cast_f64(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; vx: Double; vy: Double; t_end:
   Double; output: PVesicaImpactF64): Int32; cdecl; external vesica_library;

@@ -513,6 +513,10 @@ our @FUNCTIONS = (
     # Soft suppression (soft-NMS): a shape that a better one covers is not dropped, but gets a lower score.
     [vesica_suppress_soft_f64 => ['opaque', 'opaque', 'opaque', 'sint32', 'sint32', 'double', 'double', 'sint64',
         'opaque', 'sint64', 'opaque', 'opaque', 'opaque'] => 'sint32'],
+    # The share of each cell that a shape covers: out[j * row_stride + i] is area covered / area of cell (i, j).
+    [vesica_coverage_f64 => ['sint32', 'double[]', 'opaque', 'opaque', 'sint64'] => 'sint32'],
+    # The cells of which a shape covers more than nothing, and their shares, as vesica_coverage_f64 has them.
+    [vesica_coverage_cells_f64 => ['sint32', 'double[]', 'opaque', 'opaque', 'opaque', 'sint64'] => 'sint64'],
     # A ratio by which detections are compared: IoU and its relatives, as `ratio` says.
     [vesica_ratio_f32 => ['sint32', 'sint32', 'float[]', 'sint32', 'float[]', 'opaque'] => 'sint32'],
     # A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f32.
@@ -543,6 +547,10 @@ our @FUNCTIONS = (
     # Soft suppression (soft-NMS): a shape that a better one covers is not dropped, but gets a lower score.
     [vesica_suppress_soft_f32 => ['opaque', 'opaque', 'opaque', 'sint32', 'sint32', 'float', 'float', 'sint64',
         'opaque', 'sint64', 'opaque', 'opaque', 'opaque'] => 'sint32'],
+    # The share of each cell that a shape covers: out[j * row_stride + i] is area covered / area of cell (i, j).
+    [vesica_coverage_f32 => ['sint32', 'float[]', 'opaque', 'opaque', 'sint64'] => 'sint32'],
+    # The cells of which a shape covers more than nothing, and their shares, as vesica_coverage_f32 has them.
+    [vesica_coverage_cells_f32 => ['sint32', 'float[]', 'opaque', 'opaque', 'opaque', 'sint64'] => 'sint64'],
     # Does b touch a while it moves, when first, and where?
     [vesica_cast_f64 => ['sint32', 'double[]', 'sint32', 'double[]', 'double', 'double', 'double',
         'opaque'] => 'sint32'],

@@ -496,6 +496,10 @@ module Vesica
     # Soft suppression (soft-NMS): a shape that a better one covers is not dropped, but gets a lower score.
     'int vesica_suppress_soft_f64(void *, void *, void *, int, int, double, double, int64_t, void *, int64_t, void *,
         void *, void *)',
+    # The share of each cell that a shape covers: out[j * row_stride + i] is area covered / area of cell (i, j).
+    'int vesica_coverage_f64(int, void *, void *, void *, ptrdiff_t)',
+    # The cells of which a shape covers more than nothing, and their shares, as vesica_coverage_f64 has them.
+    'int64_t vesica_coverage_cells_f64(int, void *, void *, void *, void *, int64_t)',
     # A ratio by which detections are compared: IoU and its relatives, as `ratio` says.
     'int vesica_ratio_f32(int, int, void *, int, void *, void *)',
     # A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f32.
@@ -525,6 +529,10 @@ module Vesica
     # Soft suppression (soft-NMS): a shape that a better one covers is not dropped, but gets a lower score.
     'int vesica_suppress_soft_f32(void *, void *, void *, int, int, float, float, int64_t, void *, int64_t, void *,
         void *, void *)',
+    # The share of each cell that a shape covers: out[j * row_stride + i] is area covered / area of cell (i, j).
+    'int vesica_coverage_f32(int, void *, void *, void *, ptrdiff_t)',
+    # The cells of which a shape covers more than nothing, and their shares, as vesica_coverage_f32 has them.
+    'int64_t vesica_coverage_cells_f32(int, void *, void *, void *, void *, int64_t)',
     # Does b touch a while it moves, when first, and where?
     'int vesica_cast_f64(int, void *, int, void *, double, double, double, void *)',
     # When and where does b[i], moved by t (vx[i], vy[i]), touch a[i]?

@@ -374,6 +374,25 @@ pub type vesica_shapes_f64 = Shapes<f64>;
 /// [`Shapes`] of f32.
 pub type vesica_shapes_f32 = Shapes<f32>;
 
+/// A grid of cells, such as the pixels of a picture.
+///
+/// Cell (i, j) of column i and row j is the box from (x + i dx, y + j dy) to (x + (i + 1) dx, y + (j + 1) dy).
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[allow(missing_docs)]
+pub struct Grid<T> {
+    pub x: T,
+    pub y: T,
+    pub dx: T,
+    pub dy: T,
+    pub columns: i64,
+    pub rows: i64,
+}
+/// [`Grid`] of f64.
+pub type vesica_grid_f64 = Grid<f64>;
+/// [`Grid`] of f32.
+pub type vesica_grid_f32 = Grid<f32>;
+
 /// A first contact: its time t, its point (x, y), and the unit normal (nx, ny) there, from a to b.
 ///
 /// After a miss t is infinity and all other numbers are NaN.
@@ -3786,6 +3805,48 @@ extern "C" {
     pub fn vesica_suppress_soft_f64(shapes: *const Shapes<f64>, scores: *const f64, labels: *const i32, ratio: i32,
         decay: i32, parameter: f64, least_score: f64, most: i64, scratch: *mut c_void, scratch_size: i64,
         keep: *mut i64, decayed: *mut f64, kept: *mut i64) -> i32;
+    /// The share of each cell that a shape covers: out\[j \* row_stride + i\] is area covered / area of cell (i, j).
+    ///
+    /// Shares are from 0 to 1. Points, segments and polylines cover nothing. A ring is the difference of two discs'
+    /// shares.
+    ///
+    /// Requires: grid with dx \> 0 and dy \> 0; out, room for the rows, row_stride elements apart, at least `columns`.
+    ///
+    /// Returns: 0.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (the grid, or rows that overlap),
+    /// VESICA_E_RANGE (a part of the shape is more than 2^44 cells from the corner of the grid). Nothing is written.
+    ///
+    /// Accuracy: cells inside have 1 and cells outside 0, exactly, unless the outline is within 4 u times the largest
+    /// coordinate of theirs or of the shape. Other shares are right to 16 u, and what that displacement of the outline
+    /// adds. Polygons must be simple, and the error is for each edge in the cell. In bounds on errors u is 2^-53, half
+    /// a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and
+    /// of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is
+    /// longer over shorter size.
+    ///
+    /// Cost: a small multiple of writing the cells, and about that of an overlap for each cell on the outline.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_coverage_f64(kind: i32, shape: *const c_void, grid: *const Grid<f64>, out: *mut f64,
+        row_stride: isize) -> i32;
+    /// The cells of which a shape covers more than nothing, and their shares, as vesica_coverage_f64 has them.
+    ///
+    /// cells\[k\] is the number of a cell, j \* columns + i. Each cell is named once, in no particular order.
+    ///
+    /// Requires: grid as vesica_coverage_f64; cells and shares, room for `capacity` each.
+    ///
+    /// Returns: the number of such cells. If it exceeds capacity, only the first `capacity` are written.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (the grid, or capacity \< 0),
+    /// VESICA_E_RANGE.
+    ///
+    /// Accuracy: as vesica_coverage_f64.
+    ///
+    /// Cost: as vesica_coverage_f64.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_coverage_cells_f64(kind: i32, shape: *const c_void, grid: *const Grid<f64>, cells: *mut i64,
+        shares: *mut f64, capacity: i64) -> i64;
     /// A ratio by which detections are compared: IoU and its relatives, as `ratio` says.
     ///
     /// The first four ratios are from 0 to 1. Shared area over one shape's is 0 if no area is shared, and 1 if the
@@ -4045,6 +4106,50 @@ extern "C" {
     pub fn vesica_suppress_soft_f32(shapes: *const Shapes<f32>, scores: *const f32, labels: *const i32, ratio: i32,
         decay: i32, parameter: f32, least_score: f32, most: i64, scratch: *mut c_void, scratch_size: i64,
         keep: *mut i64, decayed: *mut f32, kept: *mut i64) -> i32;
+    /// The share of each cell that a shape covers: out\[j \* row_stride + i\] is area covered / area of cell (i, j).
+    ///
+    /// Shares are from 0 to 1. Points, segments and polylines cover nothing. A ring is the difference of two discs'
+    /// shares.
+    ///
+    /// Requires: grid with dx \> 0 and dy \> 0; out, room for the rows, row_stride elements apart, at least `columns`.
+    ///
+    /// Returns: 0.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (the grid, or rows that overlap),
+    /// VESICA_E_RANGE (a part of the shape is more than 2^44 cells from the corner of the grid). Nothing is written.
+    ///
+    /// Accuracy: cells inside have 1 and cells outside 0, exactly, unless the outline is within 4 u times the largest
+    /// coordinate of theirs or of the shape. Other shares are right to 16 u, and what that displacement of the outline
+    /// adds. Polygons must be simple, and the error is for each edge in the cell. Each number is computed in double,
+    /// within these bounds, and then rounded to float once. In bounds on errors u is 2^-53, half a unit in the last
+    /// place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
+    /// lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over
+    /// shorter size.
+    ///
+    /// Cost: a small multiple of writing the cells, and about that of an overlap for each cell on the outline.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_coverage_f32(kind: i32, shape: *const c_void, grid: *const Grid<f32>, out: *mut f32,
+        row_stride: isize) -> i32;
+    /// The cells of which a shape covers more than nothing, and their shares, as vesica_coverage_f32 has them.
+    ///
+    /// cells\[k\] is the number of a cell, j \* columns + i. Each cell is named once, in no particular order.
+    ///
+    /// Requires: grid as vesica_coverage_f32; cells and shares, room for `capacity` each.
+    ///
+    /// Returns: the number of such cells. If it exceeds capacity, only the first `capacity` are written.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (the grid, or capacity \< 0),
+    /// VESICA_E_RANGE.
+    ///
+    /// Accuracy: as vesica_coverage_f32.
+    /// Each number is computed in double, within these bounds, and then rounded to float once.
+    ///
+    /// Cost: as vesica_coverage_f32.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_coverage_cells_f32(kind: i32, shape: *const c_void, grid: *const Grid<f32>, cells: *mut i64,
+        shares: *mut f32, capacity: i64) -> i64;
     /// Does b touch a while it moves, when first, and where?
     ///
     /// The normal belongs to the face or the round outline that is hit. If a corner hits a corner, it belongs to an
@@ -4848,6 +4953,10 @@ pub unsafe trait Scalar: Copy + Default + PartialEq + PartialOrd + core::fmt::De
     unsafe fn suppress_soft(shapes: *const Shapes<Self>, scores: *const Self, labels: *const i32, ratio: i32,
         decay: i32, parameter: Self, least_score: Self, most: i64, scratch: *mut c_void, scratch_size: i64,
         keep: *mut i64, decayed: *mut Self, kept: *mut i64) -> i32;
+    unsafe fn coverage(kind: i32, shape: *const c_void, grid: *const Grid<Self>, out: *mut Self,
+        row_stride: isize) -> i32;
+    unsafe fn coverage_cells(kind: i32, shape: *const c_void, grid: *const Grid<Self>, cells: *mut i64,
+        shares: *mut Self, capacity: i64) -> i64;
     unsafe fn cast(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, vx: Self, vy: Self, t_end: Self,
         out: *mut Impact<Self>) -> i32;
     unsafe fn cast_many(a: *const Shapes<Self>, b: *const Shapes<Self>, vx: *const Self, vy: *const Self, stride: isize,
@@ -5323,6 +5432,16 @@ unsafe impl Scalar for f64 {
         decayed: *mut f64, kept: *mut i64) -> i32 {
         vesica_suppress_soft_f64(shapes, scores, labels, ratio, decay, parameter, least_score, most, scratch,
             scratch_size, keep, decayed, kept)
+    }
+    #[inline]
+    unsafe fn coverage(kind: i32, shape: *const c_void, grid: *const Grid<f64>, out: *mut f64,
+        row_stride: isize) -> i32 {
+        vesica_coverage_f64(kind, shape, grid, out, row_stride)
+    }
+    #[inline]
+    unsafe fn coverage_cells(kind: i32, shape: *const c_void, grid: *const Grid<f64>, cells: *mut i64, shares: *mut f64,
+        capacity: i64) -> i64 {
+        vesica_coverage_cells_f64(kind, shape, grid, cells, shares, capacity)
     }
     #[inline]
     unsafe fn cast(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, vx: f64, vy: f64, t_end: f64,
@@ -5849,6 +5968,16 @@ unsafe impl Scalar for f32 {
         decayed: *mut f32, kept: *mut i64) -> i32 {
         vesica_suppress_soft_f32(shapes, scores, labels, ratio, decay, parameter, least_score, most, scratch,
             scratch_size, keep, decayed, kept)
+    }
+    #[inline]
+    unsafe fn coverage(kind: i32, shape: *const c_void, grid: *const Grid<f32>, out: *mut f32,
+        row_stride: isize) -> i32 {
+        vesica_coverage_f32(kind, shape, grid, out, row_stride)
+    }
+    #[inline]
+    unsafe fn coverage_cells(kind: i32, shape: *const c_void, grid: *const Grid<f32>, cells: *mut i64, shares: *mut f32,
+        capacity: i64) -> i64 {
+        vesica_coverage_cells_f32(kind, shape, grid, cells, shares, capacity)
     }
     #[inline]
     unsafe fn cast(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, vx: f32, vy: f32, t_end: f32,
