@@ -19,6 +19,8 @@
 #                            descent
 #   ./run bench polygon      polygons: distances, areas, many questions about one, overlap of triangles and
 #                            quadrilaterals, beside GEOS, Boost.Geometry and Box2D
+#   ./run bench python       shares of pixels, hulls and smallest rectangles, beside photutils, sep and OpenCV, by calls
+#                            from Python
 #   ./run bench relation     relation, containment, areas and suppression, beside yardsticks and Boost.Geometry
 #   ./run bench start        loading the library, the memory this takes, and the first calls
 #   ./run bench topology     within a distance, DE-9IM, shared regions, soft suppression, beside yardsticks and GEOS
@@ -66,6 +68,13 @@ case ${1:-} in
     need "${wasm_packages[@]}" "${rust_packages[@]}" "${go_packages[@]}" "${java_packages[@]}" "${csharp_packages[@]}" \
       "${python_packages[@]}"
     "$root/bench/hosts/hosts.sh" "$root/build/hosts" "${@:2}"
+    ;;
+  python)
+    need "${python_packages[@]}"
+    need_if_possible python3-opencv python3-photutils python3-sep
+    build_and_install
+    python3 -B "$root/bindings/declare" python
+    LD_LIBRARY_PATH=$root/build/release/capi PYTHONPATH=$root/bindings/python /usr/bin/python3 -B "$root/bench/python/peers.py"
     ;;
   model)
     need "${bench_packages[@]}" llvm-19 python3
