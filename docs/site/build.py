@@ -21,6 +21,7 @@ PAGES = [
     ("functions", HERE / "functions.html", "which function do I want?"),
     ("guide", ROOT / "docs/guide.md", "guide"),
     ("recipes", ROOT / "docs/recipes.md", "recipes"),
+    ("detection", ROOT / "docs/detection.md", "detection and tracking"),
     ("methods", ROOT / "docs/methods.md", "the named methods"),
     ("benchmarks", ROOT / "docs/benchmarks.md", "speed"),
     ("join", ROOT / "docs/join.md", "index and join"),
@@ -32,6 +33,7 @@ PAGES = [
 ]
 NAVIGATION = [
     ("playground/", "Playground"), ("functions.html", "Functions"), ("guide.html", "Guide"), ("recipes.html", "Recipes"),
+    ("detection.html", "Detection"),
     ("reference/index.html", "Reference"), ("methods.html", "Methods"), ("benchmarks.html", "Speed"), ("join.html", "Join"), ("motion.html", "Motion"),
     ("cuda.html", "CUDA"), ("hosts.html", "Languages"), ("platforms.html", "Platforms"), ("abi.html", "ABI"),
 ]
