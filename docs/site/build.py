@@ -22,6 +22,7 @@ PAGES = [
     ("guide", ROOT / "docs/guide.md", "guide"),
     ("recipes", ROOT / "docs/recipes.md", "recipes"),
     ("detection", ROOT / "docs/detection.md", "detection and tracking"),
+    ("planning", ROOT / "docs/planning.md", "planning"),
     ("methods", ROOT / "docs/methods.md", "the named methods"),
     ("benchmarks", ROOT / "docs/benchmarks.md", "speed"),
     ("join", ROOT / "docs/join.md", "index and join"),
@@ -33,7 +34,7 @@ PAGES = [
 ]
 NAVIGATION = [
     ("playground/", "Playground"), ("functions.html", "Functions"), ("guide.html", "Guide"), ("recipes.html", "Recipes"),
-    ("detection.html", "Detection"),
+    ("detection.html", "Detection"), ("planning.html", "Planning"),
     ("reference/index.html", "Reference"), ("methods.html", "Methods"), ("benchmarks.html", "Speed"), ("join.html", "Join"), ("motion.html", "Motion"),
     ("cuda.html", "CUDA"), ("hosts.html", "Languages"), ("platforms.html", "Platforms"), ("abi.html", "ABI"),
 ]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The programs of docs/detection.md run, and print what the page says."""
+"""The programs of docs/detection.md and docs/planning.md run, and print what the pages say."""
 import doctest
 import pathlib
 import re
@@ -7,14 +7,15 @@ import unittest
 
 
 class Pages(unittest.TestCase):
-    def test_detection(self):
-        text = pathlib.Path(__file__).with_name("detection.md").read_text()
-        code = "\n".join(re.findall(r"```python\n(.*?)```", text, re.DOTALL))
-        page = doctest.DocTestParser().get_doctest(code, {}, "detection", "detection.md", 0)
-        printed = []
-        failed, tried = doctest.DocTestRunner().run(page, out=printed.append)
-        self.assertEqual(failed, 0, "".join(printed))
-        self.assertGreater(tried, 30)
+    def test_programs(self):
+        for name in ("detection.md", "planning.md"):
+            text = pathlib.Path(__file__).with_name(name).read_text()
+            code = "\n".join(re.findall(r"```python\n(.*?)```", text, re.DOTALL))
+            page = doctest.DocTestParser().get_doctest(code, {}, name, name, 0)
+            printed = []
+            failed, tried = doctest.DocTestRunner().run(page, out=printed.append)
+            self.assertEqual(failed, 0, "".join(printed))
+            self.assertGreater(tried, 20)
 
 
 if __name__ == "__main__":
