@@ -18,9 +18,7 @@ rm -f "$directory"/vesica-*.whl
 # numpy and pandas are Debian's. Nothing of the sources is in reach of what is tested.
 /usr/bin/python3 -m venv --system-site-packages "$work/environment"
 "$work/environment/bin/pip" install --quiet --no-deps "$directory"/vesica-*.whl
-cp -r "$here/tests" "$work/tests"
-cp "$here/../vectors/vectors.txt" "$here/../calls/calls.txt" "$here/README.md" \
-  "$here"/../../docs/{detection,planning}.md "$work/tests"
+"$here/copy_tests.sh" "$work/tests"
 cd "$work"
 VESICA_PANDAS=1 "$work/environment/bin/python" -B -m unittest discover -s "$work/tests"
 "$work/environment/bin/python" -B -c 'import vesica; print("installed:", vesica.__version__, vesica.__file__)'

@@ -24,8 +24,7 @@ check() {
   [ "$libc" = gnu ] || return 0
   "$root/packaging/linux/root.sh" bullseye "$processor" "$old" python3-numpy
   /usr/bin/python3 -m zipfile -e "$2" "$work/site"
-  cp -r "$here/tests" "$work/tests"
-  cp "$here/../vectors/vectors.txt" "$here/../calls/calls.txt" "$here/README.md" "$work/tests"
+  "$here/copy_tests.sh" "$work/tests"
   for folder in lib usr/lib; do libraries+=$old/$folder/$triplet:$old/$folder/$triplet/blas:$old/$folder/$triplet/lapack:; done
   cd "$work"
   PYTHONHOME=$old/usr PYTHONPATH=$work/site:$old/usr/lib/python3/dist-packages VESICA_REPEAT=0.25 \

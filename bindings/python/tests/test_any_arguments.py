@@ -120,8 +120,8 @@ class AnyArguments(unittest.TestCase):
         calls = int(os.environ.get("VESICA_CALLS", 5_000))
         names = [name for name in vesica.__all__ if callable(getattr(vesica, name)) and name.islower() and name != "c"]
         answered = dict.fromkeys([*names, "Index"], 0)
-        for _ in range(calls):
-            name = draw.choice(list(answered))
+
+        def answers(name):
             function = getattr(vesica, name)
             arguments = any_arguments(draw, function)
             try:
@@ -130,13 +130,19 @@ class AnyArguments(unittest.TestCase):
                     result = function(*arguments)
                     if name == "Index":
                         ask_index(draw, result)
-                answered[name] += 1
+                return True
             except (TypeError, ValueError, OverflowError):
-                pass
+                return False
             except BaseException as error:
                 raise AssertionError(f"seed {seed}: {function.__name__}{arguments}") from error
+
+        for _ in range(calls):
+            name = draw.choice(list(answered))
+            answered[name] += answers(name)
         if calls >= 5_000:
-            self.assertEqual([name for name, count in answered.items() if count == 0], [], seed)
+            # Three in a hundred arguments suit round_rects, and some draws have none of them.
+            unanswered = [name for name, count in answered.items() if count == 0]
+            self.assertEqual([name for name in unanswered if not any(answers(name) for _ in range(1000))], [], seed)
 
 
 if __name__ == "__main__":

@@ -60,6 +60,17 @@ class Stream:
         return _capsule(ctypes.addressof(self.stream), b"arrow_array_stream", None)
 
 
+class Series(Stream):
+    """A column of a table, which numpy reads as Python's objects or as numbers."""
+
+    def __init__(self, level, array):
+        super().__init__(level)
+        self.array = array
+
+    def __array__(self, *more, **named):
+        return self.array
+
+
 def named(name):
     key, value = b"ARROW:extension:name", name.encode()
     return struct.pack("=ii", 1, len(key)) + key + struct.pack("=i", len(value)) + value
@@ -203,6 +214,10 @@ class Columns(unittest.TestCase):
         self.assertEqual(stream.released, 0)
         del shapes
         self.assertEqual(stream.released, 2)  # the schema and the array
+        lists = Series(listed([0, 2, 3], listed(RINGS, interleaved(VERTICES))), numpy.array([None, None]))
+        self.assertEqual(vesica.shape_area(vesica.polygons(lists)).tolist(), [48, 0.5])
+        numbers = Series(separated(self.XY), self.XY)
+        self.assertEqual(vesica.points(numbers).columns[0].ctypes.data, self.XY.ctypes.data)
         several = Stream(interleaved(self.XY), interleaved(self.XY))
         with self.assertRaisesRegex(ValueError, "an Arrow stream of several arrays"):
             vesica.points(several)

@@ -90,9 +90,11 @@ class _Taken:
 
 
 def is_arrow(value):
-    """Is it an array of Arrow, or a stream that numpy cannot read?"""
-    return hasattr(value, "__arrow_c_array__") or (
-        hasattr(value, "__arrow_c_stream__") and not hasattr(value, "__array__")
+    """Is it an array of Arrow, or a stream of what numpy has no numbers for, such as lists? A table's columns have."""
+    if hasattr(value, "__arrow_c_array__") or not hasattr(value, "__arrow_c_stream__"):
+        return hasattr(value, "__arrow_c_array__")
+    return not hasattr(value, "__array__") or (
+        not hasattr(value, "columns") and numpy.asarray(value).dtype.kind not in "fiub"
     )
 
 
