@@ -29,9 +29,8 @@ PLACES = {
     "packaging/homebrew/vesica.rb": rf"/vesica-{VERSION}\.tar",
     "packaging/vcpkg/vcpkg.json": rf'"version": "{VERSION}"',
 }
-# These are written by hand, by other tools, or as a new entry.
+# These are written by other tools, or as a new entry.
 OTHERS = {
-    "CHANGELOG.md": rf"\A.*?^## {VERSION}",
     "capi/vesica.json": rf'"version": "{VERSION}"',
     "packaging/debian/changelog": rf"\Avesica \({VERSION}\)",
 }
@@ -58,6 +57,8 @@ def faults():
         if len(versions) < LEAST.get(name, 1):
             yield f"{name} names no version where one is expected"
         yield from (f"{name} is of {version}, not {wanted}" for version in versions if version != wanted)
+    if not re.search(rf"(?m)^## {re.escape(wanted)}\b", text("CHANGELOG.md")):
+        yield f"CHANGELOG.md has no heading {wanted}"
     header = text(HEADER)
     for pattern, line in in_header(wanted).items():
         if re.subn(pattern, line, header) != (header, 1):
@@ -93,5 +94,5 @@ if __name__ == "__main__":
     elif len(sys.argv) != 1:
         sys.exit(__doc__)
     found = list(faults())
-    print("\n".join(found) or f"{len(PLACES) + len(OTHERS) + 1} files name one version and one date")
+    print("\n".join(found) or f"{len(PLACES) + len(OTHERS) + 2} files name one version and one date")
     sys.exit(bool(found))
