@@ -170,7 +170,7 @@ int32_t impact_time(int32_t kind_a, const void* a, const CTurn* turn_a, int32_t 
   VESICA_DEFAULT_ENVIRONMENT((impact_time<T, CTurn, Out>), kind_a, a, turn_a, kind_b, b, turn_b, tolerance, out, gap);
   if (a == nullptr || turn_a == nullptr || b == nullptr || turn_b == nullptr) return VESICA_E_NULL;
   if (out == nullptr || gap == nullptr) return VESICA_E_NULL;
-  if (!vesica::has_core(kind_a) || !vesica::has_core(kind_b)) return VESICA_E_KIND;
+  if (!casts_take(kind_a) || !casts_take(kind_b)) return VESICA_E_KIND;
   const auto turn_of = [](const CTurn& t) {
     return vesica::Turn<double>{static_cast<double>(t.vx), static_cast<double>(t.vy), static_cast<double>(t.angle)};
   };
@@ -179,8 +179,13 @@ int32_t impact_time(int32_t kind_a, const void* a, const CTurn* turn_a, int32_t 
   if (!sound || !(tolerance > 0)) return VESICA_E_ARGUMENT;
   Impact<T> impact = vesica::detail::cast::no_impact<T>();
   T most = impact.x;
-  const int32_t code = vesica::queries::impact_time(body_of<T>(kind_a, a), first, body_of<T>(kind_b, b), second,
-                                                    static_cast<double>(tolerance), impact, most);
+  const auto enough = static_cast<double>(tolerance);
+  constexpr bool is_float = std::is_same_v<T, float>;
+  const int32_t code = vesica::is_row(kind_a) && vesica::is_row(kind_b)
+                           ? vesica::queries::impact_time(body_of<T>(kind_a, a), first, body_of<T>(kind_b, b), second,
+                                                          enough, impact, most)
+                           : vesica::polygon::impact_time({kind_a, is_float, a}, first, {kind_b, is_float, b}, second,
+                                                          enough, impact, most);
   if (code < 0) return code;
   write(impact, out);
   *gap = most;

@@ -88,7 +88,7 @@ extern "C" {
  *   nearest, boundary_distance
  *   signed_distance, within (where they overlap and their depth is asked for: if they are convex)
  *   cast, cast_first, sweep_bounds
- *   depth, if they are convex
+ *   depth, impact_time, if they are convex
  *   shape_area, area, iou, ratio, suppression (polygons only)
  * the arrays of these, indexes, index_select, index_nearest, index_cast, join_nearest, and joins.
  */

@@ -159,20 +159,22 @@ typedef struct {
  *
  * At t, from 0 to 1, a centre has moved by t (vx, vy) and an axis has turned by t times the angle, without rounding.
  * *out describes that moment: the point of a that is nearest to b, and the normal that separates them. They are then at
- * most *gap apart.
+ * most *gap apart. A polygon must be convex, and its centre is the middle of its bounds, each coordinate rounded to a
+ * double; a path on one line is a segment.
  * Requires: numbers of turn_a and turn_b finite, angles at most 2^20 in magnitude; tolerance, a length > 0. No pointer
  * may be NULL.
  * Returns: VESICA_CAST_MISS: it is proved that there is no contact from 0 to 1; t is infinity, and all other numbers
  * and the gap are NaN. VESICA_CAST_HIT: it is proved that there is contact after t. VESICA_CAST_NEAR: there may be
  * contact after t; contact of a point with a segment or a point, where there is no depth, is never proved.
  * VESICA_CAST_START: the shapes overlap at t = 0, which is exact; *out is as of vesica_cast_f64, and the gap is 0.
- * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE (a coordinate of the point,
- * or the gap, would overflow).
+ * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_NOT_CONVEX, VESICA_E_RANGE (a
+ * coordinate of the point, or the gap, would overflow).
  * Accuracy: what is said to be proved is certain. The gap is at most the tolerance, except in two cases: the tolerance
  * is below (300 + 10 |angles|) u times the sum of all lengths, the motion's included, u = 2^-53; or the search stopped
  * after 256 directions or 4096 poses. Angles above 10^5 often stop it: then only the gap says that it exceeds the
  * tolerance, so compare them.
- * Cost: a small multiple of vesica_cast_f64; a thousand times that at angles of 10^6 radians.
+ * Cost: a small multiple of vesica_cast_f64; a thousand times that at angles of 10^6 radians. For two polygons it grows
+ * with the product of their numbers of vertices.
  * Since: 0.1.
  */
 VESICA_API int32_t vesica_impact_time_f64(int32_t kind_a, const void *a, const vesica_turn_f64 *turn_a, int32_t kind_b,

@@ -32,6 +32,7 @@
 #include <vesica/polygon/depth.hpp>
 #include <vesica/polygon/distances.hpp>
 #include <vesica/polygon/facts.hpp>
+#include <vesica/polygon/impact_time.hpp>
 #include <vesica/polygon/intersection.hpp>
 #include <vesica/polygon/overlap.hpp>
 #include <vesica/polygon/ratio.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "queries/cast.hpp"
 
-#include <vesica/polygon/cast.hpp>
+#include <vesica/polygon/impact_time.hpp>
 
 #include "polygon/operand.hpp"
 
@@ -73,6 +73,14 @@ bool any_edge_meets(const Edges<T>& a, const Box& box_a, const Edges<T>& b, cons
   return walk(a, box_a, b, box_b, meets);
 }
 
+/// Finds the distance of a segment and an ellipse for impact_time().
+struct AskNearest {
+  void nearest(const Body& segment, const Body& ellipse, ClosestPoints<double>& out) const noexcept {
+    constexpr auto of = [](Kind kind) { return static_cast<int>(kind); };
+    queries::nearest.doubles.of[of(Kind::segment)][of(Kind::ellipse)](segment.number, ellipse.number, &out);
+  }
+};
+
 }  // namespace
 
 bool is_valid(const Operand& s) noexcept {
@@ -99,6 +107,30 @@ std::int32_t meets(const Operand& a, const Operand& b, const Motion& motion) noe
     return detail::polygon::overlap_valid(edges, box, other, about) ? 1 : meets.error;
   });
 }
+
+template <class T>
+std::int32_t impact_time(const Operand& a, const Turn<double>& turn_a, const Operand& b, const Turn<double>& turn_b,
+                         double tolerance, Impact<T>& out, T& gap) noexcept {
+  Impact<double> found{};
+  double found_gap = 0;
+  std::int32_t code = with_edges_of<T>(a, b, [&](const auto& edges, const auto& other, bool reversed) {
+    using detail::polygon::turning::impact_time_or_error;
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(other)>, AnyShape>) {
+      return impact_time_or_error<T>(edges, reversed ? turn_b : turn_a, other, body_of(other),
+                                     reversed ? turn_a : turn_b, reversed, tolerance, AskNearest{}, found, found_gap);
+    } else {
+      static_cast<void>(reversed);
+      return impact_time_or_error<T>(edges, turn_a, other, turn_b, tolerance, AskNearest{}, found, found_gap);
+    }
+  });
+  if (code == cast_start) code = cast(a, b, {0, 0, 0}, found);
+  if (code <= 0) return code;
+  return detail::impact_time::rounded_to(found, found_gap, out, gap) ? code : static_cast<std::int32_t>(error_range);
+}
+template std::int32_t impact_time(const Operand&, const Turn<double>&, const Operand&, const Turn<double>&, double,
+                                  Impact<double>&, double&) noexcept;
+template std::int32_t impact_time(const Operand&, const Turn<double>&, const Operand&, const Turn<double>&, double,
+                                  Impact<float>&, float&) noexcept;
 
 }  // namespace polygon
 }  // namespace vesica

@@ -80,6 +80,11 @@ std::int32_t cast(const Operand& a, const Operand& b, const detail::cast::Motion
 /// The same as queries::meets().
 std::int32_t meets(const Operand& a, const Operand& b, const detail::cast::Motion& motion) noexcept;
 
+/// The same as queries::impact_time().
+template <class T>
+std::int32_t impact_time(const Operand& a, const Turn<double>& turn_a, const Operand& b, const Turn<double>& turn_b,
+                         double tolerance, Impact<T>& out, T& gap) noexcept;
+
 bool is_valid(const Operand& s) noexcept;
 
 /// Rounded to T, as above.

@@ -171,7 +171,7 @@ TEST(Known, Refused) {
   EXPECT_EQ(code(boxes, still, still, 0), VESICA_E_ARGUMENT);
   EXPECT_EQ(code(boxes, still, still, -1), VESICA_E_ARGUMENT);
   EXPECT_EQ(code(boxes, still, still, nan), VESICA_E_ARGUMENT);
-  EXPECT_EQ(code({VESICA_AABB, 9, {}, {}}, still, still, 1), VESICA_E_KIND);
+  EXPECT_EQ(code({VESICA_AABB, VESICA_POLYLINE + 1, {}, {}}, still, still, 1), VESICA_E_KIND);
   EXPECT_EQ(code({VESICA_CIRCLE, VESICA_POINT, {0, 0, -1}, {5, 0}}, still, still, 1), VESICA_E_SHAPE);
   EXPECT_EQ(code({VESICA_CIRCLE, VESICA_POINT, {0, 0, 1}, {nan, 0}}, still, still, 1), VESICA_E_SHAPE);
   EXPECT_EQ(code({VESICA_RECT, VESICA_POINT, {0, 0, 0, 0, 1, 1}, {5, 0}}, still, still, 1), VESICA_E_SHAPE);
@@ -187,7 +187,7 @@ TEST(Known, Refused) {
   EXPECT_EQ(vesica_impact_time_f64(3, a, &turn, 3, a, nullptr, 1, &out, &gap), VESICA_E_NULL);
   EXPECT_EQ(vesica_impact_time_f64(3, a, &turn, 3, a, &turn, 1, nullptr, &gap), VESICA_E_NULL);
   EXPECT_EQ(vesica_impact_time_f64(3, a, &turn, 3, a, &turn, 1, &out, nullptr), VESICA_E_NULL);
-  EXPECT_EQ(vesica_impact_time_f64(3, a, &wrong, 9, a, &turn, 1, &out, &gap), VESICA_E_KIND);
+  EXPECT_EQ(vesica_impact_time_f64(3, a, &wrong, VESICA_POLYLINE + 1, a, &turn, 1, &out, &gap), VESICA_E_KIND);
   EXPECT_EQ(vesica_impact_time_f64(3, a, &wrong, 3, a, &turn, 1, &out, &gap), VESICA_E_ARGUMENT);
   EXPECT_EQ(out.t, 7);
   EXPECT_EQ(gap, 7);

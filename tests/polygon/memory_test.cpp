@@ -94,6 +94,18 @@ Bytes ask_one(const Given& a, const Given&) {
 }
 
 template <class T>
+Bytes ask_turns(const Given& a, const Given& b) {
+  Bytes bytes;
+  const typename Face<T>::Turn first{T{0.5}, T{-1}, T{0.75}}, second{T{-2}, T{0.25}, T{-3}};
+  typename Face<T>::Impact impact;
+  std::memset(&impact, 0, sizeof impact);
+  T gap = 0;
+  append(bytes, Face<T>::impact_time(a.kind, a.shape, &first, b.kind, b.shape, &second, T{0.0078125}, &impact, &gap));
+  append(bytes, impact);
+  append(bytes, gap);
+  return bytes;
+}
+template <class T>
 Bytes ask_intersection(const Given& a, const Given& b) {
   Bytes bytes;
   std::array<T, 16> vertices{};
@@ -119,6 +131,7 @@ const std::vector<Question>& questions() {
       {"ratios", ask_ratios<T>},
       {"intersection", ask_intersection<T>},
       {"motion", ask_motion<T>},
+      {"turns", ask_turns<T>},
       {"one", ask_one<T>},
   };
   return all;

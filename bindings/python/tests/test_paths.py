@@ -108,6 +108,10 @@ class Forms(unittest.TestCase):
         self.assertEqual((hit, impact.t), (vesica.Cast.HIT, 1.25))
         self.assertEqual(len(vesica.crossings(shapes[1], vesica.circles([2.5, 0.5, 0.6])).places), 8)
         self.assertEqual(vesica.de9im(shapes[0], shapes[1]), "FF2FF1212")
+        hit, impact, gap = vesica.impact_time(shapes[0], (0, 0, 0), shapes[1], (-2, 0, 0), 1e-6)
+        self.assertIs(hit, vesica.Cast.HIT)
+        self.assertAlmostEqual(impact.t, 0.5, 5)
+        self.assertLessEqual(gap, 1e-6)
         bent = vesica.polygons([[0, 0], [6, 0], [6, 4], [4, 4], [4, 2], [2, 2], [2, 4], [0, 4]])
         self.assertEqual(vesica.intersection(bent, vesica.segments([-1, 3, 9, 3])).tolist(),
                          [[0, 3], [2, 3], [4, 3], [6, 3]])

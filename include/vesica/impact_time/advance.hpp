@@ -47,7 +47,9 @@ struct Reached {
 };
 
 /// Goes on along one direction until it separates the shapes by a fiftieth of what it did, or `enough`, or until `to`.
-inline Reached march(const Scene& s, const Heading& h, Reached at, double enough, double to, int& poses) noexcept {
+/// AnyScene: a Scene, or one with polygons (polygon/impact_time.hpp), here and below.
+template <class AnyScene>
+Reached march(const AnyScene& s, const Heading& h, Reached at, double enough, double to, int& poses) noexcept {
   const double goal = lane::max(0.02 * at.by.least, enough);
   double room = to - at.t, beyond = 2;  // where the direction was seen not to be enough
   for (int i = 0; i < 16 && poses < most_poses && at.t < to; ++i, ++poses) {
@@ -132,8 +134,8 @@ Direction best_direction(const Scene& s, const Pose& at, const Heading& before, 
 }
 
 /// From w.from, where `best` is the direction that separates best.
-template <class Ask>
-Advanced advance(const Scene& s, const Window& w, Direction best, double tolerance, const Ask& ask) noexcept {
+template <class AnyScene, class Ask>
+Advanced advance(const AnyScene& s, const Window& w, Direction best, double tolerance, const Ask& ask) noexcept {
   // Faces may give 0.7 of the distance. The gap that is returned in the end has errors on top.
   const double share = (s.has_boxes() ? 0.6 : 0.9) * tolerance;
   const double enough = lane::max(lane::min(share, tolerance - 5 * s.error), 0.25 * share);
@@ -165,8 +167,8 @@ inline double thickness(const Turning& s) noexcept { return lane::min(s.hx, s.hy
 
 /// True if there surely is contact a little after t, where the gap is known: by secants, towards a depth that thin
 /// shapes have too.
-template <class Ask>
-bool surely_meet_after(const Scene& s, double t, double rate, double gap, const Ask& ask) noexcept {
+template <class AnyScene, class Ask>
+bool surely_meet_after(const AnyScene& s, double t, double rate, double gap, const Ask& ask) noexcept {
   // The rate holds in one direction; at worst they come together as fast as they can.
   const double most = s.speed + lane::abs(s.a.spin) * s.a.reach + lane::abs(s.b.spin) * s.b.reach;
   const double error = 2 * s.error, deeper = lane::min(thickness(s.a) + thickness(s.b), gap) + 4 * error;

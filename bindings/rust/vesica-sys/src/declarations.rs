@@ -4278,7 +4278,8 @@ extern "C" {
     ///
     /// At t, from 0 to 1, a centre has moved by t (vx, vy) and an axis has turned by t times the angle, without
     /// rounding. \*out describes that moment: the point of a that is nearest to b, and the normal that separates them.
-    /// They are then at most \*gap apart.
+    /// They are then at most \*gap apart. A polygon must be convex, and its centre is the middle of its bounds, each
+    /// coordinate rounded to a double; a path on one line is a segment.
     ///
     /// Requires: numbers of turn_a and turn_b finite, angles at most 2^20 in magnitude; tolerance, a length \> 0. No
     /// pointer may be NULL.
@@ -4289,15 +4290,16 @@ extern "C" {
     /// proved. VESICA_CAST_START: the shapes overlap at t = 0, which is exact; \*out is as of vesica_cast_f64, and the
     /// gap is 0.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE (a coordinate of the
-    /// point, or the gap, would overflow).
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_NOT_CONVEX, VESICA_E_RANGE (a
+    /// coordinate of the point, or the gap, would overflow).
     ///
     /// Accuracy: what is said to be proved is certain. The gap is at most the tolerance, except in two cases: the
     /// tolerance is below (300 + 10 |angles|) u times the sum of all lengths, the motion's included, u = 2^-53; or the
     /// search stopped after 256 directions or 4096 poses. Angles above 10^5 often stop it: then only the gap says that
     /// it exceeds the tolerance, so compare them.
     ///
-    /// Cost: a small multiple of vesica_cast_f64; a thousand times that at angles of 10^6 radians.
+    /// Cost: a small multiple of vesica_cast_f64; a thousand times that at angles of 10^6 radians. For two polygons it
+    /// grows with the product of their numbers of vertices.
     ///
     /// Since: 0.1.
     pub fn vesica_impact_time_f64(kind_a: i32, a: *const c_void, turn_a: *const Turn<f64>, kind_b: i32,
