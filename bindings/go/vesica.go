@@ -214,7 +214,7 @@ func Crossings[A, B Shape](a A, b B) (CrossingPoints, error) {
 }
 
 // No two shapes but paths have more places or vertices.
-const mostPoints = 8
+const mostPoints = 12
 
 // pointsOf has the points that a function of two shapes writes. It is asked again if they are more than mostPoints.
 func pointsOf(a, b one, function func(a, b one, out *C.char, room C.int64_t) C.int64_t) ([]Point[float64], error) {

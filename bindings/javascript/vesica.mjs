@@ -477,10 +477,10 @@ export class Vesica {
     });
   }
 
-  /** The points that a function of two shapes writes. Only paths have more than 8, and then it is asked again. */
+  /** The points that a function of two shapes writes. Only paths have more than 12, and then it is asked again. */
   pointsOf(name, a, b, room, ...more) {
     const operands = [...this.record(a, room), ...this.record(b, room)];
-    let most = 8, out = room.take(16 * most);
+    let most = 12, out = room.take(16 * most);
     const ask = () => this.check(Number(this.#inDouble(name)(...operands, out, BigInt(most), ...more)));
     let count = ask();
     if (count > most) {

@@ -78,8 +78,7 @@ extern "C" {
 #define VESICA_VERSION 100 /**< of this header: major * 10000 + minor * 100 + patch */
 
 /*
- * Kinds of shapes, and the order of their numbers. Capsules and rounded rectangles are taken as the kinds before them,
- * but with an ellipse crossings returns VESICA_E_KIND.
+ * Kinds of shapes, and the order of their numbers. Capsules and rounded rectangles are taken as the kinds before them.
  * Polygons and polylines are taken by:
  *   check, bounds
  *   overlap, interiors_overlap, relation, contains
@@ -403,10 +402,9 @@ VESICA_API const char *vesica_strerror(int32_t code);
  * straight on are none. A polygon whose vertices are on one line is a segment that begins at its least x, then least y.
  * Where edges of a polygon or a polyline cross one another on the other outline, a place may count for each of them.
  * Requires: capacity, how many places out has room for. It may be 0, and out then NULL. shared may be NULL.
- * Returns: how many places there are, even if that exceeds the capacity: at most 8 unless a shape is a polygon or a
- * polyline. The first `capacity` are written, and *shared is set to 1 or 0.
- * Errors: VESICA_E_NULL, VESICA_E_KIND (also for an ellipse with a capsule or a rounded rectangle), VESICA_E_ARGUMENT
- * (a negative capacity), VESICA_E_SHAPE, VESICA_E_RANGE.
+ * Returns: how many places there are, even if that exceeds the capacity: at most 8, or 12 of an ellipse with a rounded
+ * rectangle, unless a shape is a polygon or a polyline. The first `capacity` are written, and *shared is set to 1 or 0.
+ * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a negative capacity), VESICA_E_SHAPE, VESICA_E_RANGE.
  * Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape, even
  * where the outlines nearly coincide. Places closer to one another than that may come in either order or be equal.
  * Cost: several times vesica_nearest_f64.

@@ -26,6 +26,7 @@
 #include <vesica/crossings/box_ellipse.hpp>
 #include <vesica/crossings/ellipse_ellipse.hpp>
 #include <vesica/crossings/inflated.hpp>
+#include <vesica/crossings/inflated_ellipse.hpp>
 #include <vesica/overlap.hpp>
 #include <vesica/shape_area.hpp>
 
@@ -35,11 +36,6 @@ namespace detail::crossings {
 
 template <class Shape>
 inline constexpr bool is_round = ShapeTraits<Shape>::kind == Kind::circle || ShapeTraits<Shape>::kind == Kind::ellipse;
-
-/// Not known for an ellipse and a core with a radius.
-template <class A, class B>
-inline constexpr bool answers = !(ShapeTraits<A>::kind == Kind::ellipse &&
-                                  form::Inflated<B>)&&!(ShapeTraits<B>::kind == Kind::ellipse && form::Inflated<A>);
 
 /// True if a's numbers are the later ones of two shapes of one kind.
 template <class Shape>
@@ -89,6 +85,23 @@ CrossingPoints<double> between(const A& a, const B& b) noexcept {
   }
 }
 
+// Not inlined: an ellipse with an area needs no second outline.
+template <form::Inflated B>
+VESICA_COLD Found with_flat_ellipse(const exact::Ellipse& a, const B& b) noexcept {
+  return crossings(RoundOutline(exact::as_box(a), {}), round_outline(b));
+}
+template <form::Inflated B>
+VESICA_CALLED Found with_wide_ellipse(const exact::Ellipse& a, const B& b) noexcept {
+  return crossings(round_outline(b), a);
+}
+/// An ellipse and a core with a radius.
+template <form::Inflated B>
+CrossingPoints<double> with_ellipse(const Ellipse<double>& a, const B& b, bool along_ellipse) noexcept {
+  const exact::Ellipse e = exact::form(a);
+  return exact::degenerate(e) ? with_flat_ellipse(e, b).in_order(!along_ellipse)
+                              : with_wide_ellipse(e, b).in_order(along_ellipse);
+}
+
 /// With a core and a radius. Kinds that need no radius are asked instead. Both orders of the shapes search in the same.
 template <class A, class B>
 requires(form::Inflated<A> || form::Inflated<B>) CrossingPoints<double> between(const A& a, const B& b)
@@ -97,6 +110,10 @@ noexcept {
     return form::with_simplest(b, [&](const auto& q) {
       if constexpr (!std::is_same_v<decltype(p), const A&> || !std::is_same_v<decltype(q), const B&>) {
         return between(p, q);
+      } else if constexpr (ShapeTraits<A>::kind == Kind::ellipse) {
+        return with_ellipse(a, b, true);
+      } else if constexpr (ShapeTraits<B>::kind == Kind::ellipse) {
+        return with_ellipse(b, a, false);
       } else {
         bool reversed = !vesica::detail::in_order<A, B>;
         if constexpr (std::is_same_v<A, B>) reversed = is_later(a, b);
@@ -155,14 +172,12 @@ std::int32_t store(const CrossingPoints<double>& found, CrossingPoints<T>& out) 
 
 }  // namespace detail::crossings
 
-/// The number of places where two outlines meet, up to 8, with the places in `out`; shapes of any kinds, in either
-/// order, but an ellipse with a capsule or a rounded rectangle.
+/// The number of places where two outlines meet, up to 12, with the places in `out`; shapes of any kinds, in either
+/// order.
 /// Errors: error_shape, error_range (a place is beyond the finite numbers); on error `out` is untouched. Floats are the
 /// double places, rounded.
 template <template <class> class A, template <class> class B, class T>
-requires(detail::crossings::answers<A<T>, B<T>>) std::int32_t
-    crossings_or_error(const A<T>& a, const B<T>& b, CrossingPoints<T>& out)
-noexcept {
+std::int32_t crossings_or_error(const A<T>& a, const B<T>& b, CrossingPoints<T>& out) noexcept {
   const auto verdict = detail::crossings::overlap_filter(widen(a), widen(b));
   if (!verdict.overlap && !verdict.disjoint && (check(a) != 0 || check(b) != 0)) return error_shape;
   return detail::crossings::store(
@@ -171,8 +186,7 @@ noexcept {
 
 /// The same as a value: none where there is an error.
 template <template <class> class A, template <class> class B, class T>
-requires(detail::crossings::answers<A<T>, B<T>>) CrossingPoints<T> crossings(const A<T>& a, const B<T>& b)
-noexcept {
+CrossingPoints<T> crossings(const A<T>& a, const B<T>& b) noexcept {
   CrossingPoints<T> out{};
   crossings_or_error(a, b, out);
   return out;

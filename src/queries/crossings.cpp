@@ -19,7 +19,7 @@ namespace {
 struct CrossingsOfPair {
   static constexpr Reversal reversal = Reversal::unknown;
   template <class A, class B>
-  static constexpr bool answers = HasCore<A>&& HasCore<B>&& detail::crossings::answers<A, B>;
+  static constexpr bool answers = HasCore<A>&& HasCore<B>;
   template <class T>
   using Result = CrossingPoints<T>;
   template <class A, class B, class Result>

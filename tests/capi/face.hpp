@@ -9,25 +9,25 @@
 
 namespace capi_tests {
 
-/// The output of vesica_crossings, for kinds whose outlines meet in at most 8 places; unused places are 0.
+/// The output of vesica_crossings, for kinds whose outlines meet in at most 12 places; unused places are 0.
 template <class T>
 struct Crossings {
   std::int32_t count, shared;
-  T x[8], y[8];
+  T x[12], y[12];
 };
 
 /// Calls vesica_crossings with room for all places. Writes nothing on error.
 template <class T>
 std::int32_t crossings(std::int32_t kind_a, const void* a, std::int32_t kind_b, const void* b, Crossings<T>* out) {
   using Point = std::conditional_t<std::is_same_v<T, double>, vesica_point_f64, vesica_point_f32>;
-  Point at[8];
+  Point at[12];
   std::int32_t shared = 0;
   Point* const to = out == nullptr ? nullptr : at;
   std::int64_t count;
   if constexpr (std::is_same_v<T, double>) {
-    count = vesica_crossings_f64(kind_a, a, kind_b, b, to, 8, &shared);
+    count = vesica_crossings_f64(kind_a, a, kind_b, b, to, 12, &shared);
   } else {
-    count = vesica_crossings_f32(kind_a, a, kind_b, b, to, 8, &shared);
+    count = vesica_crossings_f32(kind_a, a, kind_b, b, to, 12, &shared);
   }
   if (count >= 0) {
     *out = {};

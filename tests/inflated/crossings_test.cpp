@@ -198,7 +198,8 @@ TEST(InflatedCrossings, Errors) {
   const Shape invalid{VESICA_CAPSULE, {0, 0, 1, 0, -1}}, ellipse{VESICA_ELLIPSE, {0, 0, 1, 0, 2, 1}};
   EXPECT_EQ(crossings(capsule, invalid).count, VESICA_E_SHAPE);
   EXPECT_EQ(crossings(invalid, {VESICA_POINT, {0, 0}}).count, VESICA_E_SHAPE);
-  EXPECT_EQ(crossings(capsule, ellipse).count, VESICA_E_KIND);
+  EXPECT_EQ(crossings(invalid, ellipse).count, VESICA_E_SHAPE);
+  EXPECT_EQ(crossings(ellipse, {VESICA_ROUND_RECT, {0, 0, 0, 0, 1, 1, 1}}).count, VESICA_E_SHAPE);
   const Shape huge{VESICA_CAPSULE, {0, 0, 0x1p1023, 0, 0x1p1023}};
   EXPECT_EQ(crossings(huge, {VESICA_SEGMENT, {0x1.8p1023, 0, 0x1.8p1023, 0x1p1023}}).count, 1);
   // Its end is beyond the greatest number.

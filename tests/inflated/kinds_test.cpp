@@ -14,10 +14,6 @@ using properties::Random;
 
 TEST(InflatedKinds, AreRefusedByOtherQuestions) {
   const vesica_capsule_f64 a{0, 0, 1, 0, 1};
-  const vesica_ellipse_f64 b{0, 0, 1, 0, 2, 1};
-  std::int32_t shared = 7;
-  EXPECT_EQ(vesica_crossings_f64(VESICA_CAPSULE, &a, VESICA_ELLIPSE, &b, nullptr, 0, &shared), VESICA_E_KIND);
-  EXPECT_EQ(shared, 7);
   EXPECT_EQ(vesica_intersection_f64(VESICA_CAPSULE, &a, VESICA_CAPSULE, &a, nullptr, 0), VESICA_E_KIND);
 }
 

@@ -20,7 +20,7 @@ struct Pinned {
 };
 constexpr Pinned pinned[] = {
     {Question::boundary_distance, ""},
-    {Question::crossings, "ellipse-capsule ellipse-round_rect "},
+    {Question::crossings, ""},
     {Question::intersection,
      "circle-circle circle-aabb circle-rect circle-ellipse circle-capsule circle-round_rect aabb-ellipse aabb-capsule "
      "aabb-round_rect rect-ellipse rect-capsule rect-round_rect ellipse-ellipse ellipse-capsule ellipse-round_rect "

@@ -39,9 +39,9 @@ void read_numbers(const Out& out, Answer& answer) {
 template <class Out>
 void read_crossings(const Out& out, Answer& answer) {
   answer.numbers[0] = out.shared;
-  for (std::size_t i = 0; i < 8; ++i) {
+  for (std::size_t i = 0; i < 12; ++i) {
     answer.numbers[1 + i] = static_cast<double>(out.x[i]);
-    answer.numbers[9 + i] = static_cast<double>(out.y[i]);
+    answer.numbers[13 + i] = static_cast<double>(out.y[i]);
   }
 }
 

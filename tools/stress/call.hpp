@@ -11,13 +11,13 @@
 
 namespace stress {
 
-/// The most numbers of a result: crossings' `shared` and 8 places.
-inline constexpr std::size_t most_numbers = 17;
+/// The most numbers of a result: crossings' `shared` and 12 places.
+inline constexpr std::size_t most_numbers = 25;
 
 /// vesica_ratio's ratios, as many as its constants.
 inline constexpr std::size_t ratio_count = VESICA_RATIO_COMPLETE + 1;
 
-/// A function's result and output, as doubles in the order of its struct; crossings: shared, x[8], y[8], and the
+/// A function's result and output, as doubles in the order of its struct; crossings: shared, x[12], y[12], and the
 /// count as the code; ratios: the seven numbers, then their seven codes, the first of them as code; de9im: -1 for F.
 /// Numbers that the function does not write are 0.
 struct Answer {

@@ -46,7 +46,7 @@ namespace Vesica
         /// those of polygons and polylines are.</summary>
         internal static Point[] PointsOf<A, B>(A a, B b, PointQuery function) where A : IShape where B : IShape
         {
-            const int Most = 8;
+            const int Most = 12;
             double* n = stackalloc double[2 * Most];
             double* numbersA = stackalloc double[MostNumbers], numbersB = stackalloc double[MostNumbers];
             bool wide = Write(a, b, numbersA, numbersB);

@@ -51,8 +51,8 @@ def by_scalar(name):
 
 
 def all_points(function, a, b, *more):
-    """The points (n, 2) that a function of two single shapes writes. Without polygons they are at most 8."""
-    out = numpy.empty((8, 2), a.dtype)
+    """The points (n, 2) that a function of two single shapes writes. Without polygons they are at most 12."""
+    out = numpy.empty((12, 2), a.dtype)
     while True:
         count = checked(function(a.kind, a.record, b.kind, b.record, out.ctypes.data, len(out), *more))
         if count <= len(out):

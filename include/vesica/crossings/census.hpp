@@ -42,9 +42,9 @@ inline Census crossing(const exact::ContactCubic& p, int roots) noexcept {
   return has_triple_root(p) ? Census{2, 0, false} : Census{2, 1, false};
 }
 
-/// Makes the distinctions of exact::relation, and counts the places. `cross`: the ellipses are known to cross.
-VESICA_COLD inline Census census(const exact::Ellipse& e, const exact::Ellipse& f, bool cross = false) noexcept {
-  exact::ContactCubic p = exact::contact_cubic(e, f);
+/// Makes the distinctions of exact::relation, and counts the places. `cross`: the ellipses are known to cross. They may
+/// be left exchanged.
+inline Census census(exact::ContactCubic& p, bool cross) noexcept {
   if (p.al.sign == 0) {
     switch (exact::detail::concentric(p)) {
       case Relation::cross:
@@ -69,6 +69,10 @@ VESICA_COLD inline Census census(const exact::Ellipse& e, const exact::Ellipse& 
     return touching_inside(p);
   }
   return crossing(p, roots);
+}
+VESICA_COLD inline Census census(const exact::Ellipse& e, const exact::Ellipse& f, bool cross = false) noexcept {
+  exact::ContactCubic p = exact::contact_cubic(e, f);
+  return census(p, cross);
 }
 
 }  // namespace vesica::detail::crossings

@@ -24,7 +24,8 @@ struct Harmonics {
   /// P.Q = along across, factors that do not cancel. Twice the square of the radius is taken from what is about as
   /// great: from 2 |C|^2 if C is not well within the rim, else half of it from each of |P|^2 and |Q|^2, which it nearly
   /// is where outlines coincide.
-  VESICA_CALLED explicit Harmonics(const Outline& o) noexcept {
+  template <int Offset>
+  VESICA_CALLED explicit Harmonics(const Outline<Offset>& o) noexcept {
     const exact::Number<4> none;
     const bool within = is_within(o);
     const exact::Number<4>&of_c = within ? none : o.radius, &of_axes = within ? o.radius : none;
@@ -49,11 +50,18 @@ struct Harmonics {
   }
 
  private:
-  static exact::Number<4> along(const Outline& o) noexcept { return o.e.a * o.e.b * o.dot; }
-  static exact::Number<4> across(const Outline& o) noexcept { return (o.f.a - o.f.b) * (o.f.a + o.f.b) * o.cross; }
+  template <int Offset>
+  static exact::Number<4> along(const Outline<Offset>& o) noexcept {
+    return o.e.a * o.e.b * o.dot;
+  }
+  template <int Offset>
+  static exact::Number<4> across(const Outline<Offset>& o) noexcept {
+    return (o.f.a - o.f.b) * (o.f.a + o.f.b) * o.cross;
+  }
   /// True if C is within a quarter of the radius at least.
-  static bool is_within(const Outline& o) noexcept {
-    const auto is_less = [&o](const exact::Number<3>& x) {
+  template <int Offset>
+  static bool is_within(const Outline<Offset>& o) noexcept {
+    const auto is_less = [&o](const auto& x) {
       return x.sign == 0 || exact::detail::top_bit(x) + 2 < exact::detail::top_bit(o.radius);
     };
     return is_less(o.c.x) && is_less(o.c.y);
@@ -235,7 +243,8 @@ struct Direction {
 /// Computes the position along f of a place of e.
 class AlongOther {
  public:
-  explicit AlongOther(const Outline& o) noexcept {
+  template <int Offset>
+  explicit AlongOther(const Outline<Offset>& o) noexcept {
     int top = std::numeric_limits<int>::min();
     const auto see = [&top](const auto& x) {
       if (x.sign != 0) top = std::max(top, static_cast<int>(exact::detail::top_bit(x)));
@@ -322,7 +331,7 @@ struct Prepared {
 };
 /// Not inlined: the exact outline takes stack only here.
 VESICA_CALLED inline Prepared prepared(const exact::Ellipse& e, const exact::Ellipse& f) noexcept {
-  const Outline outline(e, f);
+  const Outline<> outline(e, f);
   return {Harmonics(outline), AlongOther(outline)};
 }
 

@@ -10,11 +10,11 @@
 namespace vesica {
 
 /// The places where two outlines meet: x[0] y[0] ... in order along the first shape's outline, the rest 0; and whether
-/// the outlines have a stretch in common.
+/// the outlines have a stretch in common. An ellipse and a rounded rectangle can meet in 12 places, others in 8.
 template <class T>
 struct CrossingPoints {
   std::int32_t count, shared;
-  T x[8], y[8];
+  T x[12], y[12];
 };
 
 namespace detail::crossings {
@@ -71,12 +71,12 @@ struct Place {
 };
 
 struct Found {
-  Place place[8];
+  Place place[12];
   int count = 0;
   bool shared = false;
 
   void add(const Place& p) noexcept {
-    if (count < 8) place[count++] = p;
+    if (count < 12) place[count++] = p;
   }
   /// True if a place may be the one where the second outline begins: all are known to far less than this.
   bool is_near_start_of_b() const noexcept {

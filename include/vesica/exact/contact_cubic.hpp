@@ -20,20 +20,25 @@ constexpr Number<A + B> dot(const Image<A>& p, const Image<B>& q) noexcept {
   return detail::sum_of_products(p.x, q.x, 1, p.y, q.y);
 }
 
-/// e's outline C + P cos + Q sin seen from f, and the rim of f.
+/// e's outline C + P cos + Q sin seen from f, and the rim of f. The offset of their centres has a degree.
+template <int Offset = 1>
 struct Outline {
   const Ellipse &e, &f;
   Number<2> dot, cross;  ///< of f's axis and e's
-  Image<3> c;
+  Image<Offset + 2> c;
   Image<4> p, q;
   Number<4> radius;
 
   constexpr Outline(const Ellipse& its_e, const Ellipse& its_f) noexcept
+      : Outline(its_e, its_f, its_e.cx - its_f.cx, its_e.cy - its_f.cy) {}
+  /// With e moved to that offset from f.
+  constexpr Outline(const Ellipse& its_e, const Ellipse& its_f, const Number<Offset>& x,
+                    const Number<Offset>& y) noexcept
       : e(its_e),
         f(its_f),
         dot(exact::dot(f.ux, f.uy, e.ux, e.uy)),
         cross(exact::cross(f.ux, f.uy, e.ux, e.uy)),
-        c(image(f, e.cx - f.cx, e.cy - f.cy)),
+        c(image(f, x, y)),
         p{f.b * e.a * dot, f.a * e.a * cross},
         q{f.b * e.b * cross, f.a * e.b * dot},
         radius(f.a * f.b * exact::dot(f.ux, f.uy, f.ux, f.uy)) {
@@ -59,7 +64,7 @@ struct ContactCubic : Cubic {
 namespace detail {
 
 /// Sets the cubic and mu, al, be.
-constexpr void set(const Outline& o, Cubic& p, Number<8>& mu, Number<8>& al, Number<8>& be) noexcept {
+constexpr void set(const Outline<>& o, Cubic& p, Number<8>& mu, Number<8>& al, Number<8>& be) noexcept {
   const Ellipse &e = o.e, &f = o.f;
   const Image<3> from_e = image(e, f.cx - e.cx, f.cy - e.cy);
   mu = sum_of_products(o.p.x, o.p.x, 1, o.p.y, o.p.y) + sum_of_products(o.q.x, o.q.x, 1, o.q.y, o.q.y);
@@ -72,11 +77,11 @@ constexpr void set(const Outline& o, Cubic& p, Number<8>& mu, Number<8>& al, Num
 }
 /// Not inlined: the outline takes stack that is not needed later.
 VESICA_CALLED constexpr void set(const Ellipse& e, const Ellipse& f, ContactCubic& p) noexcept {
-  set(Outline(e, f), p, p.mu, p.al, p.be);
+  set(Outline<>(e, f), p, p.mu, p.al, p.be);
 }
 VESICA_CALLED constexpr void set(const Ellipse& e, const Ellipse& f, Cubic& p) noexcept {
   Number<8> mu, al, be;
-  set(Outline(e, f), p, mu, al, be);
+  set(Outline<>(e, f), p, mu, al, be);
 }
 
 /// The same for the disc of radius r about (x, y) in place of e. As S1 = r^2, no degree exceeds 8, though those of x

@@ -11,7 +11,7 @@ import java.util.List;
  */
 public record Crossings(List<Point> places, boolean shared) {
   /** No two shapes but polygons and polylines have more places, or more vertices of a shared region. */
-  static final int MOST = 8;
+  static final int MOST = 12;
 
   /** What writes as many points as there is room for, and says how many there are. */
   interface Writer {

@@ -644,11 +644,11 @@ extern "C" {
     ///
     /// Requires: capacity, how many places out has room for. It may be 0, and out then NULL. shared may be NULL.
     ///
-    /// Returns: how many places there are, even if that exceeds the capacity: at most 8 unless a shape is a polygon or
-    /// a polyline. The first `capacity` are written, and \*shared is set to 1 or 0.
+    /// Returns: how many places there are, even if that exceeds the capacity: at most 8, or 12 of an ellipse with a
+    /// rounded rectangle, unless a shape is a polygon or a polyline. The first `capacity` are written, and \*shared is
+    /// set to 1 or 0.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_KIND (also for an ellipse with a capsule or a rounded rectangle),
-    /// VESICA_E_ARGUMENT (a negative capacity), VESICA_E_SHAPE, VESICA_E_RANGE.
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a negative capacity), VESICA_E_SHAPE, VESICA_E_RANGE.
     ///
     /// Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape,
     /// even where the outlines nearly coincide. Places closer to one another than that may come in either order or be
@@ -1695,11 +1695,11 @@ extern "C" {
     ///
     /// Requires: capacity, how many places out has room for. It may be 0, and out then NULL. shared may be NULL.
     ///
-    /// Returns: how many places there are, even if that exceeds the capacity: at most 8 unless a shape is a polygon or
-    /// a polyline. The first `capacity` are written, and \*shared is set to 1 or 0.
+    /// Returns: how many places there are, even if that exceeds the capacity: at most 8, or 12 of an ellipse with a
+    /// rounded rectangle, unless a shape is a polygon or a polyline. The first `capacity` are written, and \*shared is
+    /// set to 1 or 0.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_KIND (also for an ellipse with a capsule or a rounded rectangle),
-    /// VESICA_E_ARGUMENT (a negative capacity), VESICA_E_SHAPE, VESICA_E_RANGE.
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a negative capacity), VESICA_E_SHAPE, VESICA_E_RANGE.
     ///
     /// Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape,
     /// even where the outlines nearly coincide. Places closer to one another than that may come in either order or be

@@ -50,7 +50,7 @@ impl Default for Relation {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Crossings<T> {
     count: usize,
-    places: [[T; 2]; 8],
+    places: [[T; 2]; 12],
     /// Whether the outlines share a stretch.
     pub shared: bool,
 }
