@@ -316,6 +316,22 @@ TEST(PolygonDepth, Convexity) {
   EXPECT_EQ(code(ring({0, 0, 1, above, 2, 2, 0, 2})), VESICA_E_NOT_CONVEX);
 }
 
+/// The search for the last edge went on before the first vertex where no edge had a length in the pair's unit: with a
+/// triangle 2^-500 wide in an ellipse 2^600 wide.
+TEST(PolygonDepth, TinyInAHugeShape) {
+  const double w = 0x1p-500;
+  Path tiny;
+  tiny.add_ring({0, 0, 0, w, w, 0});
+  const auto view = tiny.view();
+  const vesica_ellipse_f64 ellipse{0, 0, 1, 0, 0x1p600, 0x1p599};
+  const vesica_round_rect_f64 rounded{0, 0, 1, 0, 0x1p600, 0x1p599, 0x1p598};
+  vesica_penetration_f64 p{};
+  ASSERT_EQ(vesica_depth_f64(VESICA_POLYGON, &view, VESICA_ELLIPSE, &ellipse, &p), 0);
+  EXPECT_EQ(p.depth, 0x1p599);
+  ASSERT_EQ(vesica_depth_f64(VESICA_POLYGON, &view, VESICA_ROUND_RECT, &rounded, &p), 0);
+  EXPECT_EQ(p.depth, 0x1.8p599);
+}
+
 TEST(PolygonDepth, OfManyVertices) {
   std::vector<double> ring;
   constexpr int n = 20000;

@@ -58,6 +58,12 @@ class ConvexRing {
     n = support_minimum::unit_of_any(outward);
     return true;
   }
+  bool has_edge() const noexcept {
+    PlaneVector n;
+    std::int64_t i = 0;
+    while (i < size() && !normal(i, n)) ++i;
+    return i < size();
+  }
   TwiceNormal twice_normal(std::int64_t i) const noexcept {
     const Point<double> p = (*this)[i], q = (*this)[i + 1];
     const TwiceDouble x = arithmetic::sum(q.y, -p.y), y = arithmetic::sum(p.x, -q.x);
@@ -357,6 +363,8 @@ std::int32_t depth_of_overlapping(const Edges<T>& a, const Box& box, const Conve
   }
   const DepthUnit unit(box, box_about(b));
   const ConvexRing<T> ring(a, shape, unit);
+  // So small beside the other shape that no edge has a length in the pair's unit.
+  if (!ring.has_edge()) return edge_depth(shape.span, b, out);
   const PlacedForm form(core.form, unit);
   const auto has_no_depth = [&] {
     if (!form.curved()) return is_separated(ring, form, exact_core(b));

@@ -188,6 +188,7 @@ class RectEntered {
     if (!meet(box_of(e), box_)) return {};
     const Meeting m(e, *this);
     const intersection::Piece found = intersection::piece(m.pair, 0);
+    if (!found.there) return {};  // the rest may not be set
     return {found.there, found.starts_at_corner, found.ends_at_corner, found.in, found.out};
   }
   Place place_of(const Point<double>& p) const noexcept { return intersection::place_of(Meeting(p, *this).pair, 0); }
