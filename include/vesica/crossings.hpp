@@ -98,8 +98,9 @@ VESICA_CALLED Found with_wide_ellipse(const exact::Ellipse& a, const B& b) noexc
 template <form::Inflated B>
 CrossingPoints<double> with_ellipse(const Ellipse<double>& a, const B& b, bool along_ellipse) noexcept {
   const exact::Ellipse e = exact::form(a);
-  return exact::degenerate(e) ? with_flat_ellipse(e, b).in_order(!along_ellipse)
-                              : with_wide_ellipse(e, b).in_order(along_ellipse);
+  const bool is_flat = exact::degenerate(e);
+  Found found = is_flat ? with_flat_ellipse(e, b) : with_wide_ellipse(e, b);
+  return found.in_order(along_ellipse != is_flat);
 }
 
 /// With a core and a radius. Kinds that need no radius are asked instead. Both orders of the shapes search in the same.
