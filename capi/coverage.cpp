@@ -13,12 +13,12 @@ namespace {
 
 /// Calls visit as coverage_or_error() does. Returns 0 or an error.
 template <class T, class CGrid, class Visit>
-int32_t visit_shares(int32_t kind, const void* shape, const CGrid* grid, const Visit& visit) noexcept {
+int32_t visit_shares(int32_t kind, const void* shape, const CGrid* grid, bool all, const Visit& visit) noexcept {
   static_assert(sizeof(vesica::Grid<T>) == sizeof *grid);
   vesica::Grid<T> cells;
   std::memcpy(&cells, grid, sizeof cells);
   return vesica::with_shape<T>(kind, shape, [&](const vesica::CoreOrPath auto& s) {
-    const int32_t error = vesica::coverage_or_error(s, cells, visit);
+    const int32_t error = vesica::coverage_or_error(s, cells, all, visit);
     return error == VESICA_E_ARGUMENT || error == VESICA_E_RANGE || error == 0 ? error : VESICA_E_SHAPE;
   });
 }
@@ -29,8 +29,10 @@ int32_t coverage(int32_t kind, const void* shape, const CGrid* grid, T* out, ptr
   if (shape == nullptr || grid == nullptr) return VESICA_E_NULL;
   if (out == nullptr && grid->columns > 0 && grid->rows > 0) return VESICA_E_NULL;
   if (!vesica::has_core_or_path(kind)) return VESICA_E_KIND;
-  if (!vesica::capi::rows_apart(grid->rows, grid->columns, row_stride, sizeof(T))) return VESICA_E_ARGUMENT;
-  return visit_shares<T>(kind, shape, grid, [&](int64_t row, int64_t first, const double* shares, int64_t count) {
+  const bool has_room = grid->rows <= 1 || row_stride >= grid->columns;
+  if (!has_room || !vesica::capi::rows_apart(grid->rows, grid->columns, row_stride, sizeof(T)))
+    return VESICA_E_ARGUMENT;
+  return visit_shares<T>(kind, shape, grid, true, [&](int64_t row, int64_t first, const double* shares, int64_t count) {
     std::transform(shares, shares + count, out + row * row_stride + first,
                    [](double share) { return static_cast<T>(share); });
   });
@@ -46,7 +48,7 @@ int64_t coverage_cells(int32_t kind, const void* shape, const CGrid* grid, int64
   if (capacity < 0 || !vesica::capi::rows_apart(grid->rows, grid->columns, grid->columns, 1)) return VESICA_E_ARGUMENT;
   int64_t found = 0;
   const int32_t error =
-      visit_shares<T>(kind, shape, grid, [&](int64_t row, int64_t first, const double* part, int64_t count) {
+      visit_shares<T>(kind, shape, grid, false, [&](int64_t row, int64_t first, const double* part, int64_t count) {
         for (int64_t i = 0; i < count; ++i) {
           const T share = static_cast<T>(part[i]);
           if (!(share > 0)) continue;

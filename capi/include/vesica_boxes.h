@@ -111,10 +111,11 @@ VESICA_API int64_t vesica_convex_hull_f64(const vesica_polygon_f64 *points, vesi
  * Points on one line give a rectangle without height. vesica_rect_corners_misfit_f64 says how far four corners are from
  * it.
  * Returns: 0.
- * Errors: VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_RANGE (a number would overflow), VESICA_E_NOT_CONVEX (the hull
- * has more than 512 corners, and the points are not in its order: find it by vesica_convex_hull_f64 first).
+ * Errors: VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_RANGE (a number would overflow), VESICA_E_NOT_CONVEX (the points
+ * are no convex ring, and the hull of all or of the first ones has more than 768 corners: find it by
+ * vesica_convex_hull_f64 first).
  * Accuracy: no point is outside by more than 8 u times the sum of the points' extent and the largest coordinate, and
- * each side is that near to a point.
+ * each side is that near to a point. The same number of smallest subnormal numbers adds to that.
  * Cost: that of vesica_convex_hull_f64, and for each corner of the hull about as much again as for a point.
  */
 VESICA_API int32_t vesica_min_area_rect_f64(const vesica_polygon_f64 *points, vesica_rect_f64 *out);

@@ -261,7 +261,8 @@ typedef struct {
  * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (the grid, or rows that overlap),
  * VESICA_E_RANGE (a part of the shape is more than 2^44 cells from the corner of the grid). Nothing is written.
  * Accuracy: cells inside have 1 and cells outside 0, exactly, unless the outline is within 4 u times the largest
- * coordinate of theirs or of the shape. Other shares are right to 16 u, and what that displacement of the outline adds.
+ * coordinate of the shape and of the grid's corner. Other shares are right to 16 u, and what such a displacement of the
+ * outline adds.
  * Polygons must be simple, and the error is for each edge in the cell.
  * Cost: a small multiple of writing the cells, and about that of an overlap for each cell on the outline.
  */

@@ -57,15 +57,15 @@ struct Ellipse {
   double determinant() const noexcept { return ax * by - ay * bx; }
 };
 
-/// The unit vector at which an ellipse goes farthest along an axis, and the inverse of how far that is.
+/// The unit vector at which an ellipse goes farthest along an axis, and how far that is.
 struct Extreme {
-  double c, s, inverse;
+  double c, s, reach;
 
   Extreme(double a, double b) noexcept {
     const auto u = arithmetic::unit_and_length(a, b);
     c = u.x;
     s = u.y;
-    inverse = 1 / arithmetic::scale(u.length.value, u.length.exponent);
+    reach = arithmetic::scale(u.length.value, u.length.exponent);
   }
 };
 
@@ -97,15 +97,17 @@ class Arc {
     right_turn_ = std::copysign(1, cross(right.c, right.s, c, s));
     top_turn_ = std::copysign(1, cross(top.c, top.s, c, s));
     determinant_ = ellipse.determinant();
+    across_ = 1 / right.reach;
+    up_ = 1 / top.reach;
   }
 
   Place at_y(double y) const noexcept {
-    Place p = at(top_, top_turn_, (y - ellipse_.cy) * top_.inverse);
+    Place p = at(top_, top_turn_, (y - ellipse_.cy) * up_);
     p.y = y;
     return p;
   }
   Place at_x(double x) const noexcept {
-    Place p = at(right_, right_turn_, (x - ellipse_.cx) * right_.inverse);
+    Place p = at(right_, right_turn_, (x - ellipse_.cx) * across_);
     p.x = x;
     return p;
   }
@@ -122,7 +124,7 @@ class Arc {
 
   const Ellipse& ellipse_;
   const Extreme &right_, &top_;
-  double right_turn_, top_turn_, determinant_;
+  double right_turn_, top_turn_, determinant_, across_, up_;
 };
 
 /// A number from 0 to 1, or a sum of such, in units of 2^-60.
@@ -216,11 +218,20 @@ class Tile {
 };
 
 /// A grid's cells as units.
-struct Cells {
+class Cells {
+ public:
+  explicit Cells(const Grid<double>& g) noexcept : x(g.x), y(g.y), dx(g.dx), dy(g.dy) {}
+
   double x, y, dx, dy;
 
-  double across(double v) const noexcept { return (v - x) / dx; }
-  double up(double v) const noexcept { return (v - y) / dy; }
+  double across(double v) const noexcept { return count(v, x, dx); }
+  double up(double v) const noexcept { return count(v, y, dy); }
+
+ private:
+  static double count(double to, double from, double size) noexcept {
+    const double distance = to - from;
+    return all_finite(distance) ? distance / size : 2 * ((to / 2 - from / 2) / size);
+  }
 };
 
 /// The outline of a shape in cells, from a cell (i, j) on. Shapes without area have none.
@@ -240,7 +251,9 @@ class Outline {
                place(s.cx - x + z, s.cy - y + w)});
   }
   void add(const Circle<double>& s) noexcept { add_whole(ellipse(s.cx, s.cy, 1, 0, s.r, s.r)); }
-  void add(const vesica::Ellipse<double>& s) noexcept { add_whole(ellipse(s.cx, s.cy, s.ux, s.uy, s.a, s.b)); }
+  void add(const vesica::Ellipse<double>& s) noexcept {
+    if (s.a != 0 && s.b != 0) add_whole(ellipse(s.cx, s.cy, s.ux, s.uy, s.a, s.b));
+  }
   void add(const Capsule<double>& s) noexcept {
     if (s.r == 0) return;
     const auto u = arithmetic::unit_and_length(s.x1 / 2 - s.x0 / 2, s.y1 / 2 - s.y0 / 2);
@@ -295,8 +308,12 @@ class Outline {
   }
   /// The arc from one unit vector to another, at most half a turn to the left, cut at the extremes between them.
   void add_arc(const Ellipse& e, double c0, double s0, double c1, double s1) noexcept {
-    if (!(e.determinant() > 0)) return;
     const Extreme right(e.ax, e.bx), top(e.ay, e.by);
+    // The chord of an arc that covers less than a unit of the sums.
+    if (!(e.determinant() > 0) || right.reach < 0x1p-200 || top.reach < 0x1p-200) {
+      add_line(e.at(c0, s0), e.at(c1, s1));
+      return;
+    }
     const double extreme[][2] = {{right.c, right.s}, {top.c, top.s}, {-right.c, -right.s}, {-top.c, -top.s}};
     Place from = e.at(c0, s0);
     const auto add_to = [&](const Place& to) {
@@ -334,14 +351,16 @@ inline void find_shares(const std::int64_t* row, std::int64_t count, double* sha
   }
 }
 
-/// Calls visit(row, first column, shares, count) with the shares of all cells, part by part. The box is the shape's.
+/// Calls visit(row, first column, shares, count) with the shares of all cells, part by part; if `all` is false, of
+/// those parts that the shape's box meets.
 template <class Shape, class Visit>
-std::int32_t for_shares(const Shape& shape, const Aabb<double>& box, const Grid<double>& grid,
+std::int32_t for_shares(const Shape& shape, const Aabb<double>& box, const Grid<double>& grid, bool all,
                         const Visit& visit) noexcept {
-  const Cells cells{grid.x, grid.y, grid.dx, grid.dy};
+  const Cells cells(grid);
   const double left = cells.across(box.min_x), right = cells.across(box.max_x);
   const double bottom = cells.up(box.min_y), top = cells.up(box.max_y);
   if (!is_near(left) || !is_near(right) || !is_near(bottom) || !is_near(top)) return error_range;
+  if (grid.columns == 0) return 0;
   const std::int64_t width = std::min(grid.columns, most_columns);
   const std::int64_t height = most_cells / (width + 1);
   Tile tile;
@@ -357,6 +376,8 @@ std::int32_t for_shares(const Shape& shape, const Aabb<double>& box, const Grid<
       if (meets) {
         tile.clear(columns, rows);
         Outline(cells, x, y, tile).add(shape);
+      } else if (!all) {
+        continue;
       } else {
         std::fill_n(shares, columns, 0.0);
       }
@@ -377,11 +398,12 @@ inline bool is_grid(const Grid<double>& g) noexcept {
 
 }  // namespace detail::coverage
 
-/// Calls visit(row, first column, shares, count) with the shares from 0 to 1 that a shape covers of all cells of a
-/// grid, part by part. Returns 0, or error_argument (a grid without cells of a size), error_range (the shape is farther
-/// than 2^44 cells from the corner), or the error of bounds(), and calls nothing.
+/// Calls visit(row, first column, shares, count) with the shares from 0 to 1 that a shape covers of the cells of a
+/// grid, part by part: of all, or of all that it may meet. Returns 0, or error_argument (a grid without cells of a
+/// size), error_range (the shape is farther than 2^44 cells from the corner), or the error of bounds(), and calls
+/// nothing.
 template <class Shape, class T, class Visit>
-std::int32_t coverage_or_error(const Shape& shape, const Grid<T>& grid, const Visit& visit) noexcept {
+std::int32_t coverage_or_error(const Shape& shape, const Grid<T>& grid, bool all, const Visit& visit) noexcept {
   const Grid<double> wide{static_cast<double>(grid.x),
                           static_cast<double>(grid.y),
                           static_cast<double>(grid.dx),
@@ -392,12 +414,12 @@ std::int32_t coverage_or_error(const Shape& shape, const Grid<T>& grid, const Vi
   if constexpr (Path<Shape>) {
     detail::polygon::Box box;
     if (detail::polygon::Edges(shape).check(box) != 0) return error_shape;
-    return detail::coverage::for_shares(shape, box, wide, visit);
+    return detail::coverage::for_shares(shape, box, wide, all, visit);
   } else {
     Aabb<double> box;
     const auto& s = widen(shape);
     if (const std::int32_t error = bounds(s, box); error != 0) return error;
-    return detail::coverage::for_shares(s, box, wide, visit);
+    return detail::coverage::for_shares(s, box, wide, all, visit);
   }
 }
 

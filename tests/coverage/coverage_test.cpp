@@ -214,6 +214,19 @@ TEST(Coverage, ScalesWithPowersOfTwo) {
   }
 }
 
+TEST(Coverage, OfNearlyNothingAndOfTheWholeRange) {
+  // Half extents whose inverse overflows.
+  const vesica_ellipse_f64 thin{2, 0, 1, 1e-310, 3, 1e-310}, tiny{0, 0, 1, 1, 1e-200, 0.5e-200};
+  for (const double share : coverage({VESICA_ELLIPSE, &thin}, {0, 0, 1, 1, 4, 4})) EXPECT_EQ(share, 0);
+  for (const double share : coverage({VESICA_ELLIPSE, &tiny}, {-1e-200, 0, 1e-200, 1e110, 4, 4})) EXPECT_EQ(share, 0);
+  const vesica_round_rect_f64 card{2, 2, 1, 0, 1, 1, 1e-310};
+  EXPECT_EQ(coverage({VESICA_ROUND_RECT, &card}, {0, 0, 1, 1, 4, 1}), Image(4, 0.0));
+  EXPECT_EQ(coverage({VESICA_ROUND_RECT, &card}, {0, 1, 1, 1, 4, 1}), (Image{0, 1, 1, 0}));
+  // Extents that overflow.
+  const vesica_aabb_f64 wide{-1.5e308, 0, 1.5e308, 1};
+  EXPECT_EQ(coverage({VESICA_AABB, &wide}, {-1.5e308, 0, 1e308, 1, 3, 1}), (Image{1, 1, 1}));
+}
+
 TEST(Coverage, ListsTheCellsThatAreCovered) {
   const vesica_capsule_f64 capsule{10, 5, 600, 40, 6};
   const vesica_grid_f64 g{0, 0, 1, 1, 700, 60};
@@ -264,6 +277,7 @@ TEST(Coverage, RefusesBadInput) {
   EXPECT_EQ(ask(&bad, good), VESICA_E_SHAPE);
   EXPECT_EQ(ask(&distant, good), VESICA_E_RANGE);
   EXPECT_EQ(ask(&disc, good, 1), VESICA_E_ARGUMENT);
+  EXPECT_EQ(ask(&disc, good, -2), VESICA_E_ARGUMENT);
   for (const double wrong : {0.0, -1.0, nan, infinite}) {
     EXPECT_EQ(ask(&disc, {0, 0, wrong, 1, 2, 2}), VESICA_E_ARGUMENT);
     EXPECT_EQ(ask(&disc, {0, 0, 1, wrong, 2, 2}), VESICA_E_ARGUMENT);

@@ -268,6 +268,34 @@ TEST(SmallestRect, OfBoxesAlongTheAxesIsExact) {
   expect_same(rect_about({{1, 1}, {1, 1}, {4, 5}}), {2.5, 3, 0.6, 0.8, 2.5, 0});
 }
 
+// An edge that is nothing beside the extent; an extent that is nothing beside the place; the whole range.
+TEST(SmallestRect, OfUnlikeSizes) {
+  const double big = 0x1p1000;
+  for (const Points& points : {Points{{0, 0}, {0x3p-74, 0x2p-74}, {0, big}, {-big, 2.5 * big}},
+                               Points{{0, 0}, {0x1p-71, 0x1p-72}, {8 * big, 1.5 * big}, {7 * big, 5 * big}},
+                               Points{{0, 0}, {5e-324, 0}, {0, 5e-324}}, Points{{0, 1e308}, {1e-300, 1e308}},
+                               Points{{1e292, 0}, {1e292, 1e-300}}, Points{{0, 0}, {0x1p-1000, 0x1p-1001}, {1, 1}}}) {
+    for (const bool perimeter : {false, true}) {
+      const Fit f = fit(points, rect_about(points, perimeter));
+      const long double allowed = 16 * static_cast<long double>(u) * largest(points) + 8 * 5e-324L;
+      EXPECT_LE(f.outside, allowed) << points[1].x;
+    }
+  }
+  expect_same(rect_about({{0, 1e308}, {1e-300, 1e308}}), {5e-301, 1e308, 1, 0, 5e-301, 0});
+  const double most = std::numeric_limits<double>::max();
+  expect_same(rect_about({{-most, -1}, {most, -1}, {most, 1}, {-most, 1}}), {0, 0, 1, 0, most, 1});
+}
+
+TEST(SmallestRect, TakesMoreCornersAtFirstThanInTheEnd) {
+  Points points;
+  for (int i = 0; i < 1024; ++i) points.push_back({std::cos(i * 0.0061359), std::sin(i * 0.0061359)});
+  points.resize(760);
+  for (const double x : {-5.0, 5.0}) {
+    for (const double y : {-5.0, 5.0}) points.push_back({x, y});
+  }
+  expect_same(rect_about(points), {0, 0, 1, 0, 5, 5});
+}
+
 TEST(SmallestRect, ScalesWithPowersOfTwo) {
   Random random(46);
   for (int n = 10000 * properties::repeat(); n > 0; --n) {

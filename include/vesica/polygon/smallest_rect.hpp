@@ -51,11 +51,40 @@ class ConvexCorners {
   std::int64_t start_ = 0;
 };
 
-/// A rectangle with a side along an edge. Lengths carry a power of two that all candidates of a call share.
+/// A vector times 2^exponent, as sums of two doubles.
+struct ScaledVector {
+  arithmetic::Vector<double> v;
+  int exponent;
+
+  /// From p to q. Coordinates are halved where their difference could overflow.
+  ScaledVector(const Point<double>& p, const Point<double>& q) noexcept {
+    const double most = greater(greater(lane::abs(p.x), lane::abs(q.x)), greater(lane::abs(p.y), lane::abs(q.y)));
+    const double unit = most < 0x1p1022 ? 1 : 0.5;
+    const auto difference = [&](double from, double to) {
+      return arithmetic::exact_difference(to * unit, from * unit);
+    };
+    v = {difference(p.x, q.x), difference(p.y, q.y)};
+    exponent = unit < 1 ? 1 : 0;
+  }
+  /// The exponent of the larger component.
+  int size() const noexcept {
+    return exponent + arithmetic::exponent_of(greater(lane::abs(v.x.high), lane::abs(v.y.high)));
+  }
+  /// In units of 2^unit.
+  arithmetic::Vector<double> in(int unit) const noexcept {
+    const auto scaled = [&](const arithmetic::Twofold<double>& n) {
+      return arithmetic::Twofold<double>{arithmetic::scale_far(n.high, exponent - unit),
+                                         arithmetic::scale_far(n.low, exponent - unit)};
+    };
+    return {scaled(v.x), scaled(v.y)};
+  }
+};
+
+/// A rectangle with a side along an edge: its centre as seen from the edge's beginning, axis, width and height. Lengths
+/// are in a unit of 2^exponent that all candidates of a call share.
 struct SideRect {
-  double cx, cy;
-  double ux, uy;
-  double width, height;
+  Point<double> start;
+  double dx, dy, ux, uy, width, height;
 
   double measure(LeastRect least) const noexcept { return least == LeastRect::area ? width * height : width + height; }
 };
@@ -63,29 +92,18 @@ struct SideRect {
 /// The rectangle on an edge that reaches to the corners `ahead` and `behind` along it, and to `top` across it.
 inline SideRect side_rect(const Edge& edge, const Point<double>& ahead, const Point<double>& behind,
                           const Point<double>& top, int exponent) noexcept {
-  using arithmetic::exact_difference, arithmetic::factor, arithmetic::rounded, arithmetic::Vector;
-  const auto scaled = [&](double v, int by) { return arithmetic::scale_far(v, by); };
-  // From the edge's beginning, divided by a power of two before the difference, which may overflow otherwise.
-  const auto from_start = [&](double x, double y) {
-    return Vector<double>{exact_difference(scaled(x, -exponent), scaled(edge.x0, -exponent)),
-                          exact_difference(scaled(y, -exponent), scaled(edge.y0, -exponent))};
-  };
-  Vector<double> d = from_start(edge.x1, edge.y1);
-  const int own = arithmetic::exponent_of(greater(lane::abs(d.x.high), lane::abs(d.y.high)));
-  for (double* v : {&d.x.high, &d.x.low, &d.y.high, &d.y.low}) *v = scaled(*v, -own);
+  using arithmetic::factor, arithmetic::rounded;
+  const Point<double> start{edge.x0, edge.y0};
+  const ScaledVector direction(start, {edge.x1, edge.y1});
+  const arithmetic::Vector<double> d = direction.in(direction.size());
   const auto along = factor(d);
   const double length = std::sqrt(rounded(dot(along, along)));
-  const auto far_end = factor(from_start(ahead.x, ahead.y)), near_end = factor(from_start(behind.x, behind.y));
-  const double most = rounded(dot(along, far_end)) / length, least = rounded(dot(along, near_end)) / length;
-  const double height = rounded(cross(along, factor(from_start(top.x, top.y)))) / length;
+  const auto to = [&](const Point<double>& p) { return factor(ScaledVector(start, p).in(exponent)); };
+  const double most = rounded(dot(along, to(ahead))) / length, least = rounded(dot(along, to(behind))) / length;
+  const double height = rounded(cross(along, to(top))) / length;
   const auto u = arithmetic::unit_and_length(rounded(d.x), rounded(d.y));
   const double middle = (most + least) / 2, up = height / 2;
-  return {scaled(edge.x0, -exponent) + std::fma(u.x, middle, -u.y * up),
-          scaled(edge.y0, -exponent) + std::fma(u.y, middle, u.x * up),
-          u.x,
-          u.y,
-          most - least,
-          height};
+  return {start, std::fma(u.x, middle, -u.y * up), std::fma(u.y, middle, u.x * up), u.x, u.y, most - least, height};
 }
 
 /// Walks round the corners with the ones that are farthest ahead of each edge, above it and behind it.
@@ -116,25 +134,27 @@ SideRect smallest_rect(const ConvexCorners<T>& corners, LeastRect least, int exp
 
 /// The rectangle without height about a segment.
 inline SideRect flat_rect(const Edge& span, int exponent) noexcept {
-  const auto scaled = [&](double v) { return arithmetic::scale_far(v, -exponent); };
-  const double x0 = scaled(span.x0), y0 = scaled(span.y0), x1 = scaled(span.x1), y1 = scaled(span.y1);
-  const auto u = arithmetic::unit_and_length(x1 - x0, y1 - y0);
-  return {x0 + (x1 - x0) / 2, y0 + (y1 - y0) / 2, u.x, u.y, arithmetic::scale(u.length.value, u.length.exponent), 0};
+  const Point<double> start{span.x0, span.y0};
+  const ScaledVector whole(start, {span.x1, span.y1});
+  const arithmetic::Vector<double> v = whole.in(whole.size());
+  const auto u = arithmetic::unit_and_length(arithmetic::rounded(v.x), arithmetic::rounded(v.y));
+  const double length = arithmetic::scale_far(u.length.value, u.length.exponent + whole.size() - exponent);
+  return {start, u.x * length / 2, u.y * length / 2, u.x, u.y, length, 0};
 }
 
 /// The exponent of a box's larger extent.
 inline int exponent_of_extent(const Box& box) noexcept {
-  return 1 + arithmetic::exponent_of(greater(box.max_x / 2 - box.min_x / 2, box.max_y / 2 - box.min_y / 2));
+  return ScaledVector({box.min_x, box.min_y}, {box.max_x, box.max_y}).size();
 }
 
-/// Corners of a hull that are found within a call.
-inline constexpr std::int64_t most_hull_corners = 512;
+/// Corners of a hull that is found within a call, of all points or of the first ones.
+inline constexpr std::int64_t most_hull_corners = 768;
 
 /// The hull of points that come one by one. Whenever the room is full, those inside the hull so far are dropped.
 template <class T>
 class GrowingHull {
  public:
-  /// False if the hull has more corners than most_hull_corners.
+  /// False if a hull has more corners than most_hull_corners.
   bool add(const Edges<T>& edges) noexcept {
     const Range all = edges.all();
     for (std::int64_t i = all.first; i < all.last; ++i) {
@@ -142,7 +162,8 @@ class GrowingHull {
       points_[count_++] = {static_cast<T>(v.x), static_cast<T>(v.y)};
       if (count_ == room && !reduce()) return false;
     }
-    return reduce();
+    count_ = hull_in_place(points_, count_);
+    return true;
   }
   std::int64_t count() const noexcept { return count_; }
   Polygon<T> path() const noexcept { return {&points_[0].x, &points_[0].y, sizeof(Point<T>), nullptr, count_}; }
@@ -153,7 +174,7 @@ class GrowingHull {
     return count_ <= most_hull_corners;
   }
 
-  static constexpr std::int64_t room = 2 * most_hull_corners;
+  static constexpr std::int64_t room = 1024;
   Point<T> points_[room];
   std::int64_t count_ = 0;
 };
@@ -184,8 +205,8 @@ int rect_about_points(const Edges<T>& edges, LeastRect least, int exponent, Side
 ///
 /// It lies along an edge of their hull; its axis is that edge's direction, counter-clockwise round the hull where y
 /// points up. Of equal ones, as they are computed, it is the first from the lowest of the leftmost points on.
-/// error_null, error_rings, error_not_finite, error_range (a half length overflows), or error_not_convex: the hull has
-/// more than 512 corners, and the vertices are no convex ring.
+/// error_null, error_rings, error_not_finite, error_range (a half length overflows), or error_not_convex: the
+/// vertices are no convex ring, and the hull of all or of the first ones has more than 768 corners.
 template <class T>
 int smallest_rect(const Polygon<T>& points, LeastRect least, Rect<T>& out) noexcept {
   using namespace detail::polygon;
@@ -195,9 +216,15 @@ int smallest_rect(const Polygon<T>& points, LeastRect least, Rect<T>& out) noexc
   const int exponent = exponent_of_extent(box);
   SideRect r;
   if (const int error = rect_about_points(edges, least, exponent, r); error != 0) return error;
-  const auto number = [&](double v) { return static_cast<T>(detail::arithmetic::scale_far(v, exponent)); };
-  return detail::store(Rect<T>{number(r.cx), number(r.cy), static_cast<T>(r.ux), static_cast<T>(r.uy),
-                               number(r.width / 2), number(r.height / 2)},
+  const auto length = [&](double v) { return static_cast<T>(detail::arithmetic::scale_far(v, exponent)); };
+  // Halves, where the step to the centre may overflow.
+  const int lift = exponent > 1000 ? 1 : 0;
+  const auto place = [&](double start, double step) {
+    const double half = lift > 0 ? start / 2 : start;
+    return static_cast<T>((half + detail::arithmetic::scale_far(step, exponent - lift)) * (1 + lift));
+  };
+  return detail::store(Rect<T>{place(r.start.x, r.dx), place(r.start.y, r.dy), static_cast<T>(r.ux),
+                               static_cast<T>(r.uy), length(r.width / 2), length(r.height / 2)},
                        out);
 }
 

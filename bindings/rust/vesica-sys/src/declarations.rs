@@ -2836,13 +2836,15 @@ extern "C" {
     ///
     /// Returns: 0.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_RANGE (a number would overflow), VESICA_E_NOT_CONVEX (the hull
-    /// has more than 512 corners, and the points are not in its order: find it by vesica_convex_hull_f64 first).
+    /// Errors: VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_RANGE (a number would overflow), VESICA_E_NOT_CONVEX (the points
+    /// are no convex ring, and the hull of all or of the first ones has more than 768 corners: find it by
+    /// vesica_convex_hull_f64 first).
     ///
     /// Accuracy: no point is outside by more than 8 u times the sum of the points' extent and the largest coordinate,
-    /// and each side is that near to a point. In bounds on errors u is 2^-53, half a unit in the last place of 1. The
-    /// scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4
-    /// u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
+    /// and each side is that near to a point. The same number of smallest subnormal numbers adds to that. In bounds on
+    /// errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy|
+    /// between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the
+    /// scale. An aspect ratio is longer over shorter size.
     ///
     /// Cost: that of vesica_convex_hull_f64, and for each corner of the hull about as much again as for a point.
     ///
@@ -3001,14 +3003,16 @@ extern "C" {
     ///
     /// Returns: 0.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_RANGE (a number would overflow), VESICA_E_NOT_CONVEX (the hull
-    /// has more than 512 corners, and the points are not in its order: find it by vesica_convex_hull_f32 first).
+    /// Errors: VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_RANGE (a number would overflow), VESICA_E_NOT_CONVEX (the points
+    /// are no convex ring, and the hull of all or of the first ones has more than 768 corners: find it by
+    /// vesica_convex_hull_f32 first).
     ///
     /// Accuracy: no point is outside by more than 8 u times the sum of the points' extent and the largest coordinate,
-    /// and each side is that near to a point. Each number is computed in double, within these bounds, and then rounded
-    /// to float once. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is
-    /// the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an
-    /// error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
+    /// and each side is that near to a point. The same number of smallest subnormal numbers adds to that. Each number
+    /// is computed in double, within these bounds, and then rounded to float once. In bounds on errors u is 2^-53, half
+    /// a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and
+    /// of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is
+    /// longer over shorter size.
     ///
     /// Cost: that of vesica_convex_hull_f32, and for each corner of the hull about as much again as for a point.
     ///
@@ -3818,11 +3822,11 @@ extern "C" {
     /// VESICA_E_RANGE (a part of the shape is more than 2^44 cells from the corner of the grid). Nothing is written.
     ///
     /// Accuracy: cells inside have 1 and cells outside 0, exactly, unless the outline is within 4 u times the largest
-    /// coordinate of theirs or of the shape. Other shares are right to 16 u, and what that displacement of the outline
-    /// adds. Polygons must be simple, and the error is for each edge in the cell. In bounds on errors u is 2^-53, half
-    /// a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and
-    /// of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is
-    /// longer over shorter size.
+    /// coordinate of the shape and of the grid's corner. Other shares are right to 16 u, and what such a displacement
+    /// of the outline adds. Polygons must be simple, and the error is for each edge in the cell. In bounds on errors u
+    /// is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between
+    /// their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An
+    /// aspect ratio is longer over shorter size.
     ///
     /// Cost: a small multiple of writing the cells, and about that of an overlap for each cell on the outline.
     ///
@@ -4119,12 +4123,12 @@ extern "C" {
     /// VESICA_E_RANGE (a part of the shape is more than 2^44 cells from the corner of the grid). Nothing is written.
     ///
     /// Accuracy: cells inside have 1 and cells outside 0, exactly, unless the outline is within 4 u times the largest
-    /// coordinate of theirs or of the shape. Other shares are right to 16 u, and what that displacement of the outline
-    /// adds. Polygons must be simple, and the error is for each edge in the cell. Each number is computed in double,
-    /// within these bounds, and then rounded to float once. In bounds on errors u is 2^-53, half a unit in the last
-    /// place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
-    /// lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over
-    /// shorter size.
+    /// coordinate of the shape and of the grid's corner. Other shares are right to 16 u, and what such a displacement
+    /// of the outline adds. Polygons must be simple, and the error is for each edge in the cell. Each number is
+    /// computed in double, within these bounds, and then rounded to float once. In bounds on errors u is 2^-53, half a
+    /// unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and
+    /// of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is
+    /// longer over shorter size.
     ///
     /// Cost: a small multiple of writing the cells, and about that of an overlap for each cell on the outline.
     ///
