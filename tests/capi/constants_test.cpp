@@ -64,6 +64,8 @@ TEST(CapiConstants, StructSizes) {
     EXPECT_EQ(sizeof(vesica_polyline_f32), 40u);
     EXPECT_EQ(sizeof(vesica_facts_f64), 48u);
     EXPECT_EQ(sizeof(vesica_facts_f32), 48u);
+    EXPECT_EQ(sizeof(vesica_grid_f64), 48u);
+    EXPECT_EQ(sizeof(vesica_grid_f32), 32u);
   }
 }
 
