@@ -45,8 +45,8 @@ int64_t coverage_cells(int32_t kind, const void* shape, const CGrid* grid, int64
   if (shape == nullptr || grid == nullptr) return VESICA_E_NULL;
   if (capacity > 0 && (cells == nullptr || shares == nullptr)) return VESICA_E_NULL;
   if (!vesica::has_core_or_path(kind)) return VESICA_E_KIND;
-  int64_t count;
-  if (capacity < 0 || __builtin_mul_overflow(grid->rows, grid->columns, &count)) return VESICA_E_ARGUMENT;
+  int64_t cell_count;
+  if (capacity < 0 || __builtin_mul_overflow(grid->rows, grid->columns, &cell_count)) return VESICA_E_ARGUMENT;
   int64_t found = 0;
   const int32_t error =
       visit_shares<T>(kind, shape, grid, false, [&](int64_t row, int64_t first, const double* part, int64_t count) {
