@@ -229,7 +229,7 @@ class RectEntered {
  private:
   /// An edge or a point, and the rectangle.
   struct Meeting {
-    intersection::Vertex ends[2];
+    intersection::Vertex ends[2]{};
     intersection::Pair pair;
 
     template <class Shape>
