@@ -12,9 +12,10 @@ namespace {
 
 using vesica::LeastRect;
 
-/// An error of the core as that of a function about points.
-int32_t points_error(int error) noexcept {
-  return error == vesica::error_rings || error == vesica::error_not_finite ? VESICA_E_SHAPE : error;
+/// Invalid points are one error to callers. Any other result stays.
+template <class Result>
+Result with_points_error(Result result) noexcept {
+  return result == vesica::error_rings || result == vesica::error_not_finite ? Result{VESICA_E_SHAPE} : result;
 }
 
 template <class T, class CPolygon, class CPoint>
@@ -22,10 +23,8 @@ int64_t convex_hull(const CPolygon* points, CPoint* out, int64_t capacity) noexc
   VESICA_DEFAULT_ENVIRONMENT((convex_hull<T, CPolygon, CPoint>), points, out, capacity);
   static_assert(sizeof(vesica::Polygon<T>) == sizeof *points && sizeof(vesica::Point<T>) == sizeof *out);
   if (points == nullptr || out == nullptr) return VESICA_E_NULL;
-  const auto path = vesica::load<vesica::Polygon<T>>(points);
-  if (const int error = vesica::check(path); error != 0) return points_error(error);
-  if (capacity < vesica::detail::polygon::Edges<T>(path).all().length()) return VESICA_E_ARGUMENT;
-  return vesica::convex_hull_or_error(path, reinterpret_cast<vesica::Point<T>*>(out));
+  return with_points_error(vesica::convex_hull_or_error(vesica::load<vesica::Polygon<T>>(points),
+                                                        reinterpret_cast<vesica::Point<T>*>(out), capacity));
 }
 
 template <class T, class CPolygon, class CRect>
@@ -36,7 +35,7 @@ int32_t smallest_rect(const CPolygon* points, LeastRect least, CRect* out) noexc
   vesica::Rect<T> rect;
   const int error = vesica::smallest_rect(vesica::load<vesica::Polygon<T>>(points), least, rect);
   if (error == 0) std::memcpy(out, &rect, sizeof *out);
-  return points_error(error);
+  return with_points_error(error);
 }
 
 template <class T, class CRect>

@@ -130,7 +130,7 @@ class Arc {
 /// A number from 0 to 1, or a sum of such, in units of 2^-60.
 inline std::int64_t fixed(double v) noexcept { return static_cast<std::int64_t>(v * 0x1p60); }
 
-/// Cells in a row of which the shares are found together, and all cells.
+/// The most columns, and the most cells, whose shares are found together.
 inline constexpr std::int64_t most_columns = 255, most_cells = 2048;
 
 /// Some cells of a grid. The shares of a row are the sums of its numbers up to each.

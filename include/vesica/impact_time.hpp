@@ -97,6 +97,25 @@ bool rounded_to(const Impact<double>& i, double gap, Impact<T>& out, T& out_gap)
   return true;
 }
 
+/// Writes what an answer has to say, and returns it or an error. A contact at the start has the place of a cast without
+/// motion.
+template <class A, class B, class T>
+std::int32_t finish(std::int32_t answer, const A& a, const B& b, const Impact<double>& found, double found_gap,
+                    Impact<T>& out, T& gap) noexcept {
+  if (answer < 0) return answer;
+  if (answer == cast_start) {
+    const std::int32_t code = cast_or_error(a, b, T(0), T(0), T(0), out);
+    if (code >= 0) gap = 0;
+    return code;
+  }
+  if (answer == cast_miss) {
+    out = cast::no_impact<T>();
+    gap = std::numeric_limits<T>::quiet_NaN();
+    return answer;
+  }
+  return rounded_to(found, found_gap, out, gap) ? answer : static_cast<std::int32_t>(error_range);
+}
+
 /// Asks shapes as they were given, and poses of rectangles, rounded ones and ellipses.
 template <class A, class B>
 struct AskShapes {
@@ -139,18 +158,7 @@ std::int32_t impact_time_or_error(const A<T>& a, const Turn<T>& turn_a, const B<
   const std::int32_t answer =
       impl::impact_time<T>(detail::cast::body(a), impl::widen(turn_a), detail::cast::body(b), impl::widen(turn_b),
                            static_cast<double>(tolerance), impl::AskShapes<A<T>, B<T>>{a, b}, found, found_gap);
-  if (answer < 0) return answer;
-  if (answer == cast_start) {
-    const std::int32_t code = cast_or_error(a, b, T(0), T(0), T(0), out);
-    if (code >= 0) gap = 0;
-    return code;
-  }
-  if (answer == cast_miss) {
-    out = detail::cast::no_impact<T>();
-    gap = std::numeric_limits<T>::quiet_NaN();
-    return answer;
-  }
-  return impl::rounded_to(found, found_gap, out, gap) ? answer : static_cast<std::int32_t>(error_range);
+  return impl::finish(answer, a, b, found, found_gap, out, gap);
 }
 
 /// An impact and the gap at its time.

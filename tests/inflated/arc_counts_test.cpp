@@ -23,7 +23,7 @@ crossings::RoundOutline outline(const Shape& s) {
   return crossings::round_outline(vesica::RoundRect<double>{n[0], n[1], n[2], n[3], n[4], n[5], n[6]});
 }
 
-/// How often there were so many crossings and touches in all of a circle, and so many inside an arc.
+/// Counts of cases by crossings and touches on the whole circle and inside an arc.
 using Seen = std::map<std::array<int, 3>, int>;
 
 void compare(const Shape& round, const Shape& oval, Seen& seen) {

@@ -59,7 +59,7 @@ TEST(EllipseCrossings, OfEdges) {
 }
 
 TEST(EllipseCrossings, OfArcs) {
-  // Where edges end, and at the tip between them.
+  // At the ends of edges, and at the tip between them.
   expect_places(capsule, ellipse(12, 0, 1, 0, 1, 3), {{11, 0}});
   expect_places(capsule, ellipse(10, 0, 1, 0, 2, 1), {{10, -1}, {10, 1}});
   expect_places(capsule, ellipse(5, 0, 1, 0, 6, 3), {{11, 0}, {-1, 0}});

@@ -307,7 +307,7 @@ TEST(PolygonTurning, Laws) {
   EXPECT_GT(casts, 100 * properties::repeat());
 }
 
-/// Far from the origin, at vertices that are integers, every number is the same but for the place.
+/// Far from the origin, at vertices that are integers, every number but the place is the same.
 TEST(PolygonTurning, FarAway) {
   Random random(properties::seed() + 93);
   int hits = 0;

@@ -27,11 +27,11 @@
 /// Proved: a quarter of the circle has n0 zeros, known from those of both half circles that share it and from whether
 /// the form changes its sign along it. Let n1, n2, n3 be those of the other quarters in order.
 ///
-///   - The half circles tell n0 + n1 and n3 + n0, so n0 is known but for 2 s. Two values need n1 >= 2 and n3 >= 2, and
+///   - The half circles give n0 + n1 and n3 + n0, so n0 is known up to 2 s. Two values need n1 >= 2 and n3 >= 2, and
 ///     then there are four zeros: 0, 2, 0, 2 or 2, 0, 2, 0.
 ///   - Where the zeros are at angles a from the quarter's start, the form's slope over the form there is
 ///     -1/2 sum cot(a / 2). Angles in the first quarter have cotangents above 1, in the third above -1; in the second
-///     below 1, in the fourth below -1. So the slope's sign tells which.
+///     below 1, in the fourth below -1. So the slope's sign decides.
 ///
 /// Proved: outlines of a rounded rectangle and an ellipse meet in at most 12 places, and of a capsule in at most 8. Let
 /// f = h_a - h_b be the difference of support functions, and g = f + f''. As in inflated.hpp places are zeros of f, and
@@ -165,7 +165,7 @@ struct FormAlongCircle {
   }
 };
 
-/// True if the form has one sign along an arc, so far as estimates tell: on a quarter in Bernstein form.
+/// True if estimates show that the form has one sign along an arc: on a quarter in Bernstein form.
 VESICA_CALLED inline bool surely_misses(const RoundOutline& k, int i, const exact::Ellipse& e) noexcept {
   const FormAlongCircle form(k, i, k.side(k.before(i)), e);
   const Estimate &unit = k.unit.estimate, ends(form.ends), out = Estimate(form.out) * unit;
@@ -425,7 +425,7 @@ inline bool cross_arc_and_ellipse(const RoundOutline& k, int i, const exact::Ell
   const int first = first_on_arc(circle, arc, counts), all = counts.begin + counts.inside + counts.end;
   const Estimate r(k.radius);
   const auto add = [&](const Estimate& x, const Estimate& y, const Real& along, int j) {
-    // Where that is not precise, all are one place but for rounding.
+    // If the estimate is not precise, all are one place up to rounding.
     const bool is_precise = circle.along_ellipse.is_precise();
     found.add({to_double(Estimate(k.corners.x[i]) + r * x), to_double(Estimate(k.corners.y[i]) + r * y), along,
                is_precise ? circle.along_ellipse(Direction(circle.at[j])) : Real()});

@@ -48,13 +48,15 @@ namespace vesica {
 /// Corners of the convex hull of a path's vertices, counter-clockwise where y points up, from the lowest of the
 /// leftmost. None is on the line between its neighbours. Equal points give one corner, points on a line two.
 ///
-/// `out` has room for all vertices. Returns the number of corners, or error_null, error_rings or error_not_finite.
+/// Returns the number of corners, or error_null, error_rings, error_not_finite, or error_argument: `out` must have room
+/// for all vertices.
 template <class T>
-std::int64_t convex_hull_or_error(const Polygon<T>& points, Point<T>* out) noexcept {
+std::int64_t convex_hull_or_error(const Polygon<T>& points, Point<T>* out, std::int64_t capacity) noexcept {
   const detail::polygon::Edges<T> edges(points);
   detail::polygon::Box box;
   if (const int error = edges.check(box); error != 0) return error;
   const detail::polygon::Range all = edges.all();
+  if (capacity < all.length()) return error_argument;
   for (std::int64_t i = all.first; i < all.last; ++i) {
     const Point<double> v = edges.vertex(i);
     out[i - all.first] = {static_cast<T>(v.x), static_cast<T>(v.y)};

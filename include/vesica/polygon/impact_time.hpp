@@ -485,18 +485,7 @@ std::int32_t impact_time_or_error(const A<T>& a, const Turn<T>& turn_a, const B<
                                                 found_gap);
         }
       });
-  if (answer < 0) return answer;
-  if (answer == cast_start) {
-    const std::int32_t code = cast_or_error(a, b, T(0), T(0), T(0), out);
-    if (code >= 0) gap = 0;
-    return code;
-  }
-  if (answer == cast_miss) {
-    out = detail::cast::no_impact<T>();
-    gap = std::numeric_limits<T>::quiet_NaN();
-    return answer;
-  }
-  return impl::rounded_to(found, found_gap, out, gap) ? answer : static_cast<std::int32_t>(error_range);
+  return impl::finish(answer, a, b, found, found_gap, out, gap);
 }
 
 }  // namespace vesica

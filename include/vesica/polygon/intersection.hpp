@@ -141,8 +141,8 @@ class RingEntered {
     outline_.for_edges_near(box, [&](const Edge&, std::int64_t) { found = true; });
     return found;
   }
-  /// Where the line of an edge enters the ring and leaves it. Returns false if it passes no inside and no edge that has
-  /// the inside on the same side, or touches in one corner.
+  /// The places at which the line of an edge enters the ring and leaves it. Returns false if it passes no inside and no
+  /// edge that has the inside on the same side, or touches in one corner.
   bool find_chord(const Edge& e, Place& in, Place& out) const noexcept {
     bool enters = false;
     std::int64_t before = last_;

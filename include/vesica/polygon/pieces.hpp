@@ -49,7 +49,7 @@ struct RegionRoom {
   }
 };
 
-/// Where e crosses f, as a part of e, from its nearer end. Returns false where products may be off by too much.
+/// The place at which e crosses f, as a part of e, from its nearer end. Returns false where products are too far off.
 ///
 /// Proved: the point is within 4u of the largest coordinate and size. Differences are exact, so each cross product is
 /// off by less than 2^-100 of its terms, and the part, at most 1/2, by less than 2^-59 + u / 2. Three roundings of the
@@ -74,7 +74,7 @@ inline bool cross_at(const Edge& e, const Edge& f, Point<double>& p) noexcept {
   return true;
 }
 
-/// Where two edges cross, the same for every order and direction of them. Infinite where it is out of range. The
+/// The crossing of two edges, the same for every order and direction of them. Infinite where it is out of range. The
 /// shorter edge gives the place more precisely.
 inline Point<double> crossing_of(const Edge& first, const Edge& second) noexcept {
   const Edge e = upward(first), f = upward(second);

@@ -17,7 +17,7 @@ enum class LeastRect { area, perimeter };
 
 namespace detail::polygon {
 
-/// The sign of the turn from the direction of e to that of f, exact.
+/// 1 if the direction turns left from edge e to edge f, -1 if right, 0 if neither. Exact.
 inline int turn(const Edge& e, const Edge& f) noexcept {
   const double left = (e.x1 - e.x0) * (f.y1 - f.y0), right = (e.y1 - e.y0) * (f.x1 - f.x0);
   const double cross = left - right, bound = (lane::abs(left) + lane::abs(right)) * 0x1p-49 + 0x1p-1000;
@@ -165,7 +165,6 @@ class GrowingHull {
     count_ = hull_in_place(points_, count_);
     return true;
   }
-  std::int64_t count() const noexcept { return count_; }
   Polygon<T> path() const noexcept { return {&points_[0].x, &points_[0].y, sizeof(Point<T>), nullptr, count_}; }
 
  private:
