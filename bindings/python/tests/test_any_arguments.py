@@ -99,7 +99,7 @@ def any_arguments(draw, function):
 
 def ask_index(draw, index):
     index.join()
-    index.join_within(draw.randrange(4))
+    index.join_within(None, draw.randrange(4))
     one, velocity = single(draw), numbers(draw, 2)
     fitting = {
         "select": [one],

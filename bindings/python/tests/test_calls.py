@@ -150,7 +150,7 @@ class Call:
             sets = [list(map(self.shapes, part)) for part in (self.arguments[1:slash], self.arguments[slash + 1 :])]
             index = vesica.Index(*sets[0])
             other = vesica.Index(*sets[1]) if sets[1] else None
-            pairs = numpy.array(index.join_within(*self.numbers(0), other)).T
+            pairs = numpy.array(index.join_within(other, *self.numbers(0))).T
             return len(pairs), pairs.ravel()
         ratio, decay, parameter, least, most = self.numbers(2)
         labels = numpy.array(self.numbers(3), "i4") if len(self.arguments) > 3 else None

@@ -73,7 +73,7 @@ class Index(unittest.TestCase):
         index_a, index_b = vesica.Index(*a), vesica.Index(*b)
         self.assertEqual(set(zip(*index_a.join(index_b))), self.pairs_by_matrix(vesica.overlap_matrix, a, b))
         near = self.pairs_by_matrix(lambda x, y: vesica.within_matrix(x, y, 0.5), a, b)
-        self.assertEqual(set(zip(*index_a.join_within(0.5, index_b))), near)
+        self.assertEqual(set(zip(*index_a.join_within(index_b, 0.5))), near)
         contained = self.pairs_by_matrix(vesica.contains_matrix, a, b)
         self.assertEqual(set(zip(*index_a.join(index_b, "contains"))), contained)
 
@@ -125,10 +125,10 @@ class Index(unittest.TestCase):
         self.assertTrue(numpy.may_share_memory(in_place.bytes, index.bytes))
         for other in (in_place, vesica.Index.from_bytes(index.bytes.tobytes(), discs), vesica.Index(discs)):
             self.assertEqual((len(index.join(other)[0]), index.join_count(other)), (1600, 1600))
-            self.assertEqual(len(index.join_within(1, other)[0]), 1600)
+            self.assertEqual(len(index.join_within(other, 1)[0]), 1600)
         for other in (None, index):
             self.assertEqual((len(index.join(other)[0]), index.join_count(other)), (780, 780))
-            self.assertEqual(len(index.join_within(1, other)[0]), 780)
+            self.assertEqual(len(index.join_within(other, 1)[0]), 780)
         self.assertEqual(len(index.join(vesica.Index.from_bytes(index.bytes, moved))[0]), 0)
 
     def test_bytes_cannot_be_changed(self):
@@ -188,8 +188,9 @@ class Index(unittest.TestCase):
             (ValueError, lambda: index.join(query="near")),
             (vesica.VesicaError, lambda: index.join(part=2, parts=2)),
             *((error, lambda how=how: index.join(**how)) for error, how in wrong_parts),
-            *((error, lambda how=how: index.join_within(1, **how)) for error, how in wrong_parts),
+            *((error, lambda how=how: index.join_within(None, 1, **how)) for error, how in wrong_parts),
             *((error, lambda how=how: index.join_count(**how)) for error, how in wrong_parts),
+            (TypeError, lambda: index.join_within(1, None)),
             (TypeError, lambda: index.select([0, 0, 1])),
             (vesica.VesicaError, lambda: index.nearest(circles[0], 1, -1)),
             (ValueError, lambda: index.nearest(circles[0], -1)),

@@ -363,5 +363,35 @@ class Documented(unittest.TestCase):
             self.assertTrue(getattr(vesica, name).__doc__, name)
 
 
+class OwnMemory(unittest.TestCase):
+    """Few results of a large array keep no more memory alive than their own."""
+
+    def test_results(self):
+        discs = vesica.circles(numpy.column_stack([10 * numpy.arange(1000.0), numpy.zeros(1000), numpy.ones(1000)]))
+        probe, index = vesica.circles([50, 0, 1]), vesica.Index(discs)
+        same = vesica.circles(numpy.ones((1000, 3)))
+        wrong = vesica.circles([[0, 0, 1], [0, 0, -1]])[numpy.arange(1000) % 2]
+        with self.assertRaises(vesica.VesicaError) as caught:
+            vesica.overlap_select(vesica.points([0, 0]), wrong)
+        results = [
+            vesica.overlap_select(probe, discs),
+            vesica.interiors_overlap_select(probe, discs),
+            vesica.nms(same, numpy.arange(1000)),
+            *vesica.nms_soft(same, numpy.arange(1000), 0.5, least_score=998.5),
+            vesica.crossings(discs[0], vesica.circles([1, 0, 1])).places,
+            vesica.intersection(vesica.aabbs([0, 0, 2, 2]), vesica.aabbs([1, 1, 3, 3])),
+            vesica.convex_hull(numpy.arange(2000.0).reshape(1000, 2)),
+            *index.nearest(probe, 1000, within=1),
+            *index.join(vesica.Index(probe)),
+            *index.join_within(vesica.Index(probe), 0),
+            index.select(probe),
+            index.cast(probe, (0, 1)),
+            vesica.Index(wrong[1:3], probe).order(),
+        ]
+        self.assertEqual([len(result) for result in results], [1] * 5 + [2, 4, 2] + [1] * 8 + [2])
+        for result in (*results, caught.exception.result):
+            self.assertLessEqual(getattr(result.base, "nbytes", 0), result.nbytes)
+
+
 if __name__ == "__main__":
     unittest.main()

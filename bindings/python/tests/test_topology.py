@@ -21,15 +21,15 @@ class Topology(unittest.TestCase):
         self.assertIs(vesica.within(left, right, 3), Within.NEARLY)
         self.assertEqual(vesica.within(BOXES, disc, 2).tolist(), [0, 1, 1])
         self.assertEqual(vesica.within_matrix(BOXES, BOXES[:2], 2).tolist(), [[1, 1], [1, 1], [0, 1]])
-        first, second = vesica.Index(BOXES).join_within(2)
+        first, second = vesica.Index(BOXES).join_within(None, 2)
         self.assertEqual(sorted(zip(first.tolist(), second.tolist())), [(0, 1), (1, 2)])
         with self.assertRaises(vesica.VesicaError):
             vesica.within(BOX, disc, math.nan)
         with self.assertRaises(vesica.VesicaError):
-            vesica.Index(BOXES).join_within(math.nan)
+            vesica.Index(BOXES).join_within(None, math.nan)
         self.assertEqual(vesica.within(BOXES, BOX, -1).tolist(), [1, 1, 0])
         self.assertEqual(vesica.within(BOXES, BOX, -1.5).tolist(), [1, 0, 0])
-        first, second = vesica.Index(BOXES).join_within(-1)
+        first, second = vesica.Index(BOXES).join_within(None, -1)
         self.assertEqual(list(zip(first.tolist(), second.tolist())), [(0, 1)])
 
     def test_signed_distance(self):

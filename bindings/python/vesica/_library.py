@@ -50,11 +50,16 @@ def by_scalar(name):
     return {letter: getattr(library, f"vesica_{name}_{suffix}") for letter, suffix in (("d", "f64"), ("f", "f32"))}
 
 
+def first_rows(array, count):
+    """The first rows of an array, in memory of their own: a view would keep all of the array's."""
+    return array if count == len(array) else array[:count].copy()
+
+
 def all_points(function, a, b, *more):
     """The points (n, 2) that a function of two single shapes writes. Without polygons they are at most 12."""
     out = numpy.empty((12, 2), a.dtype)
     while True:
         count = checked(function(a.kind, a.record, b.kind, b.record, out.ctypes.data, len(out), *more))
         if count <= len(out):
-            return out[:count]
+            return first_rows(out, count)
         out = numpy.empty((count, 2), a.dtype)

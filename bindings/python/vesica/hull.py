@@ -2,7 +2,7 @@
 """Convex hulls of points, and the smallest rectangles about them."""
 import numpy
 
-from ._library import by_scalar, checked
+from ._library import by_scalar, checked, first_rows
 from .paths import Paths, polygons
 from .queries import numbers_of
 from .shapes import Kind, shapes
@@ -22,7 +22,7 @@ def convex_hull(points):
         raise ValueError("convex_hull takes the points of one shape; index an array of them")
     out = numpy.empty((sum(len(ring) for ring in path.rings[0]), 2), path.dtype)
     count = checked(_CONVEX_HULL[path.letter](path.record, out.ctypes.data, len(out)))
-    return out[:count].copy()
+    return first_rows(out, count)
 
 
 def min_area_rects(points):

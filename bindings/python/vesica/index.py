@@ -7,7 +7,7 @@ import operator
 import numpy
 
 from . import _declarations
-from ._library import VesicaError, by_scalar, checked, library
+from ._library import VesicaError, by_scalar, checked, first_rows, library
 from .motion import first_of, new_impact, pair
 from .shapes import one_shape, same_scalar, the_shapes
 
@@ -137,7 +137,7 @@ class Index:
     def order(self):
         """The items in spatial order: arrays that are laid so are joined quicker."""
         out = numpy.empty(self.count, numpy.int64)
-        return out[: checked(library.vesica_index_order(self._address(), out.ctypes.data, len(out)))]
+        return first_rows(out, checked(library.vesica_index_order(self._address(), out.ctypes.data, len(out))))
 
     def bounds(self):
         """(min x, min y, max x, max y) around all valid shapes; indexes whose boxes are disjoint have no pairs."""
@@ -149,16 +149,17 @@ class Index:
         """All pairs of an item of this index and one of another: two arrays of item numbers, each pair once.
 
         other: an index; None, or this index itself, for the pairs a < b of this one. query: "overlap", "contains" (the
-        first item contains the second), "inside", "interiors" (touching does not count), or "bounds" for candidates. Parts may be asked by several threads or
-        processes.
+        first item contains the second), "inside", "interiors" (touching does not count), or "bounds" for candidates.
+        Parts may be asked by several threads or processes.
         """
         other = self._joined(other)
         return _pairs(lambda *output: self._join(other, query, part, parts, output))
 
-    def join_within(self, distance, other=None, part=0, parts=1):
+    def join_within(self, other, distance, part=0, parts=1):
         """All pairs at most `distance` apart, as join gives them. Of ellipses also those too near to tell.
 
-        With a negative distance, pairs that overlap at least that deep. The distance is first rounded to the shapes' type.
+        other: an index; None, or this index itself, for the pairs a < b of this one. With a negative distance, pairs that
+        overlap at least that deep. The distance is first rounded to the shapes' type.
         """
         other = self._joined(other)
         indexes = self._address(), self._sets, len(self._sets), other._address(), other._sets, len(other._sets)
@@ -241,7 +242,7 @@ class Index:
                 *(k, float(within), out.ctypes.data, distance.ctypes.data),
             )
         )
-        return (out[:found], distance[:found]) if k else (out, distance)
+        return (first_rows(out, found), first_rows(distance, found)) if k else (out, distance)
 
     def nearest_of_each(self, *sets, k=1, within=math.inf):
         """Of each shape of some sets, the k nearest items: two arrays (n, k), filled up by -1 at distance infinity.

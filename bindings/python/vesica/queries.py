@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy
 
 from . import _declarations
-from ._library import VesicaError, all_points, by_scalar, checked, library
+from ._library import VesicaError, all_points, by_scalar, checked, first_rows, library
 from .shapes import Kind, exactly, one_shape, plain, same_scalar, shapes, the_shapes
 
 
@@ -251,8 +251,8 @@ def _selected(functions, one, many):
     out = numpy.zeros(len(many.columns[0]), numpy.int64)
     code = functions[letter](ctypes.byref(one.view), ctypes.byref(many.view), out.ctypes.data, len(out))
     # With an invalid shape, which is never selected, -1 follows the others.
-    found = out[:code] if code >= 0 else out[: numpy.argmax(out == -1)]
-    return finish(code, found, one=one, many=many)
+    found = code if code >= 0 else numpy.argmax(out == -1)
+    return finish(code, first_rows(out, found), one=one, many=many)
 
 
 def overlap_select(one, many):
@@ -457,7 +457,7 @@ def nms(boxes, scores, threshold=0.5, *, labels=None, ratio=Ratio.OVER_UNION, le
         keep.ctypes.data,
         ctypes.byref(kept),
     )
-    return finish(code, keep[: kept.value], scores=scores, boxes=boxes)
+    return finish(code, first_rows(keep, kept.value), scores=scores, boxes=boxes)
 
 
 def nms_soft(boxes, scores, parameter=0.5, *, decay="linear", labels=None, ratio=Ratio.OVER_UNION, least_score=0.0,
@@ -480,7 +480,8 @@ def nms_soft(boxes, scores, parameter=0.5, *, decay="linear", labels=None, ratio
         *(_DECAYS[decay], float(parameter), float(least_score), room, scratch.ctypes.data, scratch.nbytes),
         *(keep.ctypes.data, left.ctypes.data, ctypes.byref(kept)),
     )
-    return finish(code, (keep[: kept.value], left[: kept.value]), scores=scores, boxes=boxes)
+    result = first_rows(keep, kept.value), first_rows(left, kept.value)
+    return finish(code, result, scores=scores, boxes=boxes)
 
 
 def _room(most, boxes):
