@@ -55,6 +55,14 @@ inline int32_t check_index(const void* index) noexcept {
   return index::header_is_sound(index, INT64_MAX) ? 0 : VESICA_E_INDEX;
 }
 
+/// One side of a join: an index, and sets of as many items, of kinds that any query takes.
+template <class T>
+int32_t check_indexed(const void* index, const CShapesOf<T>* sets, int32_t set_count, index::Sets& view) noexcept {
+  const int32_t error = first_error(check_index(index), view_sets<T>(sets, set_count, view, has_core_or_path));
+  if (error != 0) return error;
+  return view.items == index::View(index).items() ? 0 : VESICA_E_ARGUMENT;
+}
+
 /// Columns of gathered shapes, as batches take them; a single shape repeats. Paths are structs.
 template <class T>
 batch::Shapes<T> columns_of(int32_t kind, const void* const* field, int64_t count) noexcept {

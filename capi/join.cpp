@@ -29,10 +29,7 @@ index::Decide decider(int32_t query) noexcept {
 template <class T>
 int32_t check_side(int32_t query, const void* from, const CShapesOf<T>* sets, int32_t set_count,
                    index::Sets& view) noexcept {
-  if (query == VESICA_JOIN_BOUNDS) return check_index(from);
-  const int32_t error = first_error(check_index(from), view_sets<T>(sets, set_count, view, vesica::has_core_or_path));
-  if (error != 0) return error;
-  return view.items == index::View(from).items() ? 0 : VESICA_E_ARGUMENT;
+  return query == VESICA_JOIN_BOUNDS ? check_index(from) : check_indexed<T>(from, sets, set_count, view);
 }
 
 bool decides(int32_t query, int32_t kind_a, int32_t kind_b) noexcept {
@@ -77,7 +74,7 @@ int64_t join(int32_t query, const void* index_a, const CShapesOf<T>* sets_a, int
                         scratch};
   if (capacity == 0) return index::count_pairs(all);
   if (!index::state_is_sound(all, state)) return VESICA_E_ARGUMENT;
-  return index::write_pairs(all, out_a, out_b, capacity, state);
+  return index::write_pairs(all, out_a, out_b, nullptr, capacity, state);
 }
 
 }  // namespace

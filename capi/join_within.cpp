@@ -14,13 +14,6 @@ namespace index = vesica::index;
 index::Near near(int32_t kind_a, int32_t kind_b) noexcept { return vesica::queries::within(kind_a, kind_b); }
 
 template <class T>
-int32_t check_side(const void* from, const CShapesOf<T>* sets, int32_t set_count, index::Sets& view) noexcept {
-  const int32_t error = first_error(check_index(from), view_sets<T>(sets, set_count, view, vesica::has_core_or_path));
-  if (error != 0) return error;
-  return view.items == index::View(from).items() ? 0 : VESICA_E_ARGUMENT;
-}
-
-template <class T>
 int64_t join_within(const void* index_a, const CShapesOf<T>* sets_a, int32_t set_count_a, const void* index_b,
                     const CShapesOf<T>* sets_b, int32_t set_count_b, T distance, int64_t part, int64_t parts,
                     int64_t* out_a, int64_t* out_b, int64_t capacity, int64_t* state) noexcept {
@@ -30,7 +23,7 @@ int64_t join_within(const void* index_a, const CShapesOf<T>* sets_a, int32_t set
   if (capacity > 0 && (out_a == nullptr || out_b == nullptr || state == nullptr)) return VESICA_E_NULL;
   index::Sets a, b;
   const int32_t error =
-      first_error(check_side<T>(index_a, sets_a, set_count_a, a), check_side<T>(index_b, sets_b, set_count_b, b));
+      first_error(check_indexed<T>(index_a, sets_a, set_count_a, a), check_indexed<T>(index_b, sets_b, set_count_b, b));
   if (error != 0) return error;
   if (std::isnan(distance) || parts < 1 || part < 0 || part >= parts || capacity < 0) return VESICA_E_ARGUMENT;
   const index::JoinWithin join{index_kernels(),         index_a, index_b, a, b, static_cast<double>(distance), near,

@@ -14,6 +14,7 @@ install(FILES
     ${PROJECT_SOURCE_DIR}/capi/include/vesica.h
     ${PROJECT_SOURCE_DIR}/capi/include/vesica_generic.h
     ${PROJECT_SOURCE_DIR}/capi/include/vesica_boxes.h
+    ${PROJECT_SOURCE_DIR}/capi/include/vesica_detection.h
     ${PROJECT_SOURCE_DIR}/capi/include/vesica_index.h
     ${PROJECT_SOURCE_DIR}/capi/include/vesica_index.hpp
     ${PROJECT_SOURCE_DIR}/capi/include/vesica_measures.h

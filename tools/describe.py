@@ -22,8 +22,8 @@ import sys
 CAPI = pathlib.Path(__file__).resolve().parent.parent / "capi"
 INCLUDE = CAPI / "include"
 # Each header's library, without its version, and the version script of what that exports.
-QUESTIONS = ("vesica.h", "vesica_boxes.h", "vesica_index.h", "vesica_measures.h", "vesica_motion.h",
-             "vesica_topology.h")
+QUESTIONS = ("vesica.h", "vesica_boxes.h", "vesica_detection.h", "vesica_index.h", "vesica_measures.h",
+             "vesica_motion.h", "vesica_topology.h")
 LIBRARIES = {**dict.fromkeys(QUESTIONS, "libvesica"), "vesica_methods.h": "libvesica-methods"}
 MAPS = {**dict.fromkeys(QUESTIONS, "vesica.map"), "vesica_methods.h": "methods.map"}
 HEADERS = tuple(LIBRARIES)

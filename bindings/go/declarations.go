@@ -776,6 +776,18 @@ func cMinPerimeterRectMany(wide bool, points C.vesica_go_view, out *C.char) C.in
 	return C.go_min_perimeter_rect_many_f32(points, out)
 }
 
+func cJoinRatio(wide bool, ratio C.int32_t, threshold float64, indexA *C.char, setsA C.vesica_go_sets,
+	setCountA C.int32_t, indexB *C.char, setsB C.vesica_go_sets, setCountB C.int32_t, part C.int64_t, parts C.int64_t,
+	scratch *C.char, scratchSize C.int64_t, outA *C.char, outB *C.char, values *C.char, capacity C.int64_t,
+	state *C.char) C.int64_t {
+	if wide {
+		return C.go_join_ratio_f64(ratio, C.double(threshold), indexA, setsA, setCountA, indexB, setsB, setCountB, part,
+			parts, scratch, scratchSize, outA, outB, values, capacity, state)
+	}
+	return C.go_join_ratio_f32(ratio, C.float(threshold), indexA, setsA, setCountA, indexB, setsB, setCountB, part, parts,
+		scratch, scratchSize, outA, outB, values, capacity, state)
+}
+
 func cIndexBuild(wide bool, sets C.vesica_go_sets, setCount C.int32_t, index *C.char, indexSize C.int64_t,
 	scratch *C.char, scratchSize C.int64_t) C.int64_t {
 	if wide {

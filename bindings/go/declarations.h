@@ -726,6 +726,30 @@ static inline int64_t go_min_perimeter_rect_many_f32(vesica_go_view points, char
     return vesica_min_perimeter_rect_many_f32(&of_points, (void *)out);
 }
 
+static inline int64_t go_join_ratio_f64(int32_t ratio, double threshold, const char *index_a, vesica_go_sets sets_a,
+    int32_t set_count_a, const char *index_b, vesica_go_sets sets_b, int32_t set_count_b, int64_t part, int64_t parts,
+    char *scratch, int64_t scratch_size, char *out_a, char *out_b, char *values, int64_t capacity, char *state) {
+    vesica_shapes_f64 of_sets_a[64];
+    memcpy(of_sets_a, &sets_a, sizeof of_sets_a);
+    vesica_shapes_f64 of_sets_b[64];
+    memcpy(of_sets_b, &sets_b, sizeof of_sets_b);
+    return vesica_join_ratio_f64(ratio, threshold, (const void *)index_a, of_sets_a, set_count_a, (const void *)index_b,
+        of_sets_b, set_count_b, part, parts, (void *)scratch, scratch_size, (void *)out_a, (void *)out_b,
+        (void *)values, capacity, (void *)state);
+}
+
+static inline int64_t go_join_ratio_f32(int32_t ratio, float threshold, const char *index_a, vesica_go_sets sets_a,
+    int32_t set_count_a, const char *index_b, vesica_go_sets sets_b, int32_t set_count_b, int64_t part, int64_t parts,
+    char *scratch, int64_t scratch_size, char *out_a, char *out_b, char *values, int64_t capacity, char *state) {
+    vesica_shapes_f32 of_sets_a[64];
+    memcpy(of_sets_a, &sets_a, sizeof of_sets_a);
+    vesica_shapes_f32 of_sets_b[64];
+    memcpy(of_sets_b, &sets_b, sizeof of_sets_b);
+    return vesica_join_ratio_f32(ratio, threshold, (const void *)index_a, of_sets_a, set_count_a, (const void *)index_b,
+        of_sets_b, set_count_b, part, parts, (void *)scratch, scratch_size, (void *)out_a, (void *)out_b,
+        (void *)values, capacity, (void *)state);
+}
+
 static inline int64_t go_index_build_f64(vesica_go_sets sets, int32_t set_count, char *index, int64_t index_size,
     char *scratch, int64_t scratch_size) {
     vesica_shapes_f64 of_sets[64];

@@ -1103,10 +1103,11 @@ VESICA_API int32_t vesica_nms_f32(const vesica_shapes_f32 *shapes, const float *
 }
 #endif
 
-#include "vesica_boxes.h"    /* arrays of boxes by centre, size and angle; corners and bounds of arrays */
-#include "vesica_generic.h"  /* C11 only: vesica_overlap(&a, &b) and the like take kinds and scalar from the types */
-#include "vesica_index.h"    /* index and join, for the pairs among millions of shapes */
-#include "vesica_measures.h" /* ratios of shared area, suppression, signed distance, within a distance */
-#include "vesica_motion.h"   /* casts of moving shapes, rays */
-#include "vesica_topology.h" /* nine-intersection matrices, shared regions */
+#include "vesica_boxes.h"     /* arrays of boxes by centre, size and angle; corners and bounds of arrays */
+#include "vesica_detection.h" /* pairs by ratio, assignment, fusion of boxes, average precision */
+#include "vesica_generic.h"   /* C11 only: vesica_overlap(&a, &b) and the like take kinds and scalar from the types */
+#include "vesica_index.h"     /* index and join, for the pairs among millions of shapes */
+#include "vesica_measures.h"  /* ratios of shared area, suppression, signed distance, within a distance */
+#include "vesica_motion.h"    /* casts of moving shapes, rays */
+#include "vesica_topology.h"  /* nine-intersection matrices, shared regions */
 #endif /* VESICA_H */

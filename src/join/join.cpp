@@ -28,6 +28,7 @@ struct Scratch {
   std::uint32_t sorted_a[batch], sorted_b[batch];
   std::uint16_t order[batch];
   std::uint8_t key[batch], sorted[batch], verdict[batch + 64];
+  double value[batch], sorted_value[batch];
   Columns columns_a, columns_b;
   Recent recent;
   Segment segment[most_segments];
@@ -123,10 +124,10 @@ class Runner {
   void decide(std::int32_t n) noexcept {
     Scratch& s = scratch_;
     keep_recent(n);
-    if (join_.decide == nullptr) {
+    if (join_.decide == nullptr && join_.ratio.decide == nullptr) {
       std::memset(s.verdict, 1, static_cast<std::size_t>(n));
     } else if (join_.a.sets->count == 1 && join_.b.sets->count == 1) {
-      decide_run(join_.a.sets->set[0].kind, join_.b.sets->set[0].kind, s.a, s.b, n, s.verdict);
+      decide_run(join_.a.sets->set[0].kind, join_.b.sets->set[0].kind, s.a, s.b, n, s.verdict, s.value);
     } else {
       decide_mixed(n);
     }
@@ -203,7 +204,7 @@ class Runner {
 
   /// Pairs of one pair of kinds.
   void decide_run(std::int32_t kind_a, std::int32_t kind_b, const std::uint32_t* a, const std::uint32_t* b,
-                  std::int32_t n, std::uint8_t* out) noexcept {
+                  std::int32_t n, std::uint8_t* out, double* value) noexcept {
     Scratch& s = scratch_;
     constexpr int most = decided_at_once;
     const auto length = [n](std::int32_t i) { return n - i < most ? n - i : most; };
@@ -211,7 +212,9 @@ class Runner {
       const int m = length(i);
       gather_columns(*join_.a.sets, kind_a, a + i, m, n - i - m, s.columns_a, recent_, 0);
       gather_columns(*join_.b.sets, kind_b, b + i, m, n - i - m, s.columns_b, recent_, Recent::of_second);
-      if (join_.reversed) {
+      if (join_.ratio.decide != nullptr) {
+        join_.ratio.decide(join_.ratio, kind_a, s.columns_a.field, kind_b, s.columns_b.field, m, out + i, value + i);
+      } else if (join_.reversed) {
         join_.decide(kind_b, s.columns_b.field, m, kind_a, s.columns_a.field, m, out + i);
       } else {
         join_.decide(kind_a, s.columns_a.field, m, kind_b, s.columns_b.field, m, out + i);
@@ -241,9 +244,12 @@ class Runner {
     for (int k = 0; k < all_kinds * all_kinds; ++k) {
       const std::int32_t from = begin[k], length = begin[k + 1] - from;
       if (length == 0) continue;
-      decide_run(k / all_kinds, k % all_kinds, s.sorted_a + from, s.sorted_b + from, length, s.sorted + from);
+      decide_run(k / all_kinds, k % all_kinds, s.sorted_a + from, s.sorted_b + from, length, s.sorted + from,
+                 s.sorted_value + from);
     }
     for (std::int32_t i = 0; i < n; ++i) s.verdict[s.order[i]] = s.sorted[i];
+    if (join_.ratio.decide == nullptr) return;
+    for (std::int32_t i = 0; i < n; ++i) s.value[s.order[i]] = s.sorted_value[i];
   }
 
   const Join& join_;
@@ -304,11 +310,27 @@ std::int64_t write_decided(const Scratch& s, std::int32_t begin, std::int32_t en
   return n;
 }
 
+/// The numbers of the same pairs.
+template <class T>
+void write_values(const Scratch& s, std::int32_t begin, std::int32_t end, T* out) noexcept {
+  for (std::int32_t i = begin; i < end; ++i) {
+    if (s.verdict[i] != 0) *out++ = static_cast<T>(s.value[i]);
+  }
+}
+
 }  // namespace
 
-std::int64_t write_pairs(const Join& join, std::int64_t* out_a, std::int64_t* out_b, std::int64_t capacity,
-                         std::int64_t* state) noexcept {
+std::int64_t write_pairs(const Join& join, std::int64_t* out_a, std::int64_t* out_b, void* values,
+                         std::int64_t capacity, std::int64_t* state) noexcept {
   if (is_at_end(state)) return 0;
+  const auto put_values = [&](const Scratch& s, std::int32_t begin, std::int32_t end, std::int64_t at) {
+    if (values == nullptr) return;
+    if (join.a.sets->is_float) {
+      write_values(s, begin, end, static_cast<float*>(values) + at);
+    } else {
+      write_values(s, begin, end, static_cast<double*>(values) + at);
+    }
+  };
   Runner runner(join);
   const std::int64_t mark = mark_of(join);
   std::int64_t skip = state[2] & 0xffffffff;
@@ -333,6 +355,7 @@ std::int64_t write_pairs(const Join& join, std::int64_t* out_a, std::int64_t* ou
       const std::int32_t begin = segment.begin + static_cast<std::int32_t>(skip);
       skip = 0;
       if (capacity - written >= end - begin) {
+        put_values(s, begin, end, written);
         written += write_decided(s, begin, end, out_a + written, out_b + written);
         continue;
       }
@@ -343,6 +366,7 @@ std::int64_t write_pairs(const Join& join, std::int64_t* out_a, std::int64_t* ou
                     std::int64_t{segment.entry} << entry_bit | (i - segment.begin), runner.last() << 15 | mark);
           return written;
         }
+        put_values(s, i, i + 1, written);
         out_a[written] = s.a[i];
         out_b[written++] = s.b[i];
       }

@@ -15,6 +15,14 @@ struct JoinSide {
   const Sets* sets;  // null where nothing is decided
 };
 
+/// Decides up to decided_at_once pairs in columns by their ratios: out[i] = 1 or 0, and value[i] the ratio if 1.
+struct RatioTest {
+  void (*decide)(const RatioTest& asked, std::int32_t kind_a, const void* const* a, std::int32_t kind_b,
+                 const void* const* b, std::int64_t n, std::uint8_t* out, double* value) = nullptr;
+  std::int32_t ratio = 0;
+  double threshold = 0;
+};
+
 struct Join {
   const Kernels& kernels;
   JoinSide a, b;
@@ -22,7 +30,8 @@ struct Join {
   bool reversed;        // asks whether b holds for a
   std::uint32_t query;  // only to tell apart what a state belongs to
   std::int64_t part, parts;
-  void* scratch;  // of join_scratch_bytes, aligned to 64
+  void* scratch;      // of join_scratch_bytes, aligned to 64
+  RatioTest ratio{};  // decides if its function is set, in place of `decide`
 };
 
 std::int64_t join_scratch_bytes() noexcept;
@@ -33,8 +42,9 @@ std::int64_t count_pairs(const Join& join) noexcept;
 /// True if a state is one that such a join returns.
 bool state_is_sound(const Join& join, const std::int64_t* state) noexcept;
 
-/// Writes up to `capacity` > 0 pairs; returns how many, and moves the state on.
-std::int64_t write_pairs(const Join& join, std::int64_t* out_a, std::int64_t* out_b, std::int64_t capacity,
-                         std::int64_t* state) noexcept;
+/// Writes up to `capacity` > 0 pairs; returns how many, and moves the state on. A ratio test writes the ratios too, in
+/// the scalar of the sets.
+std::int64_t write_pairs(const Join& join, std::int64_t* out_a, std::int64_t* out_b, void* values,
+                         std::int64_t capacity, std::int64_t* state) noexcept;
 
 }  // namespace vesica::index

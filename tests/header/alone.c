@@ -16,8 +16,8 @@ typedef char aabb_f32_is_flat[sizeof(vesica_aabb_f32) == 4 * sizeof(float) ? 1 :
 typedef char rect_f32_is_flat[sizeof(vesica_rect_f32) == 6 * sizeof(float) ? 1 : -1];
 typedef char ellipse_f32_is_flat[sizeof(vesica_ellipse_f32) == 6 * sizeof(float) ? 1 : -1];
 
-#if !defined(VESICA_INDEX_H) || !defined(VESICA_MOTION_H) || !defined(VESICA_TOPOLOGY_H)
-#error "vesica.h does not bring vesica_index.h, vesica_motion.h and vesica_topology.h"
+#if !defined(VESICA_DETECTION_H) || !defined(VESICA_INDEX_H) || !defined(VESICA_MOTION_H) || !defined(VESICA_TOPOLOGY_H)
+#error "vesica.h does not bring vesica_detection.h, vesica_index.h, vesica_motion.h and vesica_topology.h"
 #endif
 
 #if VESICA_VERSION != VESICA_VERSION_MAJOR * 10000 + VESICA_VERSION_MINOR * 100 + VESICA_VERSION_PATCH

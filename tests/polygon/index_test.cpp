@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Indexes and joins of polygons and polylines, in each layout and mixed with other kinds, against every pair asked.
 #include <gtest/gtest.h>
+#include <vesica_detection.h>
 #include <vesica_index.h>
 #include <vesica_measures.h>
 #include <vesica_motion.h>
@@ -11,6 +12,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <limits>
+#include <map>
 #include <memory>
 #include <set>
 #include <utility>
@@ -85,6 +87,14 @@ struct Sets {
     single(i, a);
     single(j, b);
     return vesica_within_f64(a.kind, a.shape, b.kind, b.shape, distance);
+  }
+
+  /// The ratio of two items: its error, or 0.
+  std::int32_t ratio(std::int32_t which, std::int64_t i, std::int64_t j, double& out) const {
+    Single a, b;
+    single(i, a);
+    single(j, b);
+    return vesica_ratio_f64(which, a.kind, a.shape, b.kind, b.shape, &out);
   }
 
   /// Casts item j, which moves, at item i.
@@ -195,6 +205,45 @@ TEST(PolygonIndex, JoinsAsEveryPairAsked) {
   EXPECT_GT(expected.size(), 1000U);
   EXPECT_EQ(found, expected);
   EXPECT_GE(join(VESICA_JOIN_BOUNDS, nullptr, nullptr, 0, nullptr), static_cast<std::int64_t>(expected.size()));
+}
+
+/// Pairs of every kind of path, and their ratios, bit for bit.
+TEST(PolygonIndex, RatiosOfPairsThatMeet) {
+  Random random(properties::seed());
+  const Sets sets(random);
+  const Room index = index_of(sets), scratch(vesica_join_scratch());
+  const auto count = static_cast<std::int32_t>(sets.sets.size());
+  std::size_t pairs = 0, without = 0;
+  for (const auto& [which, threshold] : {std::pair{VESICA_RATIO_OVER_UNION, 0.0},
+                                         {VESICA_RATIO_OVER_UNION, 0.3},
+                                         {VESICA_RATIO_OVER_FIRST, 0.5},
+                                         {VESICA_RATIO_GENERALIZED, -0.25}}) {
+    std::map<std::pair<std::int64_t, std::int64_t>, double> expected, found;
+    for (std::int64_t i = 0; i < sets.items(); ++i) {
+      for (std::int64_t j = i + 1; j < sets.items(); ++j) {
+        double ratio = 0;
+        if (sets.overlap(i, j) != 1) continue;
+        const bool has_one = sets.ratio(which, i, j, ratio) == 0;
+        without += static_cast<std::size_t>(!has_one);
+        if (has_one && ratio >= threshold) expected[{i, j}] = ratio;
+      }
+    }
+    constexpr std::int64_t room = 700;  // a few calls
+    std::vector<std::int64_t> a(room), b(room);
+    std::vector<double> values(room);
+    std::int64_t state[4] = {};
+    while (state[0] != -1) {
+      const std::int64_t n = vesica_join_ratio_f64(
+          which, threshold, index.memory.get(), sets.sets.data(), count, index.memory.get(), sets.sets.data(), count, 0,
+          1, scratch.memory.get(), scratch.size, a.data(), b.data(), values.data(), room, state);
+      ASSERT_GE(n, 0);
+      for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) found[{a[i], b[i]}] = values[i];
+    }
+    EXPECT_EQ(found, expected) << which << ' ' << threshold;
+    pairs += expected.size();
+  }
+  EXPECT_GT(pairs, 1000U);
+  EXPECT_GT(without, 0U);  // polylines that cross
 }
 
 TEST(PolygonIndex, SelectsAsEveryItemAsked) {

@@ -9,6 +9,7 @@ import numpy
 from . import _declarations
 from ._library import VesicaError, by_scalar, checked, first_rows, library
 from .motion import first_of, new_impact, pair
+from .queries import Ratio
 from .shapes import one_shape, same_scalar, the_shapes
 
 _QUERIES = {
@@ -20,7 +21,7 @@ _QUERIES = {
 }
 _BUILD, _SELECT, _JOIN = by_scalar("index_build"), by_scalar("index_select"), by_scalar("join")
 _NEAREST, _JOIN_NEAREST = by_scalar("index_nearest"), by_scalar("join_nearest")
-_JOIN_WITHIN = by_scalar("join_within")
+_JOIN_WITHIN, _JOIN_RATIO = by_scalar("join_within"), by_scalar("join_ratio")
 _CAST, _CAST_FIRST = by_scalar("index_cast"), by_scalar("index_cast_first")
 _ALIGNMENT = 64
 _PAIRS_A_CALL = 1 << 16
@@ -49,15 +50,14 @@ def _copied(data):
     return copy
 
 
-def _pairs(ask):
-    """All pairs that a join writes in as many calls as it takes."""
-    firsts, seconds, state = [], [], numpy.zeros(4, numpy.int64)
+def _pairs(ask, *more):
+    """All pairs that a join writes in as many calls as it takes; more: the types of what it writes beside them."""
+    written, state = [], numpy.zeros(4, numpy.int64)
     while state[0] != -1:
-        a, b = numpy.empty((2, _PAIRS_A_CALL), numpy.int64)
-        found = ask(a.ctypes.data, b.ctypes.data, len(a), state.ctypes.data)
-        firsts.append(a[:found])
-        seconds.append(b[:found])
-    return numpy.concatenate(firsts), numpy.concatenate(seconds)
+        columns = [numpy.empty(_PAIRS_A_CALL, dtype) for dtype in (numpy.int64, numpy.int64, *more)]
+        found = ask(*(column.ctypes.data for column in columns), _PAIRS_A_CALL, state.ctypes.data)
+        written.append([column[:found] for column in columns])
+    return tuple(numpy.concatenate(column) for column in zip(*written))
 
 
 class Index:
@@ -166,6 +166,18 @@ class Index:
         ask, parts = _JOIN_WITHIN[self._letter], _part_of(part, parts)
         return _pairs(lambda *output: checked(ask(*indexes, float(distance), *parts, *output)))
 
+    def join_ratio(self, other=None, ratio=Ratio.OVER_UNION, threshold=0.0, part=0, parts=1):
+        """All pairs that overlap and whose ratio, such as IoU, is at least `threshold`: (first, second, ratio).
+
+        They come as join gives them, the values as vesica.ratio: a sparse matrix. Threshold 0 gives every pair that
+        overlaps; for GIoU, DIoU and CIoU, which may be negative, -inf does. Pairs without a ratio, since neither shape
+        has an area, are left out. The threshold is first rounded to the shapes' type.
+        """
+        other, asked = self._joined(other), (Ratio(ratio), float(threshold))
+        return _pairs(
+            lambda *output: self._join_by(_JOIN_RATIO, asked, other, part, parts, output), self.sets[0].dtype
+        )
+
     def join_count(self, other=None, query="overlap", part=0, parts=1):
         """How many pairs `join` would give."""
         return self._join(self._joined(other), query, part, parts, _NO_OUTPUT)
@@ -183,10 +195,13 @@ class Index:
     def _join(self, other, query, part, parts, output):
         if query not in _QUERIES:
             raise ValueError(f"query is one of {', '.join(_QUERIES)}, not {query!r}")
+        return self._join_by(_JOIN, (_QUERIES[query],), other, part, parts, output)
+
+    def _join_by(self, functions, asked, other, part, parts, output):
         scratch = _aligned(checked(library.vesica_join_scratch()))
         return checked(
-            _JOIN[self._letter](
-                _QUERIES[query],
+            functions[self._letter](
+                *asked,
                 *(self._address(), self._sets, len(self._sets)),
                 *(other._address(), other._sets, len(other._sets)),
                 *(*_part_of(part, parts), scratch.ctypes.data, len(scratch)),

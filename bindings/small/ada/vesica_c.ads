@@ -1128,6 +1128,24 @@ package Vesica_C is
       Integer_64
      with Import, Convention => C, External_Name => "vesica_min_perimeter_rect_many_f32";
 
+   --  All pairs that overlap and whose ratio is at least `threshold`, with the ratio: a sparse matrix of IoU and the
+   --  like.
+   function Vesica_Join_Ratio_F64 (Ratio : Integer_32; Threshold : IEEE_Float_64; Index_A : System.Address;
+      Sets_A : System.Address; Set_Count_A : Integer_32; Index_B : System.Address; Sets_B : System.Address;
+      Set_Count_B : Integer_32; Part : Integer_64; Parts : Integer_64; Scratch : System.Address; Scratch_Size :
+      Integer_64; Out_A : System.Address; Out_B : System.Address; Values : System.Address; Capacity : Integer_64;
+      State : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_join_ratio_f64";
+
+   --  All pairs that overlap and whose ratio is at least `threshold`, with the ratio: a sparse matrix of IoU and the
+   --  like.
+   function Vesica_Join_Ratio_F32 (Ratio : Integer_32; Threshold : IEEE_Float_32; Index_A : System.Address;
+      Sets_A : System.Address; Set_Count_A : Integer_32; Index_B : System.Address; Sets_B : System.Address;
+      Set_Count_B : Integer_32; Part : Integer_64; Parts : Integer_64; Scratch : System.Address; Scratch_Size :
+      Integer_64; Out_A : System.Address; Out_B : System.Address; Values : System.Address; Capacity : Integer_64;
+      State : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_join_ratio_f32";
+
    --  How many bytes suffice for an index of `count` shapes, of any kinds?
    function Vesica_Index_Size (Count : Integer_64) return Integer_64
      with Import, Convention => C, External_Name => "vesica_index_size";

@@ -1727,6 +1727,54 @@ module vesica_c
       type(vesica_rect_f32), intent(out) :: out
     end function
 
+    !> All pairs that overlap and whose ratio is at least `threshold`, with the ratio: a sparse matrix of IoU and the
+    !> like.
+    integer(c_int64_t) function vesica_join_ratio_f64(ratio, threshold, index_a, sets_a, set_count_a, index_b, &
+      sets_b, set_count_b, part, parts, scratch, scratch_size, out_a, out_b, values, capacity, state) bind(c)
+      import
+      integer(c_int32_t), value :: ratio
+      real(c_double), value :: threshold
+      type(c_ptr), value :: index_a
+      type(c_ptr), value :: sets_a
+      integer(c_int32_t), value :: set_count_a
+      type(c_ptr), value :: index_b
+      type(c_ptr), value :: sets_b
+      integer(c_int32_t), value :: set_count_b
+      integer(c_int64_t), value :: part
+      integer(c_int64_t), value :: parts
+      type(c_ptr), value :: scratch
+      integer(c_int64_t), value :: scratch_size
+      type(c_ptr), value :: out_a
+      type(c_ptr), value :: out_b
+      type(c_ptr), value :: values
+      integer(c_int64_t), value :: capacity
+      type(c_ptr), value :: state
+    end function
+
+    !> All pairs that overlap and whose ratio is at least `threshold`, with the ratio: a sparse matrix of IoU and the
+    !> like.
+    integer(c_int64_t) function vesica_join_ratio_f32(ratio, threshold, index_a, sets_a, set_count_a, index_b, &
+      sets_b, set_count_b, part, parts, scratch, scratch_size, out_a, out_b, values, capacity, state) bind(c)
+      import
+      integer(c_int32_t), value :: ratio
+      real(c_float), value :: threshold
+      type(c_ptr), value :: index_a
+      type(c_ptr), value :: sets_a
+      integer(c_int32_t), value :: set_count_a
+      type(c_ptr), value :: index_b
+      type(c_ptr), value :: sets_b
+      integer(c_int32_t), value :: set_count_b
+      integer(c_int64_t), value :: part
+      integer(c_int64_t), value :: parts
+      type(c_ptr), value :: scratch
+      integer(c_int64_t), value :: scratch_size
+      type(c_ptr), value :: out_a
+      type(c_ptr), value :: out_b
+      type(c_ptr), value :: values
+      integer(c_int64_t), value :: capacity
+      type(c_ptr), value :: state
+    end function
+
     !> How many bytes suffice for an index of `count` shapes, of any kinds?
     integer(c_int64_t) function vesica_index_size(count) bind(c)
       import

@@ -401,6 +401,12 @@
 (c vesica_min_area_rect_many_f32 int64 '* '*)
 ;; The rectangles of the least perimeter about each polygon or polyline of an array.
 (c vesica_min_perimeter_rect_many_f32 int64 '* '*)
+;; All pairs that overlap and whose ratio is at least `threshold`, with the ratio: a sparse matrix of IoU and the
+;; like.
+(c vesica_join_ratio_f64 int64 int32 double '* '* int32 '* '* int32 int64 int64 '* int64 '* '* '* int64 '*)
+;; All pairs that overlap and whose ratio is at least `threshold`, with the ratio: a sparse matrix of IoU and the
+;; like.
+(c vesica_join_ratio_f32 int64 int32 float '* '* int32 '* '* int32 int64 int64 '* int64 '* '* '* int64 '*)
 ;; How many bytes suffice for an index of `count` shapes, of any kinds?
 (c vesica_index_size int64 int64)
 ;; How many bytes of scratch does building an index of `count` shapes need?

@@ -845,6 +845,18 @@ function vesica_min_area_rect_many_f32(points: PVesicaShapesF32; output: PVesica
 // The rectangles of the least perimeter about each polygon or polyline of an array.
 function vesica_min_perimeter_rect_many_f32(points: PVesicaShapesF32; output: PVesicaRectF32): Int64; cdecl;
   external vesica_library;
+// All pairs that overlap and whose ratio is at least `threshold`, with the ratio: a sparse matrix of IoU and the
+// like.
+function vesica_join_ratio_f64(ratio: Int32; threshold: Double; index_a: Pointer; sets_a: PVesicaShapesF64;
+  set_count_a: Int32; index_b: Pointer; sets_b: PVesicaShapesF64; set_count_b: Int32; part: Int64; parts: Int64;
+  scratch: Pointer; scratch_size: Int64; out_a: PInt64; out_b: PInt64; values: PDouble; capacity: Int64; state:
+  PInt64): Int64; cdecl; external vesica_library;
+// All pairs that overlap and whose ratio is at least `threshold`, with the ratio: a sparse matrix of IoU and the
+// like.
+function vesica_join_ratio_f32(ratio: Int32; threshold: Single; index_a: Pointer; sets_a: PVesicaShapesF32;
+  set_count_a: Int32; index_b: Pointer; sets_b: PVesicaShapesF32; set_count_b: Int32; part: Int64; parts: Int64;
+  scratch: Pointer; scratch_size: Int64; out_a: PInt64; out_b: PInt64; values: PSingle; capacity: Int64; state:
+  PInt64): Int64; cdecl; external vesica_library;
 // How many bytes suffice for an index of `count` shapes, of any kinds?
 function vesica_index_size(count: Int64): Int64; cdecl; external vesica_library;
 // How many bytes of scratch does building an index of `count` shapes need?

@@ -401,6 +401,14 @@ our @FUNCTIONS = (
     [vesica_min_area_rect_many_f32 => ['opaque', 'opaque'] => 'sint64'],
     # The rectangles of the least perimeter about each polygon or polyline of an array.
     [vesica_min_perimeter_rect_many_f32 => ['opaque', 'opaque'] => 'sint64'],
+    # All pairs that overlap and whose ratio is at least `threshold`, with the ratio: a sparse matrix of IoU and the
+    # like.
+    [vesica_join_ratio_f64 => ['sint32', 'double', 'opaque', 'opaque', 'sint32', 'opaque', 'opaque', 'sint32', 'sint64',
+        'sint64', 'opaque', 'sint64', 'opaque', 'opaque', 'opaque', 'sint64', 'opaque'] => 'sint64'],
+    # All pairs that overlap and whose ratio is at least `threshold`, with the ratio: a sparse matrix of IoU and the
+    # like.
+    [vesica_join_ratio_f32 => ['sint32', 'float', 'opaque', 'opaque', 'sint32', 'opaque', 'opaque', 'sint32', 'sint64',
+        'sint64', 'opaque', 'sint64', 'opaque', 'opaque', 'opaque', 'sint64', 'opaque'] => 'sint64'],
     # How many bytes suffice for an index of `count` shapes, of any kinds?
     [vesica_index_size => ['sint64'] => 'sint64'],
     # How many bytes of scratch does building an index of `count` shapes need?

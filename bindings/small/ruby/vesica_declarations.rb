@@ -393,6 +393,14 @@ module Vesica
     'int64_t vesica_min_area_rect_many_f32(void *, void *)',
     # The rectangles of the least perimeter about each polygon or polyline of an array.
     'int64_t vesica_min_perimeter_rect_many_f32(void *, void *)',
+    # All pairs that overlap and whose ratio is at least `threshold`, with the ratio: a sparse matrix of IoU and the
+    # like.
+    'int64_t vesica_join_ratio_f64(int, double, void *, void *, int, void *, void *, int, int64_t, int64_t, void *,
+        int64_t, void *, void *, void *, int64_t, void *)',
+    # All pairs that overlap and whose ratio is at least `threshold`, with the ratio: a sparse matrix of IoU and the
+    # like.
+    'int64_t vesica_join_ratio_f32(int, float, void *, void *, int, void *, void *, int, int64_t, int64_t, void *,
+        int64_t, void *, void *, void *, int64_t, void *)',
     # How many bytes suffice for an index of `count` shapes, of any kinds?
     'int64_t vesica_index_size(int64_t)',
     # How many bytes of scratch does building an index of `count` shapes need?

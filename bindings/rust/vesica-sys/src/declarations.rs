@@ -3053,6 +3053,56 @@ extern "C" {
     ///
     /// Since: 0.1.
     pub fn vesica_min_perimeter_rect_many_f32(points: *const Shapes<f32>, out: *mut Rect<f32>) -> i64;
+    /// All pairs that overlap and whose ratio is at least `threshold`, with the ratio: a sparse matrix of IoU and the
+    /// like.
+    ///
+    /// Pair i is out_a\[i\] and out_b\[i\], and values\[i\] is the result of vesica_ratio_f64 for them, the item of
+    /// index_a first. Threshold 0 finds every pair that overlaps and has a ratio; GIoU, DIoU and CIoU may be below 0,
+    /// so there -infinity does. A pair without a ratio, as two shapes without area have no IoU, is left out. Order,
+    /// parts, states, and pairs of an index with itself are as for vesica_join_f64.
+    ///
+    /// Requires: ratio, one of VESICA_RATIO_OVER_UNION to VESICA_RATIO_COMPLETE; threshold, not NaN; values with room
+    /// for `capacity` numbers. The rest is as for vesica_join_f64 with VESICA_JOIN_OVERLAP. With capacity 0, out_a,
+    /// out_b, values and state may be NULL.
+    ///
+    /// Returns: the number of pairs written; with capacity 0, how many the whole part has.
+    ///
+    /// Errors: those of vesica_join_f64; VESICA_E_ARGUMENT also for ratio and threshold.
+    ///
+    /// Accuracy: as vesica_ratio_f64, bit for bit; in float, the ratio rounded to float is compared.
+    ///
+    /// Cost: vesica_join_f64, and vesica_ratio_f64 for each pair whose bounds meet.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_join_ratio_f64(ratio: i32, threshold: f64, index_a: *const c_void, sets_a: *const Shapes<f64>,
+        set_count_a: i32, index_b: *const c_void, sets_b: *const Shapes<f64>, set_count_b: i32, part: i64, parts: i64,
+        scratch: *mut c_void, scratch_size: i64, out_a: *mut i64, out_b: *mut i64, values: *mut f64, capacity: i64,
+        state: *mut i64) -> i64;
+    /// All pairs that overlap and whose ratio is at least `threshold`, with the ratio: a sparse matrix of IoU and the
+    /// like.
+    ///
+    /// Pair i is out_a\[i\] and out_b\[i\], and values\[i\] is the result of vesica_ratio_f32 for them, the item of
+    /// index_a first. Threshold 0 finds every pair that overlaps and has a ratio; GIoU, DIoU and CIoU may be below 0,
+    /// so there -infinity does. A pair without a ratio, as two shapes without area have no IoU, is left out. Order,
+    /// parts, states, and pairs of an index with itself are as for vesica_join_f32.
+    ///
+    /// Requires: ratio, one of VESICA_RATIO_OVER_UNION to VESICA_RATIO_COMPLETE; threshold, not NaN; values with room
+    /// for `capacity` numbers. The rest is as for vesica_join_f32 with VESICA_JOIN_OVERLAP. With capacity 0, out_a,
+    /// out_b, values and state may be NULL.
+    ///
+    /// Returns: the number of pairs written; with capacity 0, how many the whole part has.
+    ///
+    /// Errors: those of vesica_join_f32; VESICA_E_ARGUMENT also for ratio and threshold.
+    ///
+    /// Accuracy: as vesica_ratio_f32, bit for bit; in float, the ratio rounded to float is compared.
+    ///
+    /// Cost: vesica_join_f32, and vesica_ratio_f32 for each pair whose bounds meet.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_join_ratio_f32(ratio: i32, threshold: f32, index_a: *const c_void, sets_a: *const Shapes<f32>,
+        set_count_a: i32, index_b: *const c_void, sets_b: *const Shapes<f32>, set_count_b: i32, part: i64, parts: i64,
+        scratch: *mut c_void, scratch_size: i64, out_a: *mut i64, out_b: *mut i64, values: *mut f32, capacity: i64,
+        state: *mut i64) -> i64;
     /// How many bytes suffice for an index of `count` shapes, of any kinds?
     ///
     /// Returns: 17 bytes a shape and 64 KiB. A built index takes fewer, mostly 13 a shape: see vesica_index_bytes.
@@ -4912,6 +4962,10 @@ pub unsafe trait Scalar: Copy + Default + PartialEq + PartialOrd + core::fmt::De
     unsafe fn min_perimeter_rect(points: *const Polygon<Self>, out: *mut Rect<Self>) -> i32;
     unsafe fn min_area_rect_many(points: *const Shapes<Self>, out: *mut Rect<Self>) -> i64;
     unsafe fn min_perimeter_rect_many(points: *const Shapes<Self>, out: *mut Rect<Self>) -> i64;
+    unsafe fn join_ratio(ratio: i32, threshold: Self, index_a: *const c_void, sets_a: *const Shapes<Self>,
+        set_count_a: i32, index_b: *const c_void, sets_b: *const Shapes<Self>, set_count_b: i32, part: i64, parts: i64,
+        scratch: *mut c_void, scratch_size: i64, out_a: *mut i64, out_b: *mut i64, values: *mut Self, capacity: i64,
+        state: *mut i64) -> i64;
     unsafe fn index_build(sets: *const Shapes<Self>, set_count: i32, index: *mut c_void, index_size: i64,
         scratch: *mut c_void, scratch_size: i64) -> i64;
     unsafe fn index_step(step: i32, part: i64, parts: i64, sets: *const Shapes<Self>, set_count: i32,
@@ -5312,6 +5366,14 @@ unsafe impl Scalar for f64 {
     #[inline]
     unsafe fn min_perimeter_rect_many(points: *const Shapes<f64>, out: *mut Rect<f64>) -> i64 {
         vesica_min_perimeter_rect_many_f64(points, out)
+    }
+    #[inline]
+    unsafe fn join_ratio(ratio: i32, threshold: f64, index_a: *const c_void, sets_a: *const Shapes<f64>,
+        set_count_a: i32, index_b: *const c_void, sets_b: *const Shapes<f64>, set_count_b: i32, part: i64, parts: i64,
+        scratch: *mut c_void, scratch_size: i64, out_a: *mut i64, out_b: *mut i64, values: *mut f64, capacity: i64,
+        state: *mut i64) -> i64 {
+        vesica_join_ratio_f64(ratio, threshold, index_a, sets_a, set_count_a, index_b, sets_b, set_count_b, part, parts,
+            scratch, scratch_size, out_a, out_b, values, capacity, state)
     }
     #[inline]
     unsafe fn index_build(sets: *const Shapes<f64>, set_count: i32, index: *mut c_void, index_size: i64,
@@ -5848,6 +5910,14 @@ unsafe impl Scalar for f32 {
     #[inline]
     unsafe fn min_perimeter_rect_many(points: *const Shapes<f32>, out: *mut Rect<f32>) -> i64 {
         vesica_min_perimeter_rect_many_f32(points, out)
+    }
+    #[inline]
+    unsafe fn join_ratio(ratio: i32, threshold: f32, index_a: *const c_void, sets_a: *const Shapes<f32>,
+        set_count_a: i32, index_b: *const c_void, sets_b: *const Shapes<f32>, set_count_b: i32, part: i64, parts: i64,
+        scratch: *mut c_void, scratch_size: i64, out_a: *mut i64, out_b: *mut i64, values: *mut f32, capacity: i64,
+        state: *mut i64) -> i64 {
+        vesica_join_ratio_f32(ratio, threshold, index_a, sets_a, set_count_a, index_b, sets_b, set_count_b, part, parts,
+            scratch, scratch_size, out_a, out_b, values, capacity, state)
     }
     #[inline]
     unsafe fn index_build(sets: *const Shapes<f32>, set_count: i32, index: *mut c_void, index_size: i64,

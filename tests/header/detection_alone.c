@@ -1,0 +1,12 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* vesica_detection.h before anything else, compiled as every C and C++ it promises to be. It brings vesica.h. */
+#include <vesica_detection.h>
+
+#if !defined(VESICA_H) || !defined(VESICA_INDEX_H) || VESICA_RATIO_OVER_FIRST != 1
+#error "vesica.h, vesica_index.h or the constants of ratios are missing"
+#endif
+
+int main(void) {
+  return vesica_join_ratio_f64(VESICA_RATIO_OVER_FIRST, 0, NULL, NULL, 0, NULL, NULL, 0, 0, 1, NULL, 0, NULL, NULL,
+                               NULL, 0, NULL) != VESICA_E_NULL;
+}
