@@ -788,6 +788,29 @@ func cJoinRatio(wide bool, ratio C.int32_t, threshold float64, indexA *C.char, s
 		scratch, scratchSize, outA, outB, values, capacity, state)
 }
 
+func cGaussianDistance(wide bool, which C.int32_t, kindA C.int32_t, a C.vesica_go_shape, kindB C.int32_t,
+	b C.vesica_go_shape, out *C.char) C.int32_t {
+	if wide {
+		return C.go_gaussian_distance_f64(which, kindA, a, kindB, b, out)
+	}
+	return C.go_gaussian_distance_f32(which, kindA, a, kindB, b, out)
+}
+
+func cGaussianDistanceMany(wide bool, which C.int32_t, a C.vesica_go_view, b C.vesica_go_view, out *C.char) C.int64_t {
+	if wide {
+		return C.go_gaussian_distance_many_f64(which, a, b, out)
+	}
+	return C.go_gaussian_distance_many_f32(which, a, b, out)
+}
+
+func cGaussianDistanceMatrix(wide bool, which C.int32_t, a C.vesica_go_view, b C.vesica_go_view, out *C.char,
+	rowStride C.ptrdiff_t) C.int64_t {
+	if wide {
+		return C.go_gaussian_distance_matrix_f64(which, a, b, out, rowStride)
+	}
+	return C.go_gaussian_distance_matrix_f32(which, a, b, out, rowStride)
+}
+
 func cIndexBuild(wide bool, sets C.vesica_go_sets, setCount C.int32_t, index *C.char, indexSize C.int64_t,
 	scratch *C.char, scratchSize C.int64_t) C.int64_t {
 	if wide {

@@ -750,6 +750,54 @@ static inline int64_t go_join_ratio_f32(int32_t ratio, float threshold, const ch
         (void *)values, capacity, (void *)state);
 }
 
+static inline int32_t go_gaussian_distance_f64(int32_t which, int32_t kind_a, vesica_go_shape a, int32_t kind_b,
+    vesica_go_shape b, char *out) {
+    vesica_go_f64 of_a = go_read_f64(kind_a, &a);
+    vesica_go_f64 of_b = go_read_f64(kind_b, &b);
+    return vesica_gaussian_distance_f64(which, kind_a, &of_a, kind_b, &of_b, (void *)out);
+}
+
+static inline int32_t go_gaussian_distance_f32(int32_t which, int32_t kind_a, vesica_go_shape a, int32_t kind_b,
+    vesica_go_shape b, char *out) {
+    vesica_go_f32 of_a = go_read_f32(kind_a, &a);
+    vesica_go_f32 of_b = go_read_f32(kind_b, &b);
+    return vesica_gaussian_distance_f32(which, kind_a, &of_a, kind_b, &of_b, (void *)out);
+}
+
+static inline int64_t go_gaussian_distance_many_f64(int32_t which, vesica_go_view a, vesica_go_view b, char *out) {
+    vesica_shapes_f64 of_a;
+    memcpy(&of_a, &a, sizeof of_a);
+    vesica_shapes_f64 of_b;
+    memcpy(&of_b, &b, sizeof of_b);
+    return vesica_gaussian_distance_many_f64(which, &of_a, &of_b, (void *)out);
+}
+
+static inline int64_t go_gaussian_distance_many_f32(int32_t which, vesica_go_view a, vesica_go_view b, char *out) {
+    vesica_shapes_f32 of_a;
+    memcpy(&of_a, &a, sizeof of_a);
+    vesica_shapes_f32 of_b;
+    memcpy(&of_b, &b, sizeof of_b);
+    return vesica_gaussian_distance_many_f32(which, &of_a, &of_b, (void *)out);
+}
+
+static inline int64_t go_gaussian_distance_matrix_f64(int32_t which, vesica_go_view a, vesica_go_view b, char *out,
+    ptrdiff_t row_stride) {
+    vesica_shapes_f64 of_a;
+    memcpy(&of_a, &a, sizeof of_a);
+    vesica_shapes_f64 of_b;
+    memcpy(&of_b, &b, sizeof of_b);
+    return vesica_gaussian_distance_matrix_f64(which, &of_a, &of_b, (void *)out, row_stride);
+}
+
+static inline int64_t go_gaussian_distance_matrix_f32(int32_t which, vesica_go_view a, vesica_go_view b, char *out,
+    ptrdiff_t row_stride) {
+    vesica_shapes_f32 of_a;
+    memcpy(&of_a, &a, sizeof of_a);
+    vesica_shapes_f32 of_b;
+    memcpy(&of_b, &b, sizeof of_b);
+    return vesica_gaussian_distance_matrix_f32(which, &of_a, &of_b, (void *)out, row_stride);
+}
+
 static inline int64_t go_index_build_f64(vesica_go_sets sets, int32_t set_count, char *index, int64_t index_size,
     char *scratch, int64_t scratch_size) {
     vesica_shapes_f64 of_sets[64];

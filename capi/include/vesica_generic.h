@@ -54,6 +54,9 @@
 #define vesica_ratio(ratio, a, b, out) \
     VESICA_QUERY_(vesica_ratio, VESICA_SIZE_(a) & VESICA_SIZE_(b) & VESICA_SIZE_(out)) \
     (ratio, VESICA_SHAPE_(a), VESICA_SHAPE_(b), out)
+#define vesica_gaussian_distance(which, a, b, out) \
+    VESICA_QUERY_(vesica_gaussian_distance, VESICA_SIZE_(a) & VESICA_SIZE_(b) & VESICA_SIZE_(out)) \
+    (which, VESICA_SHAPE_(a), VESICA_SHAPE_(b), out)
 #define vesica_signed_distance(a, b, out) VESICA_TWO_OUT_(vesica_signed_distance, a, b, out)
 #define vesica_within(a, b, distance) \
     VESICA_QUERY_(vesica_within, VESICA_SIZE_(a) & VESICA_SIZE_(b))(VESICA_SHAPE_(a), VESICA_SHAPE_(b), distance)

@@ -20,6 +20,7 @@
 #include <vesica/crossings.hpp>
 #include <vesica/de9im.hpp>
 #include <vesica/depth.hpp>
+#include <vesica/gaussian.hpp>
 #include <vesica/impact_time.hpp>
 #include <vesica/intersection.hpp>
 #include <vesica/iou.hpp>

@@ -30,6 +30,7 @@ class Real {
   friend Real operator/(const Real& p, const Real& q) { return of(mpfr_div, p, q); }
   friend Real sqrt(const Real& p) { return of(mpfr_sqrt, p); }
   friend Real exp(const Real& p) { return of(mpfr_exp, p); }
+  friend Real log(const Real& p) { return of(mpfr_log, p); }
   friend Real abs(const Real& p) { return of(mpfr_abs, p); }
   friend Real cos(const Real& p) { return of(mpfr_cos, p); }
   friend Real sin(const Real& p) { return of(mpfr_sin, p); }

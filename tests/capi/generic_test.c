@@ -269,6 +269,8 @@ static void test_results(void) {
   EXPECT(number == 0.25f, 1);
   EXPECT(vesica_ratio(VESICA_RATIO_OVER_FIRST, &box, &other, &number), 0);
   EXPECT(number == 0.5f, 1);
+  EXPECT(vesica_gaussian_distance(VESICA_GAUSSIAN_HELLINGER, &box, &box, &number), 0);
+  EXPECT(number == 0, 1);
   EXPECT(vesica_signed_distance(&box, &other, &number), 0);
   EXPECT(number == -1, 1);
   EXPECT(vesica_within(&disc, &point, 3), VESICA_WITHIN_YES);

@@ -25,6 +25,7 @@ from .paths import polygons, polylines
 from .queries import (
     ClosestPoints,
     Crossings,
+    Gaussian,
     Penetration,
     Ratio,
     Relation,
@@ -40,6 +41,8 @@ from .queries import (
     crossings,
     depth,
     depth_matrix,
+    gaussian_distance,
+    gaussian_distance_matrix,
     interiors_overlap,
     interiors_overlap_matrix,
     interiors_overlap_select,

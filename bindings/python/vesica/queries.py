@@ -40,6 +40,15 @@ class Ratio(enum.IntEnum):
     COMPLETE = _declarations.RATIO_COMPLETE  # CIoU
 
 
+class Gaussian(enum.IntEnum):
+    """A distance of two shapes as Gaussian distributions. None is an IoU: ProbIoU is 1 - HELLINGER."""
+
+    BHATTACHARYYA = _declarations.GAUSSIAN_BHATTACHARYYA
+    HELLINGER = _declarations.GAUSSIAN_HELLINGER
+    KULLBACK_LEIBLER = _declarations.GAUSSIAN_KULLBACK_LEIBLER  # KLD, of a from b
+    WASSERSTEIN = _declarations.GAUSSIAN_WASSERSTEIN  # GWD, the squared distance
+
+
 class Within(enum.IntEnum):
     """Whether two shapes are at most so far apart. NEARLY, only with ellipses: too close to decide."""
 
@@ -225,6 +234,8 @@ _NEAREST_MATRIX, _BOUNDARY_DISTANCE_MATRIX = _Matrix("nearest"), _Matrix("bounda
 _DEPTH_MATRIX, _SIGNED_DISTANCE_MATRIX = _Matrix("depth"), _Matrix("signed_distance")
 _RATIO = {which: _Query("ratio", record=_NUMBER, first=(which,), partial=True) for which in Ratio}
 _RATIO_MATRIX = {which: _Matrix("ratio", first=(which,), partial=True) for which in Ratio}
+_GAUSSIAN = {which: _Query("gaussian_distance", record=_NUMBER, first=(which,), partial=True) for which in Gaussian}
+_GAUSSIAN_MATRIX = {which: _Matrix("gaussian_distance", first=(which,), partial=True) for which in Gaussian}
 _SELECT, _SUPPRESS, _SOFT = by_scalar("overlap_select"), by_scalar("suppress"), by_scalar("suppress_soft")
 _INTERIORS_SELECT = by_scalar("interiors_overlap_select")
 _DECAYS = {"linear": _declarations.DECAY_LINEAR, "gaussian": _declarations.DECAY_GAUSSIAN}
@@ -388,6 +399,21 @@ def ratio(which, a, b, out=None):
 def ratio_matrix(which, a, b, out=None):
     """(len(a), len(b)): a Ratio of each of a and each of b."""
     return _RATIO_MATRIX[Ratio(which)](a, b, out)
+
+
+def gaussian_distance(which, a, b, out=None):
+    """A distance of circles, boxes, rectangles or ellipses as Gaussian distributions, as `which` of Gaussian says.
+
+    The variance of a rectangle is width^2 / 12 along its sides, of an ellipse a^2 / 4 along its axes. Papers on GWD and
+    KLD take width^2 / 4: for theirs multiply widths and heights of rectangles by sqrt(3). A shape without an area is a
+    VesicaError (NaN in its `result`), except for WASSERSTEIN.
+    """
+    return _GAUSSIAN[Gaussian(which)](a, b, out)
+
+
+def gaussian_distance_matrix(which, a, b, out=None):
+    """(len(a), len(b)): a distance of each of a from each of b as Gaussian distributions."""
+    return _GAUSSIAN_MATRIX[Gaussian(which)](a, b, out)
 
 
 def crossings(a, b):

@@ -48,6 +48,10 @@ package Vesica_C is
    Vesica_Angle_Degrees : constant := 1;
    Vesica_Angle_Quarters : constant := 2;
    Vesica_Angle_Reversed : constant := 4;
+   Vesica_Gaussian_Bhattacharyya : constant := 0;
+   Vesica_Gaussian_Hellinger : constant := 1;
+   Vesica_Gaussian_Kullback_Leibler : constant := 2;
+   Vesica_Gaussian_Wasserstein : constant := 3;
    Vesica_Join_Overlap : constant := 0;
    Vesica_Join_Bounds : constant := 1;
    Vesica_Join_Contains : constant := 2;
@@ -1137,6 +1141,21 @@ package Vesica_C is
       State : System.Address) return Integer_64
      with Import, Convention => C, External_Name => "vesica_join_ratio_f64";
 
+   --  The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
+   function Vesica_Gaussian_Distance_F64 (Which : Integer_32; Kind_A : Integer_32; A : System.Address; Kind_B :
+      Integer_32; B : System.Address; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_gaussian_distance_f64";
+
+   --  The distance of a[i] and b[i]: out[i] is the result of vesica_gaussian_distance_f64.
+   function Vesica_Gaussian_Distance_Many_F64 (Which : Integer_32; A : System.Address; B : System.Address; Output
+      : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_gaussian_distance_many_f64";
+
+   --  The distance of a[i] and b[j]: out[i * row_stride + j] is the result of vesica_gaussian_distance_f64.
+   function Vesica_Gaussian_Distance_Matrix_F64 (Which : Integer_32; A : System.Address; B : System.Address;
+      Output : System.Address; Row_Stride : ptrdiff_t) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_gaussian_distance_matrix_f64";
+
    --  All pairs that overlap and whose ratio is at least `threshold`, with the ratio: a sparse matrix of IoU and the
    --  like.
    function Vesica_Join_Ratio_F32 (Ratio : Integer_32; Threshold : IEEE_Float_32; Index_A : System.Address;
@@ -1145,6 +1164,21 @@ package Vesica_C is
       Integer_64; Out_A : System.Address; Out_B : System.Address; Values : System.Address; Capacity : Integer_64;
       State : System.Address) return Integer_64
      with Import, Convention => C, External_Name => "vesica_join_ratio_f32";
+
+   --  The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
+   function Vesica_Gaussian_Distance_F32 (Which : Integer_32; Kind_A : Integer_32; A : System.Address; Kind_B :
+      Integer_32; B : System.Address; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_gaussian_distance_f32";
+
+   --  The distance of a[i] and b[i]: out[i] is the result of vesica_gaussian_distance_f32.
+   function Vesica_Gaussian_Distance_Many_F32 (Which : Integer_32; A : System.Address; B : System.Address; Output
+      : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_gaussian_distance_many_f32";
+
+   --  The distance of a[i] and b[j]: out[i * row_stride + j] is the result of vesica_gaussian_distance_f32.
+   function Vesica_Gaussian_Distance_Matrix_F32 (Which : Integer_32; A : System.Address; B : System.Address;
+      Output : System.Address; Row_Stride : ptrdiff_t) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_gaussian_distance_matrix_f32";
 
    --  How many bytes suffice for an index of `count` shapes, of any kinds?
    function Vesica_Index_Size (Count : Integer_64) return Integer_64

@@ -47,6 +47,10 @@ module vesica_c
   integer(c_int32_t), parameter :: vesica_angle_degrees = 1
   integer(c_int32_t), parameter :: vesica_angle_quarters = 2
   integer(c_int32_t), parameter :: vesica_angle_reversed = 4
+  integer(c_int32_t), parameter :: vesica_gaussian_bhattacharyya = 0
+  integer(c_int32_t), parameter :: vesica_gaussian_hellinger = 1
+  integer(c_int32_t), parameter :: vesica_gaussian_kullback_leibler = 2
+  integer(c_int32_t), parameter :: vesica_gaussian_wasserstein = 3
   integer(c_int32_t), parameter :: vesica_join_overlap = 0
   integer(c_int32_t), parameter :: vesica_join_bounds = 1
   integer(c_int32_t), parameter :: vesica_join_contains = 2
@@ -1751,6 +1755,36 @@ module vesica_c
       type(c_ptr), value :: state
     end function
 
+    !> The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
+    integer(c_int32_t) function vesica_gaussian_distance_f64(which, kind_a, a, kind_b, b, out) bind(c)
+      import
+      integer(c_int32_t), value :: which
+      integer(c_int32_t), value :: kind_a
+      real(c_double), intent(in) :: a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_double), intent(in) :: b(*)
+      type(c_ptr), value :: out
+    end function
+
+    !> The distance of a[i] and b[i]: out[i] is the result of vesica_gaussian_distance_f64.
+    integer(c_int64_t) function vesica_gaussian_distance_many_f64(which, a, b, out) bind(c)
+      import
+      integer(c_int32_t), value :: which
+      type(vesica_shapes_f64), intent(in) :: a
+      type(vesica_shapes_f64), intent(in) :: b
+      type(c_ptr), value :: out
+    end function
+
+    !> The distance of a[i] and b[j]: out[i * row_stride + j] is the result of vesica_gaussian_distance_f64.
+    integer(c_int64_t) function vesica_gaussian_distance_matrix_f64(which, a, b, out, row_stride) bind(c)
+      import
+      integer(c_int32_t), value :: which
+      type(vesica_shapes_f64), intent(in) :: a
+      type(vesica_shapes_f64), intent(in) :: b
+      type(c_ptr), value :: out
+      integer(c_ptrdiff_t), value :: row_stride
+    end function
+
     !> All pairs that overlap and whose ratio is at least `threshold`, with the ratio: a sparse matrix of IoU and the
     !> like.
     integer(c_int64_t) function vesica_join_ratio_f32(ratio, threshold, index_a, sets_a, set_count_a, index_b, &
@@ -1773,6 +1807,36 @@ module vesica_c
       type(c_ptr), value :: values
       integer(c_int64_t), value :: capacity
       type(c_ptr), value :: state
+    end function
+
+    !> The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
+    integer(c_int32_t) function vesica_gaussian_distance_f32(which, kind_a, a, kind_b, b, out) bind(c)
+      import
+      integer(c_int32_t), value :: which
+      integer(c_int32_t), value :: kind_a
+      real(c_float), intent(in) :: a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_float), intent(in) :: b(*)
+      type(c_ptr), value :: out
+    end function
+
+    !> The distance of a[i] and b[i]: out[i] is the result of vesica_gaussian_distance_f32.
+    integer(c_int64_t) function vesica_gaussian_distance_many_f32(which, a, b, out) bind(c)
+      import
+      integer(c_int32_t), value :: which
+      type(vesica_shapes_f32), intent(in) :: a
+      type(vesica_shapes_f32), intent(in) :: b
+      type(c_ptr), value :: out
+    end function
+
+    !> The distance of a[i] and b[j]: out[i * row_stride + j] is the result of vesica_gaussian_distance_f32.
+    integer(c_int64_t) function vesica_gaussian_distance_matrix_f32(which, a, b, out, row_stride) bind(c)
+      import
+      integer(c_int32_t), value :: which
+      type(vesica_shapes_f32), intent(in) :: a
+      type(vesica_shapes_f32), intent(in) :: b
+      type(c_ptr), value :: out
+      integer(c_ptrdiff_t), value :: row_stride
     end function
 
     !> How many bytes suffice for an index of `count` shapes, of any kinds?

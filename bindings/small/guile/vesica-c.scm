@@ -44,6 +44,10 @@
 (define-public VESICA_ANGLE_DEGREES 1)
 (define-public VESICA_ANGLE_QUARTERS 2)
 (define-public VESICA_ANGLE_REVERSED 4)
+(define-public VESICA_GAUSSIAN_BHATTACHARYYA 0)
+(define-public VESICA_GAUSSIAN_HELLINGER 1)
+(define-public VESICA_GAUSSIAN_KULLBACK_LEIBLER 2)
+(define-public VESICA_GAUSSIAN_WASSERSTEIN 3)
 (define-public VESICA_JOIN_OVERLAP 0)
 (define-public VESICA_JOIN_BOUNDS 1)
 (define-public VESICA_JOIN_CONTAINS 2)
@@ -404,9 +408,21 @@
 ;; All pairs that overlap and whose ratio is at least `threshold`, with the ratio: a sparse matrix of IoU and the
 ;; like.
 (c vesica_join_ratio_f64 int64 int32 double '* '* int32 '* '* int32 int64 int64 '* int64 '* '* '* int64 '*)
+;; The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
+(c vesica_gaussian_distance_f64 int32 int32 int32 '* int32 '* '*)
+;; The distance of a[i] and b[i]: out[i] is the result of vesica_gaussian_distance_f64.
+(c vesica_gaussian_distance_many_f64 int64 int32 '* '* '*)
+;; The distance of a[i] and b[j]: out[i * row_stride + j] is the result of vesica_gaussian_distance_f64.
+(c vesica_gaussian_distance_matrix_f64 int64 int32 '* '* '* ptrdiff_t)
 ;; All pairs that overlap and whose ratio is at least `threshold`, with the ratio: a sparse matrix of IoU and the
 ;; like.
 (c vesica_join_ratio_f32 int64 int32 float '* '* int32 '* '* int32 int64 int64 '* int64 '* '* '* int64 '*)
+;; The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
+(c vesica_gaussian_distance_f32 int32 int32 int32 '* int32 '* '*)
+;; The distance of a[i] and b[i]: out[i] is the result of vesica_gaussian_distance_f32.
+(c vesica_gaussian_distance_many_f32 int64 int32 '* '* '*)
+;; The distance of a[i] and b[j]: out[i * row_stride + j] is the result of vesica_gaussian_distance_f32.
+(c vesica_gaussian_distance_matrix_f32 int64 int32 '* '* '* ptrdiff_t)
 ;; How many bytes suffice for an index of `count` shapes, of any kinds?
 (c vesica_index_size int64 int64)
 ;; How many bytes of scratch does building an index of `count` shapes need?

@@ -48,6 +48,10 @@ const
   vesica_angle_degrees = 1;
   vesica_angle_quarters = 2;
   vesica_angle_reversed = 4;
+  vesica_gaussian_bhattacharyya = 0;
+  vesica_gaussian_hellinger = 1;
+  vesica_gaussian_kullback_leibler = 2;
+  vesica_gaussian_wasserstein = 3;
   vesica_join_overlap = 0;
   vesica_join_bounds = 1;
   vesica_join_contains = 2;
@@ -851,12 +855,30 @@ function vesica_join_ratio_f64(ratio: Int32; threshold: Double; index_a: Pointer
   set_count_a: Int32; index_b: Pointer; sets_b: PVesicaShapesF64; set_count_b: Int32; part: Int64; parts: Int64;
   scratch: Pointer; scratch_size: Int64; out_a: PInt64; out_b: PInt64; values: PDouble; capacity: Int64; state:
   PInt64): Int64; cdecl; external vesica_library;
+// The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
+function vesica_gaussian_distance_f64(which: Int32; kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output:
+  PDouble): Int32; cdecl; external vesica_library;
+// The distance of a[i] and b[i]: out[i] is the result of vesica_gaussian_distance_f64.
+function vesica_gaussian_distance_many_f64(which: Int32; a: PVesicaShapesF64; b: PVesicaShapesF64; output: PDouble):
+  Int64; cdecl; external vesica_library;
+// The distance of a[i] and b[j]: out[i * row_stride + j] is the result of vesica_gaussian_distance_f64.
+function vesica_gaussian_distance_matrix_f64(which: Int32; a: PVesicaShapesF64; b: PVesicaShapesF64; output:
+  PDouble; row_stride: PtrInt): Int64; cdecl; external vesica_library;
 // All pairs that overlap and whose ratio is at least `threshold`, with the ratio: a sparse matrix of IoU and the
 // like.
 function vesica_join_ratio_f32(ratio: Int32; threshold: Single; index_a: Pointer; sets_a: PVesicaShapesF32;
   set_count_a: Int32; index_b: Pointer; sets_b: PVesicaShapesF32; set_count_b: Int32; part: Int64; parts: Int64;
   scratch: Pointer; scratch_size: Int64; out_a: PInt64; out_b: PInt64; values: PSingle; capacity: Int64; state:
   PInt64): Int64; cdecl; external vesica_library;
+// The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
+function vesica_gaussian_distance_f32(which: Int32; kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output:
+  PSingle): Int32; cdecl; external vesica_library;
+// The distance of a[i] and b[i]: out[i] is the result of vesica_gaussian_distance_f32.
+function vesica_gaussian_distance_many_f32(which: Int32; a: PVesicaShapesF32; b: PVesicaShapesF32; output: PSingle):
+  Int64; cdecl; external vesica_library;
+// The distance of a[i] and b[j]: out[i * row_stride + j] is the result of vesica_gaussian_distance_f32.
+function vesica_gaussian_distance_matrix_f32(which: Int32; a: PVesicaShapesF32; b: PVesicaShapesF32; output:
+  PSingle; row_stride: PtrInt): Int64; cdecl; external vesica_library;
 // How many bytes suffice for an index of `count` shapes, of any kinds?
 function vesica_index_size(count: Int64): Int64; cdecl; external vesica_library;
 // How many bytes of scratch does building an index of `count` shapes need?

@@ -47,6 +47,10 @@ our %CONSTANTS = (
     ANGLE_DEGREES => 1,
     ANGLE_QUARTERS => 2,
     ANGLE_REVERSED => 4,
+    GAUSSIAN_BHATTACHARYYA => 0,
+    GAUSSIAN_HELLINGER => 1,
+    GAUSSIAN_KULLBACK_LEIBLER => 2,
+    GAUSSIAN_WASSERSTEIN => 3,
     JOIN_OVERLAP => 0,
     JOIN_BOUNDS => 1,
     JOIN_CONTAINS => 2,
@@ -405,10 +409,22 @@ our @FUNCTIONS = (
     # like.
     [vesica_join_ratio_f64 => ['sint32', 'double', 'opaque', 'opaque', 'sint32', 'opaque', 'opaque', 'sint32', 'sint64',
         'sint64', 'opaque', 'sint64', 'opaque', 'opaque', 'opaque', 'sint64', 'opaque'] => 'sint64'],
+    # The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
+    [vesica_gaussian_distance_f64 => ['sint32', 'sint32', 'double[]', 'sint32', 'double[]', 'opaque'] => 'sint32'],
+    # The distance of a[i] and b[i]: out[i] is the result of vesica_gaussian_distance_f64.
+    [vesica_gaussian_distance_many_f64 => ['sint32', 'opaque', 'opaque', 'opaque'] => 'sint64'],
+    # The distance of a[i] and b[j]: out[i * row_stride + j] is the result of vesica_gaussian_distance_f64.
+    [vesica_gaussian_distance_matrix_f64 => ['sint32', 'opaque', 'opaque', 'opaque', 'sint64'] => 'sint64'],
     # All pairs that overlap and whose ratio is at least `threshold`, with the ratio: a sparse matrix of IoU and the
     # like.
     [vesica_join_ratio_f32 => ['sint32', 'float', 'opaque', 'opaque', 'sint32', 'opaque', 'opaque', 'sint32', 'sint64',
         'sint64', 'opaque', 'sint64', 'opaque', 'opaque', 'opaque', 'sint64', 'opaque'] => 'sint64'],
+    # The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
+    [vesica_gaussian_distance_f32 => ['sint32', 'sint32', 'float[]', 'sint32', 'float[]', 'opaque'] => 'sint32'],
+    # The distance of a[i] and b[i]: out[i] is the result of vesica_gaussian_distance_f32.
+    [vesica_gaussian_distance_many_f32 => ['sint32', 'opaque', 'opaque', 'opaque'] => 'sint64'],
+    # The distance of a[i] and b[j]: out[i * row_stride + j] is the result of vesica_gaussian_distance_f32.
+    [vesica_gaussian_distance_matrix_f32 => ['sint32', 'opaque', 'opaque', 'opaque', 'sint64'] => 'sint64'],
     # How many bytes suffice for an index of `count` shapes, of any kinds?
     [vesica_index_size => ['sint64'] => 'sint64'],
     # How many bytes of scratch does building an index of `count` shapes need?

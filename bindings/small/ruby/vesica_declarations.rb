@@ -44,6 +44,10 @@ module Vesica
   ANGLE_DEGREES = 1
   ANGLE_QUARTERS = 2
   ANGLE_REVERSED = 4
+  GAUSSIAN_BHATTACHARYYA = 0
+  GAUSSIAN_HELLINGER = 1
+  GAUSSIAN_KULLBACK_LEIBLER = 2
+  GAUSSIAN_WASSERSTEIN = 3
   JOIN_OVERLAP = 0
   JOIN_BOUNDS = 1
   JOIN_CONTAINS = 2
@@ -397,10 +401,22 @@ module Vesica
     # like.
     'int64_t vesica_join_ratio_f64(int, double, void *, void *, int, void *, void *, int, int64_t, int64_t, void *,
         int64_t, void *, void *, void *, int64_t, void *)',
+    # The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
+    'int vesica_gaussian_distance_f64(int, int, void *, int, void *, void *)',
+    # The distance of a[i] and b[i]: out[i] is the result of vesica_gaussian_distance_f64.
+    'int64_t vesica_gaussian_distance_many_f64(int, void *, void *, void *)',
+    # The distance of a[i] and b[j]: out[i * row_stride + j] is the result of vesica_gaussian_distance_f64.
+    'int64_t vesica_gaussian_distance_matrix_f64(int, void *, void *, void *, ptrdiff_t)',
     # All pairs that overlap and whose ratio is at least `threshold`, with the ratio: a sparse matrix of IoU and the
     # like.
     'int64_t vesica_join_ratio_f32(int, float, void *, void *, int, void *, void *, int, int64_t, int64_t, void *,
         int64_t, void *, void *, void *, int64_t, void *)',
+    # The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
+    'int vesica_gaussian_distance_f32(int, int, void *, int, void *, void *)',
+    # The distance of a[i] and b[i]: out[i] is the result of vesica_gaussian_distance_f32.
+    'int64_t vesica_gaussian_distance_many_f32(int, void *, void *, void *)',
+    # The distance of a[i] and b[j]: out[i * row_stride + j] is the result of vesica_gaussian_distance_f32.
+    'int64_t vesica_gaussian_distance_matrix_f32(int, void *, void *, void *, ptrdiff_t)',
     # How many bytes suffice for an index of `count` shapes, of any kinds?
     'int64_t vesica_index_size(int64_t)',
     # How many bytes of scratch does building an index of `count` shapes need?
