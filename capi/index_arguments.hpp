@@ -12,8 +12,8 @@ namespace vesica::capi {
 
 inline const index::Kernels& index_kernels() noexcept { return *kernels().index; }
 
-inline bool aligned(const void* p) noexcept {
-  return reinterpret_cast<std::uintptr_t>(p) % static_cast<std::uintptr_t>(index::alignment) == 0;
+inline bool aligned(const void* p, std::uintptr_t to = index::alignment) noexcept {
+  return reinterpret_cast<std::uintptr_t>(p) % to == 0;
 }
 
 template <class T>

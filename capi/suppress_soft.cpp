@@ -68,7 +68,7 @@ int32_t suppress_soft(const CShapesOf<T>* shapes, const T* scores, const int32_t
     *kept = 0;
     return 0;
   }
-  if (scratch_size < needed || reinterpret_cast<std::uintptr_t>(scratch) % 8 != 0) return VESICA_E_ARGUMENT;
+  if (scratch_size < needed || !aligned(scratch, 8)) return VESICA_E_ARGUMENT;
   index::Sets sets;
   view_sets<T>(shapes, 1, sets, may_be_suppressed);
   bool left_out = false;

@@ -788,6 +788,14 @@ func cJoinRatio(wide bool, ratio C.int32_t, threshold float64, indexA *C.char, s
 		scratch, scratchSize, outA, outB, values, capacity, state)
 }
 
+func cAssignGreedy(wide bool, a *C.char, b *C.char, values *C.char, count C.int64_t, countA C.int64_t, countB C.int64_t,
+	scratch *C.char, scratchSize C.int64_t, chosen *C.char) C.int64_t {
+	if wide {
+		return C.go_assign_greedy_f64(a, b, values, count, countA, countB, scratch, scratchSize, chosen)
+	}
+	return C.go_assign_greedy_f32(a, b, values, count, countA, countB, scratch, scratchSize, chosen)
+}
+
 func cGaussianDistance(wide bool, which C.int32_t, kindA C.int32_t, a C.vesica_go_shape, kindB C.int32_t,
 	b C.vesica_go_shape, out *C.char) C.int32_t {
 	if wide {

@@ -750,6 +750,18 @@ static inline int64_t go_join_ratio_f32(int32_t ratio, float threshold, const ch
         (void *)values, capacity, (void *)state);
 }
 
+static inline int64_t go_assign_greedy_f64(const char *a, const char *b, const char *values, int64_t count,
+    int64_t count_a, int64_t count_b, char *scratch, int64_t scratch_size, char *chosen) {
+    return vesica_assign_greedy_f64((const void *)a, (const void *)b, (const void *)values, count, count_a, count_b,
+        (void *)scratch, scratch_size, (void *)chosen);
+}
+
+static inline int64_t go_assign_greedy_f32(const char *a, const char *b, const char *values, int64_t count,
+    int64_t count_a, int64_t count_b, char *scratch, int64_t scratch_size, char *chosen) {
+    return vesica_assign_greedy_f32((const void *)a, (const void *)b, (const void *)values, count, count_a, count_b,
+        (void *)scratch, scratch_size, (void *)chosen);
+}
+
 static inline int32_t go_gaussian_distance_f64(int32_t which, int32_t kind_a, vesica_go_shape a, int32_t kind_b,
     vesica_go_shape b, char *out) {
     vesica_go_f64 of_a = go_read_f64(kind_a, &a);

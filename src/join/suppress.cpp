@@ -2,7 +2,6 @@
 #include "join/suppress.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -10,16 +9,11 @@
 #include "index/build.hpp"
 #include "index/frame.hpp"
 #include "join/decide.hpp"
+#include "join/ranked.hpp"
 
 namespace vesica::index {
 
 namespace {
-
-/// A place to sort by its score.
-struct Ranked {
-  std::uint64_t key;
-  std::uint32_t place;
-};
 
 /// A shape's bounds and area; NaN for an area that must not be used.
 struct Extent {
@@ -43,32 +37,6 @@ struct Parts {
     bytes = extent + round_up(items * static_cast<std::int64_t>(sizeof(Extent))) + alignment;
   }
 };
-
-// ---- The order. ----
-
-/// Ascending where the scores descend; 0 and -0 are equal.
-std::uint64_t key_of(double score) noexcept {
-  const auto bits = std::bit_cast<std::uint64_t>(score + 0.0);
-  constexpr std::uint64_t sign = std::uint64_t{1} << 63;
-  return ~((bits & sign) != 0 ? ~bits : bits | sign);
-}
-
-/// Sorts by keys, a byte at a time from the lowest, equal ones in the order they have. Returns which buffer has them.
-Ranked* sort(Ranked* from, Ranked* to, std::int64_t n) noexcept {
-  constexpr int digits = 8, values = 256;
-  std::uint32_t count[digits][values] = {};
-  for (std::int64_t i = 0; i < n; ++i) {
-    for (int d = 0; d < digits; ++d) ++count[d][from[i].key >> (8 * d) & 0xff];
-  }
-  for (int d = 0; d < digits; ++d) {
-    if (n > 0 && count[d][from[0].key >> (8 * d) & 0xff] == n) continue;
-    std::uint32_t begin = 0;
-    for (std::uint32_t& c : count[d]) begin += std::exchange(c, begin);
-    for (std::int64_t i = 0; i < n; ++i) to[count[d][from[i].key >> (8 * d) & 0xff]++] = from[i];
-    std::swap(from, to);
-  }
-  return from;
-}
 
 // ---- Pairs ruled out by bounds and areas. ----
 
@@ -180,7 +148,7 @@ class Suppressor {
       ranked[count_] = {key_of(s), place_of[i]};
       count_ += usable && s >= asked_.least_score;
     }
-    ranked_ = sort(ranked, spare, count_);
+    ranked_ = sort_ranked(ranked, spare, count_);
     waiting_ = column(ranked_ == ranked ? parts_.spare : parts_.order);
     for (std::int64_t r = 0; r < count_; ++r) rank_[ranked_[r].place] = static_cast<std::uint32_t>(r);
   }

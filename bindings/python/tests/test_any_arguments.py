@@ -53,6 +53,10 @@ def numbers(draw, count):
     return [float(draw.randrange(-4, 5)) for _ in range(count)]
 
 
+def items(draw):
+    return [draw.randrange(3) for _ in range(2)]
+
+
 OF_SINGLES = ("coverage", "coverage_cells", "crossings", "de9im", "impact_time", "intersection", "sweep_bounds")
 
 # What fits an argument of that name.
@@ -85,6 +89,11 @@ FITTING = {
     "covariances": lambda draw: numpy.array([numpy.eye(2), numpy.diag([4, 1])]),
 }
 
+# The same where a name means something else.
+OF_NUMBERS = {
+    "assign_greedy": {"a": items, "b": items, "values": lambda draw: numbers(draw, 2)},
+}
+
 
 def any_arguments(draw, function):
     """Half of them fit, so that every function is answered now and then."""
@@ -94,6 +103,8 @@ def any_arguments(draw, function):
         return [array(draw), array(draw)]
     needed = inspect.signature(function).parameters.values()
     fitting = {**FITTING, "a": single, "b": single, "shape": single} if function.__name__ in OF_SINGLES else FITTING
+    if function.__name__ in OF_NUMBERS:
+        fitting = {**FITTING, **OF_NUMBERS[function.__name__]}
     return [fitting[each.name](draw) for each in needed if each.default is each.empty]
 
 

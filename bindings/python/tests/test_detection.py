@@ -45,5 +45,28 @@ class JoinRatio(unittest.TestCase):
                 index.join_ratio(**arguments)
 
 
+class AssignGreedy(unittest.TestCase):
+    def test_is_the_definition(self):
+        generator = numpy.random.default_rng(5)
+        for count in (0, 1, 200):
+            for dtype in ("f8", "f4"):
+                a, b = generator.integers(0, 40, (2, count))
+                values = generator.integers(0, 20, count).astype(dtype)
+                expected, used_a, used_b = [], set(), set()
+                for k in sorted(range(count), key=lambda k: (-values[k], a[k], b[k])):
+                    if a[k] not in used_a and b[k] not in used_b:
+                        used_a.add(a[k]), used_b.add(b[k]), expected.append(k)
+                self.assertEqual(vesica.assign_greedy(a, b, values).tolist(), expected)
+
+    def test_refusals(self):
+        self.assertEqual(vesica.assign_greedy([0, 0], [1, 2], [math.nan, -math.inf]).tolist(), [1])
+        for arguments in (([-1], [0], [1]), ([0], [0, 1], [1]), ([2**31], [0], [1])):
+            with self.assertRaises(ValueError):
+                vesica.assign_greedy(*arguments)
+        for arguments in (([0.5], [0], [1]), ([0], [0], ["a"]), ([0], [0], [[1]])):
+            with self.assertRaises(TypeError):
+                vesica.assign_greedy(*arguments)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -18,6 +18,7 @@ answers of all others. `vesica.c` is the C library itself, and help(vesica.c.ves
 from ._library import VesicaError
 from ._library import library as c
 from .coverage import coverage, coverage_cells
+from .detection import assign_greedy
 from .hull import convex_hull, min_area_rects, min_perimeter_rects
 from .index import Index
 from .motion import Cast, Impact, Turn, cast, cast_first, impact_time, sweep_bounds
@@ -88,5 +89,5 @@ from .shapes import (
 from .topology import de9im, de9im_match, intersection
 
 __version__ = "{}.{}.{}".format(c.vesica_version_major(), c.vesica_version_minor(), c.vesica_version_patch())
-_MODULES = "queries", "index", "paths", "motion", "topology"
+_MODULES = "detection", "hull", "queries", "index", "paths", "motion", "topology"
 __all__ = [name for name in dir() if not name.startswith("_") and name not in _MODULES]

@@ -1141,6 +1141,18 @@ package Vesica_C is
       State : System.Address) return Integer_64
      with Import, Convention => C, External_Name => "vesica_join_ratio_f64";
 
+   --  How many bytes of scratch does greedy assignment of `count` pairs need?
+   function Vesica_Assign_Greedy_Scratch (Count : Integer_64; Count_A : Integer_64; Count_B : Integer_64) return
+      Integer_64
+     with Import, Convention => C, External_Name => "vesica_assign_greedy_scratch";
+
+   --  Greedy assignment, as of tracks to detections: takes the pair with the highest value whose two items are both
+   --  free, until there is none.
+   function Vesica_Assign_Greedy_F64 (A : System.Address; B : System.Address; Values : System.Address; Count :
+      Integer_64; Count_A : Integer_64; Count_B : Integer_64; Scratch : System.Address; Scratch_Size :
+      Integer_64; Chosen : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_assign_greedy_f64";
+
    --  The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
    function Vesica_Gaussian_Distance_F64 (Which : Integer_32; Kind_A : Integer_32; A : System.Address; Kind_B :
       Integer_32; B : System.Address; Output : System.Address) return Integer_32
@@ -1164,6 +1176,13 @@ package Vesica_C is
       Integer_64; Out_A : System.Address; Out_B : System.Address; Values : System.Address; Capacity : Integer_64;
       State : System.Address) return Integer_64
      with Import, Convention => C, External_Name => "vesica_join_ratio_f32";
+
+   --  Greedy assignment, as of tracks to detections: takes the pair with the highest value whose two items are both
+   --  free, until there is none.
+   function Vesica_Assign_Greedy_F32 (A : System.Address; B : System.Address; Values : System.Address; Count :
+      Integer_64; Count_A : Integer_64; Count_B : Integer_64; Scratch : System.Address; Scratch_Size :
+      Integer_64; Chosen : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_assign_greedy_f32";
 
    --  The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
    function Vesica_Gaussian_Distance_F32 (Which : Integer_32; Kind_A : Integer_32; A : System.Address; Kind_B :

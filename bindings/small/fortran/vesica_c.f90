@@ -1755,6 +1755,30 @@ module vesica_c
       type(c_ptr), value :: state
     end function
 
+    !> How many bytes of scratch does greedy assignment of `count` pairs need?
+    integer(c_int64_t) function vesica_assign_greedy_scratch(count, count_a, count_b) bind(c)
+      import
+      integer(c_int64_t), value :: count
+      integer(c_int64_t), value :: count_a
+      integer(c_int64_t), value :: count_b
+    end function
+
+    !> Greedy assignment, as of tracks to detections: takes the pair with the highest value whose two items are both
+    !> free, until there is none.
+    integer(c_int64_t) function vesica_assign_greedy_f64(a, b, values, count, count_a, count_b, scratch, &
+      scratch_size, chosen) bind(c)
+      import
+      type(c_ptr), value :: a
+      type(c_ptr), value :: b
+      type(c_ptr), value :: values
+      integer(c_int64_t), value :: count
+      integer(c_int64_t), value :: count_a
+      integer(c_int64_t), value :: count_b
+      type(c_ptr), value :: scratch
+      integer(c_int64_t), value :: scratch_size
+      type(c_ptr), value :: chosen
+    end function
+
     !> The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
     integer(c_int32_t) function vesica_gaussian_distance_f64(which, kind_a, a, kind_b, b, out) bind(c)
       import
@@ -1807,6 +1831,22 @@ module vesica_c
       type(c_ptr), value :: values
       integer(c_int64_t), value :: capacity
       type(c_ptr), value :: state
+    end function
+
+    !> Greedy assignment, as of tracks to detections: takes the pair with the highest value whose two items are both
+    !> free, until there is none.
+    integer(c_int64_t) function vesica_assign_greedy_f32(a, b, values, count, count_a, count_b, scratch, &
+      scratch_size, chosen) bind(c)
+      import
+      type(c_ptr), value :: a
+      type(c_ptr), value :: b
+      type(c_ptr), value :: values
+      integer(c_int64_t), value :: count
+      integer(c_int64_t), value :: count_a
+      integer(c_int64_t), value :: count_b
+      type(c_ptr), value :: scratch
+      integer(c_int64_t), value :: scratch_size
+      type(c_ptr), value :: chosen
     end function
 
     !> The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.

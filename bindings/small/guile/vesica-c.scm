@@ -408,6 +408,11 @@
 ;; All pairs that overlap and whose ratio is at least `threshold`, with the ratio: a sparse matrix of IoU and the
 ;; like.
 (c vesica_join_ratio_f64 int64 int32 double '* '* int32 '* '* int32 int64 int64 '* int64 '* '* '* int64 '*)
+;; How many bytes of scratch does greedy assignment of `count` pairs need?
+(c vesica_assign_greedy_scratch int64 int64 int64 int64)
+;; Greedy assignment, as of tracks to detections: takes the pair with the highest value whose two items are both
+;; free, until there is none.
+(c vesica_assign_greedy_f64 int64 '* '* '* int64 int64 int64 '* int64 '*)
 ;; The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
 (c vesica_gaussian_distance_f64 int32 int32 int32 '* int32 '* '*)
 ;; The distance of a[i] and b[i]: out[i] is the result of vesica_gaussian_distance_f64.
@@ -417,6 +422,9 @@
 ;; All pairs that overlap and whose ratio is at least `threshold`, with the ratio: a sparse matrix of IoU and the
 ;; like.
 (c vesica_join_ratio_f32 int64 int32 float '* '* int32 '* '* int32 int64 int64 '* int64 '* '* '* int64 '*)
+;; Greedy assignment, as of tracks to detections: takes the pair with the highest value whose two items are both
+;; free, until there is none.
+(c vesica_assign_greedy_f32 int64 '* '* '* int64 int64 int64 '* int64 '*)
 ;; The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
 (c vesica_gaussian_distance_f32 int32 int32 int32 '* int32 '* '*)
 ;; The distance of a[i] and b[i]: out[i] is the result of vesica_gaussian_distance_f32.

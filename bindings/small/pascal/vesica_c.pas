@@ -855,6 +855,13 @@ function vesica_join_ratio_f64(ratio: Int32; threshold: Double; index_a: Pointer
   set_count_a: Int32; index_b: Pointer; sets_b: PVesicaShapesF64; set_count_b: Int32; part: Int64; parts: Int64;
   scratch: Pointer; scratch_size: Int64; out_a: PInt64; out_b: PInt64; values: PDouble; capacity: Int64; state:
   PInt64): Int64; cdecl; external vesica_library;
+// How many bytes of scratch does greedy assignment of `count` pairs need?
+function vesica_assign_greedy_scratch(count: Int64; count_a: Int64; count_b: Int64): Int64; cdecl; external
+  vesica_library;
+// Greedy assignment, as of tracks to detections: takes the pair with the highest value whose two items are both
+// free, until there is none.
+function vesica_assign_greedy_f64(a: PInt64; b: PInt64; values: PDouble; count: Int64; count_a: Int64; count_b:
+  Int64; scratch: Pointer; scratch_size: Int64; chosen: PInt64): Int64; cdecl; external vesica_library;
 // The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
 function vesica_gaussian_distance_f64(which: Int32; kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output:
   PDouble): Int32; cdecl; external vesica_library;
@@ -870,6 +877,10 @@ function vesica_join_ratio_f32(ratio: Int32; threshold: Single; index_a: Pointer
   set_count_a: Int32; index_b: Pointer; sets_b: PVesicaShapesF32; set_count_b: Int32; part: Int64; parts: Int64;
   scratch: Pointer; scratch_size: Int64; out_a: PInt64; out_b: PInt64; values: PSingle; capacity: Int64; state:
   PInt64): Int64; cdecl; external vesica_library;
+// Greedy assignment, as of tracks to detections: takes the pair with the highest value whose two items are both
+// free, until there is none.
+function vesica_assign_greedy_f32(a: PInt64; b: PInt64; values: PSingle; count: Int64; count_a: Int64; count_b:
+  Int64; scratch: Pointer; scratch_size: Int64; chosen: PInt64): Int64; cdecl; external vesica_library;
 // The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
 function vesica_gaussian_distance_f32(which: Int32; kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output:
   PSingle): Int32; cdecl; external vesica_library;

@@ -409,6 +409,12 @@ our @FUNCTIONS = (
     # like.
     [vesica_join_ratio_f64 => ['sint32', 'double', 'opaque', 'opaque', 'sint32', 'opaque', 'opaque', 'sint32', 'sint64',
         'sint64', 'opaque', 'sint64', 'opaque', 'opaque', 'opaque', 'sint64', 'opaque'] => 'sint64'],
+    # How many bytes of scratch does greedy assignment of `count` pairs need?
+    [vesica_assign_greedy_scratch => ['sint64', 'sint64', 'sint64'] => 'sint64'],
+    # Greedy assignment, as of tracks to detections: takes the pair with the highest value whose two items are both
+    # free, until there is none.
+    [vesica_assign_greedy_f64 => ['opaque', 'opaque', 'opaque', 'sint64', 'sint64', 'sint64', 'opaque', 'sint64',
+        'opaque'] => 'sint64'],
     # The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
     [vesica_gaussian_distance_f64 => ['sint32', 'sint32', 'double[]', 'sint32', 'double[]', 'opaque'] => 'sint32'],
     # The distance of a[i] and b[i]: out[i] is the result of vesica_gaussian_distance_f64.
@@ -419,6 +425,10 @@ our @FUNCTIONS = (
     # like.
     [vesica_join_ratio_f32 => ['sint32', 'float', 'opaque', 'opaque', 'sint32', 'opaque', 'opaque', 'sint32', 'sint64',
         'sint64', 'opaque', 'sint64', 'opaque', 'opaque', 'opaque', 'sint64', 'opaque'] => 'sint64'],
+    # Greedy assignment, as of tracks to detections: takes the pair with the highest value whose two items are both
+    # free, until there is none.
+    [vesica_assign_greedy_f32 => ['opaque', 'opaque', 'opaque', 'sint64', 'sint64', 'sint64', 'opaque', 'sint64',
+        'opaque'] => 'sint64'],
     # The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
     [vesica_gaussian_distance_f32 => ['sint32', 'sint32', 'float[]', 'sint32', 'float[]', 'opaque'] => 'sint32'],
     # The distance of a[i] and b[i]: out[i] is the result of vesica_gaussian_distance_f32.

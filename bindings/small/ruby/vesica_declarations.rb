@@ -401,6 +401,11 @@ module Vesica
     # like.
     'int64_t vesica_join_ratio_f64(int, double, void *, void *, int, void *, void *, int, int64_t, int64_t, void *,
         int64_t, void *, void *, void *, int64_t, void *)',
+    # How many bytes of scratch does greedy assignment of `count` pairs need?
+    'int64_t vesica_assign_greedy_scratch(int64_t, int64_t, int64_t)',
+    # Greedy assignment, as of tracks to detections: takes the pair with the highest value whose two items are both
+    # free, until there is none.
+    'int64_t vesica_assign_greedy_f64(void *, void *, void *, int64_t, int64_t, int64_t, void *, int64_t, void *)',
     # The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
     'int vesica_gaussian_distance_f64(int, int, void *, int, void *, void *)',
     # The distance of a[i] and b[i]: out[i] is the result of vesica_gaussian_distance_f64.
@@ -411,6 +416,9 @@ module Vesica
     # like.
     'int64_t vesica_join_ratio_f32(int, float, void *, void *, int, void *, void *, int, int64_t, int64_t, void *,
         int64_t, void *, void *, void *, int64_t, void *)',
+    # Greedy assignment, as of tracks to detections: takes the pair with the highest value whose two items are both
+    # free, until there is none.
+    'int64_t vesica_assign_greedy_f32(void *, void *, void *, int64_t, int64_t, int64_t, void *, int64_t, void *)',
     # The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
     'int vesica_gaussian_distance_f32(int, int, void *, int, void *, void *)',
     # The distance of a[i] and b[i]: out[i] is the result of vesica_gaussian_distance_f32.

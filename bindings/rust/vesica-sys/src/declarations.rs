@@ -3086,6 +3086,37 @@ extern "C" {
         set_count_a: i32, index_b: *const c_void, sets_b: *const Shapes<f64>, set_count_b: i32, part: i64, parts: i64,
         scratch: *mut c_void, scratch_size: i64, out_a: *mut i64, out_b: *mut i64, values: *mut f64, capacity: i64,
         state: *mut i64) -> i64;
+    /// How many bytes of scratch does greedy assignment of `count` pairs need?
+    ///
+    /// Returns: 32 bytes a pair, and a bit for each of count_a and of count_b.
+    ///
+    /// Errors: VESICA_E_ARGUMENT (a number is negative or above 2^31 - 1).
+    ///
+    /// Since: 0.1.
+    pub fn vesica_assign_greedy_scratch(count: i64, count_a: i64, count_b: i64) -> i64;
+    /// Greedy assignment, as of tracks to detections: takes the pair with the highest value whose two items are both
+    /// free, until there is none.
+    ///
+    /// Pair k is item a\[k\] of one side and item b\[k\] of the other, with values\[k\], as vesica_join_ratio_f64
+    /// writes them. Of equal values the pair with the lower item of a comes first, then the lower item of b, then the
+    /// lower k. A pair whose value is NaN is not taken. chosen\[0\], chosen\[1\] ... are the numbers k of the pairs
+    /// taken, the best first. The sum of values may be less than the largest possible one; that is the answer of a
+    /// solver for sparse assignment.
+    ///
+    /// Requires: 0 \<= a\[k\] \< count_a and 0 \<= b\[k\] \< count_b. scratch of at least
+    /// vesica_assign_greedy_scratch(count, count_a, count_b) bytes, aligned to 8. chosen, room for the least of count,
+    /// count_a and count_b. With count 0 all pointers may be NULL.
+    ///
+    /// Returns: how many pairs are taken.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (a number, an item or a size is out of range, the scratch is not
+    /// aligned). Nothing is written.
+    ///
+    /// Cost: a sort of the values: 50 to 80 ns a pair.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_assign_greedy_f64(a: *const i64, b: *const i64, values: *const f64, count: i64, count_a: i64,
+        count_b: i64, scratch: *mut c_void, scratch_size: i64, chosen: *mut i64) -> i64;
     /// The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
     ///
     /// A shape's Gaussian has the mean m and the covariance S of its points: the variance along a side of a rectangle
@@ -3172,6 +3203,29 @@ extern "C" {
         set_count_a: i32, index_b: *const c_void, sets_b: *const Shapes<f32>, set_count_b: i32, part: i64, parts: i64,
         scratch: *mut c_void, scratch_size: i64, out_a: *mut i64, out_b: *mut i64, values: *mut f32, capacity: i64,
         state: *mut i64) -> i64;
+    /// Greedy assignment, as of tracks to detections: takes the pair with the highest value whose two items are both
+    /// free, until there is none.
+    ///
+    /// Pair k is item a\[k\] of one side and item b\[k\] of the other, with values\[k\], as vesica_join_ratio_f32
+    /// writes them. Of equal values the pair with the lower item of a comes first, then the lower item of b, then the
+    /// lower k. A pair whose value is NaN is not taken. chosen\[0\], chosen\[1\] ... are the numbers k of the pairs
+    /// taken, the best first. The sum of values may be less than the largest possible one; that is the answer of a
+    /// solver for sparse assignment.
+    ///
+    /// Requires: 0 \<= a\[k\] \< count_a and 0 \<= b\[k\] \< count_b. scratch of at least
+    /// vesica_assign_greedy_scratch(count, count_a, count_b) bytes, aligned to 8. chosen, room for the least of count,
+    /// count_a and count_b. With count 0 all pointers may be NULL.
+    ///
+    /// Returns: how many pairs are taken.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (a number, an item or a size is out of range, the scratch is not
+    /// aligned). Nothing is written.
+    ///
+    /// Cost: a sort of the values: 50 to 80 ns a pair.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_assign_greedy_f32(a: *const i64, b: *const i64, values: *const f32, count: i64, count_a: i64,
+        count_b: i64, scratch: *mut c_void, scratch_size: i64, chosen: *mut i64) -> i64;
     /// The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
     ///
     /// A shape's Gaussian has the mean m and the covariance S of its points: the variance along a side of a rectangle
@@ -5099,6 +5153,8 @@ pub unsafe trait Scalar: Copy + Default + PartialEq + PartialOrd + core::fmt::De
         set_count_a: i32, index_b: *const c_void, sets_b: *const Shapes<Self>, set_count_b: i32, part: i64, parts: i64,
         scratch: *mut c_void, scratch_size: i64, out_a: *mut i64, out_b: *mut i64, values: *mut Self, capacity: i64,
         state: *mut i64) -> i64;
+    unsafe fn assign_greedy(a: *const i64, b: *const i64, values: *const Self, count: i64, count_a: i64, count_b: i64,
+        scratch: *mut c_void, scratch_size: i64, chosen: *mut i64) -> i64;
     unsafe fn gaussian_distance(which: i32, kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
         out: *mut Self) -> i32;
     unsafe fn gaussian_distance_many(which: i32, a: *const Shapes<Self>, b: *const Shapes<Self>, out: *mut Self) -> i64;
@@ -5512,6 +5568,11 @@ unsafe impl Scalar for f64 {
         state: *mut i64) -> i64 {
         vesica_join_ratio_f64(ratio, threshold, index_a, sets_a, set_count_a, index_b, sets_b, set_count_b, part, parts,
             scratch, scratch_size, out_a, out_b, values, capacity, state)
+    }
+    #[inline]
+    unsafe fn assign_greedy(a: *const i64, b: *const i64, values: *const f64, count: i64, count_a: i64, count_b: i64,
+        scratch: *mut c_void, scratch_size: i64, chosen: *mut i64) -> i64 {
+        vesica_assign_greedy_f64(a, b, values, count, count_a, count_b, scratch, scratch_size, chosen)
     }
     #[inline]
     unsafe fn gaussian_distance(which: i32, kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
@@ -6070,6 +6131,11 @@ unsafe impl Scalar for f32 {
         state: *mut i64) -> i64 {
         vesica_join_ratio_f32(ratio, threshold, index_a, sets_a, set_count_a, index_b, sets_b, set_count_b, part, parts,
             scratch, scratch_size, out_a, out_b, values, capacity, state)
+    }
+    #[inline]
+    unsafe fn assign_greedy(a: *const i64, b: *const i64, values: *const f32, count: i64, count_a: i64, count_b: i64,
+        scratch: *mut c_void, scratch_size: i64, chosen: *mut i64) -> i64 {
+        vesica_assign_greedy_f32(a, b, values, count, count_a, count_b, scratch, scratch_size, chosen)
     }
     #[inline]
     unsafe fn gaussian_distance(which: i32, kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
