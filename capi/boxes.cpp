@@ -6,6 +6,7 @@
 #include <limits>
 #include <vesica/bounds.hpp>
 #include <vesica/boxes.hpp>
+#include <vesica/construct.hpp>
 #include <vesica/polygon/bounds.hpp>
 
 #include "arrays.hpp"
@@ -130,6 +131,28 @@ int64_t from_boxes(int (*make)(const vesica::TurnedBox<T>&, AngleUnit, Shape&) n
   });
 }
 
+/// Row i of an array of four corners each.
+template <class T>
+void read_corners(const T* corners, ptrdiff_t stride, int64_t i, T (&out)[8]) noexcept {
+  const vesica::Unaligned<T> row = vesica::Unaligned<T>(corners).advanced(i * stride);
+  for (int k = 0; k < 8; ++k) out[k] = row[k];
+}
+
+template <class T>
+int64_t rects_from_corners(const T* corners, int64_t count, ptrdiff_t stride, T* out) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT(rects_from_corners<T>, corners, count, stride, out);
+  if (count != 0 && (corners == nullptr || out == nullptr)) return VESICA_E_NULL;
+  if (count < 0 || !addressable(count, stride)) return VESICA_E_ARGUMENT;
+  return each<6>(count, out, [&](int64_t i, T(&numbers)[6]) {
+    T row[8];
+    read_corners(corners, stride, i, row);
+    vesica::Rect<T> rect;
+    const int error = vesica::rect_from_corners(row, rect);
+    if (error == 0) flatten(rect, numbers);
+    return error;
+  });
+}
+
 template <class T>
 int32_t check_shapes(const CShapesOf<T>* shapes, const T* out, Suits suits) noexcept {
   return check_call(shapes, shapes, out, shapes != nullptr && shapes->count != 0, suits);
@@ -141,6 +164,23 @@ vesica::Rect<T> rect_at(const vesica::batch::Shapes<T>& shapes, int64_t i) noexc
   T numbers[6];
   for (int k = 0; k < 6; ++k) numbers[k] = shapes.field[k].advanced(i * shapes.stride)[0];
   return vesica::load<vesica::Rect<T>>(numbers);
+}
+
+bool is_rect(int32_t kind) noexcept { return kind == VESICA_RECT; }
+
+template <class T>
+int64_t rect_corners_misfit_many(const T* corners, ptrdiff_t stride, const CShapesOf<T>* rects, T* misfit) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT(rect_corners_misfit_many<T>, corners, stride, rects, misfit);
+  const int32_t error = check_shapes<T>(rects, misfit, is_rect);
+  if (error != 0) return error;
+  if (rects->count != 0 && corners == nullptr) return VESICA_E_NULL;
+  if (!addressable(rects->count, stride)) return VESICA_E_ARGUMENT;
+  const auto v = view<T>(*rects);
+  return each<1>(v.count, misfit, [&](int64_t i, T(&number)[1]) {
+    T row[8];
+    read_corners(corners, stride, i, row);
+    return vesica::rect_corners_misfit(row, rect_at(v, i), number[0]);
+  });
 }
 
 bool has_box(int32_t kind) noexcept { return kind == VESICA_RECT || kind == VESICA_ELLIPSE; }
@@ -242,6 +282,14 @@ T* numbers_of(Struct* structs) noexcept {
                                               vesica_ellipse_##scalar* out) {                                      \
     return from_boxes<vesica::Ellipse<T>>(vesica::ellipse_from_box<T>, boxes, count, stride, angle,                \
                                           numbers_of<T>(out));                                                     \
+  }                                                                                                                \
+  int64_t vesica_rects_from_corners_##scalar(const T* corners, int64_t count, ptrdiff_t stride,                    \
+                                             vesica_rect_##scalar* out) {                                          \
+    return rects_from_corners<T>(corners, count, stride, numbers_of<T>(out));                                      \
+  }                                                                                                                \
+  int64_t vesica_rect_corners_misfit_many_##scalar(const T* corners, ptrdiff_t stride,                             \
+                                                   const vesica_shapes_##scalar* rects, T* misfit) {               \
+    return rect_corners_misfit_many<T>(corners, stride, rects, misfit);                                            \
   }                                                                                                                \
   int64_t vesica_boxes_from_shapes_##scalar(const vesica_shapes_##scalar* shapes, int32_t angle, T* boxes) {       \
     return boxes_from_shapes<T>(shapes, angle, boxes);                                                             \

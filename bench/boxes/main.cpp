@@ -27,6 +27,7 @@ struct Box {
 struct Pass {
   std::vector<Box> boxes;
   std::vector<vesica_rect_f64> rects;
+  std::vector<double> corners;
   std::vector<double> out;
   vesica_shapes_f64 shapes;
 };
@@ -34,6 +35,7 @@ struct Pass {
 void draw(vesica::bench::Random& random, Pass& pass) {
   pass.boxes.resize(count);
   pass.rects.resize(count);
+  pass.corners.resize(8 * count);
   pass.out.resize(8 * count);
   for (Box& b : pass.boxes) {
     b = {random.between(-9, 9), random.between(-9, 9), random.between(0, 3), random.between(0, 3),
@@ -41,6 +43,7 @@ void draw(vesica::bench::Random& random, Pass& pass) {
   }
   vesica_rects_from_boxes_f64(&pass.boxes[0].cx, count, sizeof(Box), VESICA_ANGLE_DEGREES, pass.rects.data());
   vesica_shapes_from_records_f64(VESICA_RECT, count, pass.rects.data(), sizeof pass.rects[0], &pass.shapes);
+  vesica_corners_of_shapes_f64(&pass.shapes, pass.corners.data());
 }
 
 template <class Loop>
@@ -75,6 +78,20 @@ void rects_by_hand(Pass& pass) {
   for (const Box& b : pass.boxes) {
     const double angle = b.angle * degree;
     *out++ = {b.cx, b.cy, std::cos(angle), std::sin(angle), b.width / 2, b.height / 2};
+  }
+}
+
+void rects_from_corners_by_hand(Pass& pass) {
+  auto* out = reinterpret_cast<vesica_rect_f64*>(pass.out.data());
+  for (const double* c = pass.corners.data(); c < pass.corners.data() + pass.corners.size(); c += 8) {
+    const double ux = c[2] - c[0], uy = c[3] - c[1], vx = c[4] - c[2], vy = c[5] - c[3];
+    const double width = std::sqrt(ux * ux + uy * uy), height = std::sqrt(vx * vx + vy * vy);
+    *out++ = {(c[0] + c[2] + c[4] + c[6]) / 4,
+              (c[1] + c[3] + c[5] + c[7]) / 4,
+              ux / width,
+              uy / width,
+              width / 2,
+              height / 2};
   }
 }
 
@@ -119,6 +136,13 @@ int main() {
                                     reinterpret_cast<vesica_rect_f64*>(p.out.data()));
       },
       rects_by_hand);
+  row(
+      "vesica_rects_from_corners",
+      [](Pass& p) {
+        vesica_rects_from_corners_f64(p.corners.data(), count, 8 * sizeof(double),
+                                      reinterpret_cast<vesica_rect_f64*>(p.out.data()));
+      },
+      rects_from_corners_by_hand);
   row(
       "vesica_boxes_from_shapes",
       [](Pass& p) { vesica_boxes_from_shapes_f64(&p.shapes, VESICA_ANGLE_DEGREES, p.out.data()); }, boxes_by_hand);

@@ -720,6 +720,21 @@ func cEllipsesFromBoxes(wide bool, boxes *C.char, count C.int64_t, stride C.ptrd
 	return C.go_ellipses_from_boxes_f32(boxes, count, stride, angle, out)
 }
 
+func cRectsFromCorners(wide bool, corners *C.char, count C.int64_t, stride C.ptrdiff_t, out *C.char) C.int64_t {
+	if wide {
+		return C.go_rects_from_corners_f64(corners, count, stride, out)
+	}
+	return C.go_rects_from_corners_f32(corners, count, stride, out)
+}
+
+func cRectCornersMisfitMany(wide bool, corners *C.char, stride C.ptrdiff_t, rects C.vesica_go_view,
+	misfit *C.char) C.int64_t {
+	if wide {
+		return C.go_rect_corners_misfit_many_f64(corners, stride, rects, misfit)
+	}
+	return C.go_rect_corners_misfit_many_f32(corners, stride, rects, misfit)
+}
+
 func cBoxesFromShapes(wide bool, shapes C.vesica_go_view, angle C.int32_t, boxes *C.char) C.int64_t {
 	if wide {
 		return C.go_boxes_from_shapes_f64(shapes, angle, boxes)

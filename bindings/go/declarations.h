@@ -642,6 +642,28 @@ static inline int64_t go_ellipses_from_boxes_f32(const char *boxes, int64_t coun
     return vesica_ellipses_from_boxes_f32((const void *)boxes, count, stride, angle, (void *)out);
 }
 
+static inline int64_t go_rects_from_corners_f64(const char *corners, int64_t count, ptrdiff_t stride, char *out) {
+    return vesica_rects_from_corners_f64((const void *)corners, count, stride, (void *)out);
+}
+
+static inline int64_t go_rects_from_corners_f32(const char *corners, int64_t count, ptrdiff_t stride, char *out) {
+    return vesica_rects_from_corners_f32((const void *)corners, count, stride, (void *)out);
+}
+
+static inline int64_t go_rect_corners_misfit_many_f64(const char *corners, ptrdiff_t stride, vesica_go_view rects,
+    char *misfit) {
+    vesica_shapes_f64 of_rects;
+    memcpy(&of_rects, &rects, sizeof of_rects);
+    return vesica_rect_corners_misfit_many_f64((const void *)corners, stride, &of_rects, (void *)misfit);
+}
+
+static inline int64_t go_rect_corners_misfit_many_f32(const char *corners, ptrdiff_t stride, vesica_go_view rects,
+    char *misfit) {
+    vesica_shapes_f32 of_rects;
+    memcpy(&of_rects, &rects, sizeof of_rects);
+    return vesica_rect_corners_misfit_many_f32((const void *)corners, stride, &of_rects, (void *)misfit);
+}
+
 static inline int64_t go_boxes_from_shapes_f64(vesica_go_view shapes, int32_t angle, char *boxes) {
     vesica_shapes_f64 of_shapes;
     memcpy(&of_shapes, &shapes, sizeof of_shapes);

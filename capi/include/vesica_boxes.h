@@ -56,7 +56,27 @@ VESICA_API int64_t vesica_ellipses_from_boxes_f64(const double *boxes, int64_t c
                                                   vesica_ellipse_f64 *out);
 
 /**
- * Boxes from rectangles or from ellipses: the inverse of the two functions above.
+ * Rectangles from four corners each: out[i] is the result of vesica_rect_from_corners_f64.
+ *
+ * Crossed corners, in another order than round the outline, make their element invalid.
+ * Requires: corners, `count` rows of eight numbers x0 y0 ... x3 y3 with any alignment, `stride` bytes apart; out, room
+ * for `count`.
+ * Accuracy: as vesica_rect_from_corners_f64.
+ */
+VESICA_API int64_t vesica_rects_from_corners_f64(const double *corners, int64_t count, ptrdiff_t stride,
+                                                 vesica_rect_f64 *out);
+
+/**
+ * How far corners are from those of rectangles: misfit[i] is the result of vesica_rect_corners_misfit_f64.
+ * Requires: corners, a row for each rectangle, as vesica_rects_from_corners_f64; rects, of kind VESICA_RECT; misfit,
+ * room for `count`.
+ * Accuracy: as vesica_rect_corners_misfit_f64.
+ */
+VESICA_API int64_t vesica_rect_corners_misfit_many_f64(const double *corners, ptrdiff_t stride,
+                                                       const vesica_shapes_f64 *rects, double *misfit);
+
+/**
+ * Boxes from rectangles or from ellipses: the inverse of the first two functions.
  *
  * Angles are from -180 to 180 degrees, in the unit asked for.
  * Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; angle as vesica_rects_from_boxes_f64; boxes, room for
@@ -153,6 +173,12 @@ VESICA_API int64_t vesica_rects_from_boxes_f32(const float *boxes, int64_t count
 /** As vesica_ellipses_from_boxes_f64, rounded to float. */
 VESICA_API int64_t vesica_ellipses_from_boxes_f32(const float *boxes, int64_t count, ptrdiff_t stride, int32_t angle,
                                                   vesica_ellipse_f32 *out);
+/** As vesica_rects_from_corners_f64, rounded to float. */
+VESICA_API int64_t vesica_rects_from_corners_f32(const float *corners, int64_t count, ptrdiff_t stride,
+                                                 vesica_rect_f32 *out);
+/** As vesica_rect_corners_misfit_many_f64, rounded to float. */
+VESICA_API int64_t vesica_rect_corners_misfit_many_f32(const float *corners, ptrdiff_t stride,
+                                                       const vesica_shapes_f32 *rects, float *misfit);
 /** As vesica_boxes_from_shapes_f64, rounded to float. */
 VESICA_API int64_t vesica_boxes_from_shapes_f32(const vesica_shapes_f32 *shapes, int32_t angle, float *boxes);
 /** As vesica_corners_of_shapes_f64, rounded to float. */

@@ -91,6 +91,8 @@ struct Face<double> {
   static constexpr auto bounds_many = vesica_bounds_many_f64;
   static constexpr auto rects_from_boxes = vesica_rects_from_boxes_f64;
   static constexpr auto ellipses_from_boxes = vesica_ellipses_from_boxes_f64;
+  static constexpr auto rects_from_corners = vesica_rects_from_corners_f64;
+  static constexpr auto rect_corners_misfit_many = vesica_rect_corners_misfit_many_f64;
   static constexpr auto boxes_from_shapes = vesica_boxes_from_shapes_f64;
   static constexpr auto corners_of_shapes = vesica_corners_of_shapes_f64;
   static constexpr auto overlap_many = vesica_overlap_many_f64;
@@ -174,6 +176,8 @@ struct Face<float> {
   static constexpr auto bounds_many = vesica_bounds_many_f32;
   static constexpr auto rects_from_boxes = vesica_rects_from_boxes_f32;
   static constexpr auto ellipses_from_boxes = vesica_ellipses_from_boxes_f32;
+  static constexpr auto rects_from_corners = vesica_rects_from_corners_f32;
+  static constexpr auto rect_corners_misfit_many = vesica_rect_corners_misfit_many_f32;
   static constexpr auto boxes_from_shapes = vesica_boxes_from_shapes_f32;
   static constexpr auto corners_of_shapes = vesica_corners_of_shapes_f32;
   static constexpr auto overlap_many = vesica_overlap_many_f32;

@@ -440,6 +440,11 @@ Bytes ask_boxes(const Inputs& inputs) {
   }
   append(bytes, F::corners_of_shapes(&operands.a, corners.data()));
   append(bytes, corners.data(), corners.size());
+  constexpr std::ptrdiff_t corner_stride = 8 * sizeof(T);
+  append(bytes, F::rects_from_corners(corners.data(), operands.a.count, corner_stride, rects.data()));
+  append(bytes, rects.data(), n);
+  append(bytes, F::rect_corners_misfit_many(corners.data(), corner_stride, &operands.a, boxes.data()));
+  append(bytes, boxes.data(), n);
   append(bytes, F::bounds_many(&operands.a, bounds.data()));
   append(bytes, bounds.data(), n);
   return bytes;

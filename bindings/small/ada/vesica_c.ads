@@ -1052,7 +1052,17 @@ package Vesica_C is
       : Integer_32; Output : System.Address) return Integer_64
      with Import, Convention => C, External_Name => "vesica_ellipses_from_boxes_f64";
 
-   --  Boxes from rectangles or from ellipses: the inverse of the two functions above.
+   --  Rectangles from four corners each: out[i] is the result of vesica_rect_from_corners_f64.
+   function Vesica_Rects_From_Corners_F64 (Corners : System.Address; Count : Integer_64; Stride : ptrdiff_t;
+      Output : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_rects_from_corners_f64";
+
+   --  How far corners are from those of rectangles: misfit[i] is the result of vesica_rect_corners_misfit_f64.
+   function Vesica_Rect_Corners_Misfit_Many_F64 (Corners : System.Address; Stride : ptrdiff_t; Rects :
+      System.Address; Misfit : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_rect_corners_misfit_many_f64";
+
+   --  Boxes from rectangles or from ellipses: the inverse of the first two functions.
    function Vesica_Boxes_From_Shapes_F64 (Shapes : System.Address; Angle : Integer_32; Boxes : System.Address)
       return Integer_64
      with Import, Convention => C, External_Name => "vesica_boxes_from_shapes_f64";
@@ -1097,7 +1107,17 @@ package Vesica_C is
       : Integer_32; Output : System.Address) return Integer_64
      with Import, Convention => C, External_Name => "vesica_ellipses_from_boxes_f32";
 
-   --  Boxes from rectangles or from ellipses: the inverse of the two functions above.
+   --  Rectangles from four corners each: out[i] is the result of vesica_rect_from_corners_f32.
+   function Vesica_Rects_From_Corners_F32 (Corners : System.Address; Count : Integer_64; Stride : ptrdiff_t;
+      Output : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_rects_from_corners_f32";
+
+   --  How far corners are from those of rectangles: misfit[i] is the result of vesica_rect_corners_misfit_f32.
+   function Vesica_Rect_Corners_Misfit_Many_F32 (Corners : System.Address; Stride : ptrdiff_t; Rects :
+      System.Address; Misfit : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_rect_corners_misfit_many_f32";
+
+   --  Boxes from rectangles or from ellipses: the inverse of the first two functions.
    function Vesica_Boxes_From_Shapes_F32 (Shapes : System.Address; Angle : Integer_32; Boxes : System.Address)
       return Integer_64
      with Import, Convention => C, External_Name => "vesica_boxes_from_shapes_f32";

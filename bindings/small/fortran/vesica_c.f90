@@ -1595,7 +1595,25 @@ module vesica_c
       type(c_ptr), value :: out
     end function
 
-    !> Boxes from rectangles or from ellipses: the inverse of the two functions above.
+    !> Rectangles from four corners each: out[i] is the result of vesica_rect_from_corners_f64.
+    integer(c_int64_t) function vesica_rects_from_corners_f64(corners, count, stride, out) bind(c)
+      import
+      type(c_ptr), value :: corners
+      integer(c_int64_t), value :: count
+      integer(c_ptrdiff_t), value :: stride
+      type(vesica_rect_f64), intent(out) :: out
+    end function
+
+    !> How far corners are from those of rectangles: misfit[i] is the result of vesica_rect_corners_misfit_f64.
+    integer(c_int64_t) function vesica_rect_corners_misfit_many_f64(corners, stride, rects, misfit) bind(c)
+      import
+      type(c_ptr), value :: corners
+      integer(c_ptrdiff_t), value :: stride
+      type(vesica_shapes_f64), intent(in) :: rects
+      type(c_ptr), value :: misfit
+    end function
+
+    !> Boxes from rectangles or from ellipses: the inverse of the first two functions.
     integer(c_int64_t) function vesica_boxes_from_shapes_f64(shapes, angle, boxes) bind(c)
       import
       type(vesica_shapes_f64), intent(in) :: shapes
@@ -1673,7 +1691,25 @@ module vesica_c
       type(c_ptr), value :: out
     end function
 
-    !> Boxes from rectangles or from ellipses: the inverse of the two functions above.
+    !> Rectangles from four corners each: out[i] is the result of vesica_rect_from_corners_f32.
+    integer(c_int64_t) function vesica_rects_from_corners_f32(corners, count, stride, out) bind(c)
+      import
+      type(c_ptr), value :: corners
+      integer(c_int64_t), value :: count
+      integer(c_ptrdiff_t), value :: stride
+      type(vesica_rect_f32), intent(out) :: out
+    end function
+
+    !> How far corners are from those of rectangles: misfit[i] is the result of vesica_rect_corners_misfit_f32.
+    integer(c_int64_t) function vesica_rect_corners_misfit_many_f32(corners, stride, rects, misfit) bind(c)
+      import
+      type(c_ptr), value :: corners
+      integer(c_ptrdiff_t), value :: stride
+      type(vesica_shapes_f32), intent(in) :: rects
+      type(c_ptr), value :: misfit
+    end function
+
+    !> Boxes from rectangles or from ellipses: the inverse of the first two functions.
     integer(c_int64_t) function vesica_boxes_from_shapes_f32(shapes, angle, boxes) bind(c)
       import
       type(vesica_shapes_f32), intent(in) :: shapes

@@ -369,7 +369,11 @@
 (c vesica_rects_from_boxes_f64 int64 '* int64 ptrdiff_t int32 '*)
 ;; Ellipses from their bounding boxes: each touches the sides of its turned box in the middle.
 (c vesica_ellipses_from_boxes_f64 int64 '* int64 ptrdiff_t int32 '*)
-;; Boxes from rectangles or from ellipses: the inverse of the two functions above.
+;; Rectangles from four corners each: out[i] is the result of vesica_rect_from_corners_f64.
+(c vesica_rects_from_corners_f64 int64 '* int64 ptrdiff_t '*)
+;; How far corners are from those of rectangles: misfit[i] is the result of vesica_rect_corners_misfit_f64.
+(c vesica_rect_corners_misfit_many_f64 int64 '* ptrdiff_t '* '*)
+;; Boxes from rectangles or from ellipses: the inverse of the first two functions.
 (c vesica_boxes_from_shapes_f64 int64 '* int32 '*)
 ;; The four corners of rectangles, or of the turned boxes that bound ellipses: x0 y0 ... x3 y3.
 (c vesica_corners_of_shapes_f64 int64 '* '*)
@@ -389,7 +393,11 @@
 (c vesica_rects_from_boxes_f32 int64 '* int64 ptrdiff_t int32 '*)
 ;; Ellipses from their bounding boxes: each touches the sides of its turned box in the middle.
 (c vesica_ellipses_from_boxes_f32 int64 '* int64 ptrdiff_t int32 '*)
-;; Boxes from rectangles or from ellipses: the inverse of the two functions above.
+;; Rectangles from four corners each: out[i] is the result of vesica_rect_from_corners_f32.
+(c vesica_rects_from_corners_f32 int64 '* int64 ptrdiff_t '*)
+;; How far corners are from those of rectangles: misfit[i] is the result of vesica_rect_corners_misfit_f32.
+(c vesica_rect_corners_misfit_many_f32 int64 '* ptrdiff_t '* '*)
+;; Boxes from rectangles or from ellipses: the inverse of the first two functions.
 (c vesica_boxes_from_shapes_f32 int64 '* int32 '*)
 ;; The four corners of rectangles, or of the turned boxes that bound ellipses: x0 y0 ... x3 y3.
 (c vesica_corners_of_shapes_f32 int64 '* '*)

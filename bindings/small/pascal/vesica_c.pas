@@ -795,7 +795,13 @@ function vesica_rects_from_boxes_f64(boxes: PDouble; count: Int64; stride: PtrIn
 // Ellipses from their bounding boxes: each touches the sides of its turned box in the middle.
 function vesica_ellipses_from_boxes_f64(boxes: PDouble; count: Int64; stride: PtrInt; angle: Int32; output:
   PVesicaEllipseF64): Int64; cdecl; external vesica_library;
-// Boxes from rectangles or from ellipses: the inverse of the two functions above.
+// Rectangles from four corners each: out[i] is the result of vesica_rect_from_corners_f64.
+function vesica_rects_from_corners_f64(corners: PDouble; count: Int64; stride: PtrInt; output: PVesicaRectF64):
+  Int64; cdecl; external vesica_library;
+// How far corners are from those of rectangles: misfit[i] is the result of vesica_rect_corners_misfit_f64.
+function vesica_rect_corners_misfit_many_f64(corners: PDouble; stride: PtrInt; rects: PVesicaShapesF64; misfit:
+  PDouble): Int64; cdecl; external vesica_library;
+// Boxes from rectangles or from ellipses: the inverse of the first two functions.
 function vesica_boxes_from_shapes_f64(shapes: PVesicaShapesF64; angle: Int32; boxes: PDouble): Int64; cdecl;
   external vesica_library;
 // The four corners of rectangles, or of the turned boxes that bound ellipses: x0 y0 ... x3 y3.
@@ -825,7 +831,13 @@ function vesica_rects_from_boxes_f32(boxes: PSingle; count: Int64; stride: PtrIn
 // Ellipses from their bounding boxes: each touches the sides of its turned box in the middle.
 function vesica_ellipses_from_boxes_f32(boxes: PSingle; count: Int64; stride: PtrInt; angle: Int32; output:
   PVesicaEllipseF32): Int64; cdecl; external vesica_library;
-// Boxes from rectangles or from ellipses: the inverse of the two functions above.
+// Rectangles from four corners each: out[i] is the result of vesica_rect_from_corners_f32.
+function vesica_rects_from_corners_f32(corners: PSingle; count: Int64; stride: PtrInt; output: PVesicaRectF32):
+  Int64; cdecl; external vesica_library;
+// How far corners are from those of rectangles: misfit[i] is the result of vesica_rect_corners_misfit_f32.
+function vesica_rect_corners_misfit_many_f32(corners: PSingle; stride: PtrInt; rects: PVesicaShapesF32; misfit:
+  PSingle): Int64; cdecl; external vesica_library;
+// Boxes from rectangles or from ellipses: the inverse of the first two functions.
 function vesica_boxes_from_shapes_f32(shapes: PVesicaShapesF32; angle: Int32; boxes: PSingle): Int64; cdecl;
   external vesica_library;
 // The four corners of rectangles, or of the turned boxes that bound ellipses: x0 y0 ... x3 y3.

@@ -369,7 +369,11 @@ our @FUNCTIONS = (
     [vesica_rects_from_boxes_f64 => ['opaque', 'sint64', 'sint64', 'sint32', 'opaque'] => 'sint64'],
     # Ellipses from their bounding boxes: each touches the sides of its turned box in the middle.
     [vesica_ellipses_from_boxes_f64 => ['opaque', 'sint64', 'sint64', 'sint32', 'opaque'] => 'sint64'],
-    # Boxes from rectangles or from ellipses: the inverse of the two functions above.
+    # Rectangles from four corners each: out[i] is the result of vesica_rect_from_corners_f64.
+    [vesica_rects_from_corners_f64 => ['opaque', 'sint64', 'sint64', 'opaque'] => 'sint64'],
+    # How far corners are from those of rectangles: misfit[i] is the result of vesica_rect_corners_misfit_f64.
+    [vesica_rect_corners_misfit_many_f64 => ['opaque', 'sint64', 'opaque', 'opaque'] => 'sint64'],
+    # Boxes from rectangles or from ellipses: the inverse of the first two functions.
     [vesica_boxes_from_shapes_f64 => ['opaque', 'sint32', 'opaque'] => 'sint64'],
     # The four corners of rectangles, or of the turned boxes that bound ellipses: x0 y0 ... x3 y3.
     [vesica_corners_of_shapes_f64 => ['opaque', 'opaque'] => 'sint64'],
@@ -389,7 +393,11 @@ our @FUNCTIONS = (
     [vesica_rects_from_boxes_f32 => ['opaque', 'sint64', 'sint64', 'sint32', 'opaque'] => 'sint64'],
     # Ellipses from their bounding boxes: each touches the sides of its turned box in the middle.
     [vesica_ellipses_from_boxes_f32 => ['opaque', 'sint64', 'sint64', 'sint32', 'opaque'] => 'sint64'],
-    # Boxes from rectangles or from ellipses: the inverse of the two functions above.
+    # Rectangles from four corners each: out[i] is the result of vesica_rect_from_corners_f32.
+    [vesica_rects_from_corners_f32 => ['opaque', 'sint64', 'sint64', 'opaque'] => 'sint64'],
+    # How far corners are from those of rectangles: misfit[i] is the result of vesica_rect_corners_misfit_f32.
+    [vesica_rect_corners_misfit_many_f32 => ['opaque', 'sint64', 'opaque', 'opaque'] => 'sint64'],
+    # Boxes from rectangles or from ellipses: the inverse of the first two functions.
     [vesica_boxes_from_shapes_f32 => ['opaque', 'sint32', 'opaque'] => 'sint64'],
     # The four corners of rectangles, or of the turned boxes that bound ellipses: x0 y0 ... x3 y3.
     [vesica_corners_of_shapes_f32 => ['opaque', 'opaque'] => 'sint64'],

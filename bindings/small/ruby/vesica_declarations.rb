@@ -361,7 +361,11 @@ module Vesica
     'int64_t vesica_rects_from_boxes_f64(void *, int64_t, ptrdiff_t, int, void *)',
     # Ellipses from their bounding boxes: each touches the sides of its turned box in the middle.
     'int64_t vesica_ellipses_from_boxes_f64(void *, int64_t, ptrdiff_t, int, void *)',
-    # Boxes from rectangles or from ellipses: the inverse of the two functions above.
+    # Rectangles from four corners each: out[i] is the result of vesica_rect_from_corners_f64.
+    'int64_t vesica_rects_from_corners_f64(void *, int64_t, ptrdiff_t, void *)',
+    # How far corners are from those of rectangles: misfit[i] is the result of vesica_rect_corners_misfit_f64.
+    'int64_t vesica_rect_corners_misfit_many_f64(void *, ptrdiff_t, void *, void *)',
+    # Boxes from rectangles or from ellipses: the inverse of the first two functions.
     'int64_t vesica_boxes_from_shapes_f64(void *, int, void *)',
     # The four corners of rectangles, or of the turned boxes that bound ellipses: x0 y0 ... x3 y3.
     'int64_t vesica_corners_of_shapes_f64(void *, void *)',
@@ -381,7 +385,11 @@ module Vesica
     'int64_t vesica_rects_from_boxes_f32(void *, int64_t, ptrdiff_t, int, void *)',
     # Ellipses from their bounding boxes: each touches the sides of its turned box in the middle.
     'int64_t vesica_ellipses_from_boxes_f32(void *, int64_t, ptrdiff_t, int, void *)',
-    # Boxes from rectangles or from ellipses: the inverse of the two functions above.
+    # Rectangles from four corners each: out[i] is the result of vesica_rect_from_corners_f32.
+    'int64_t vesica_rects_from_corners_f32(void *, int64_t, ptrdiff_t, void *)',
+    # How far corners are from those of rectangles: misfit[i] is the result of vesica_rect_corners_misfit_f32.
+    'int64_t vesica_rect_corners_misfit_many_f32(void *, ptrdiff_t, void *, void *)',
+    # Boxes from rectangles or from ellipses: the inverse of the first two functions.
     'int64_t vesica_boxes_from_shapes_f32(void *, int, void *)',
     # The four corners of rectangles, or of the turned boxes that bound ellipses: x0 y0 ... x3 y3.
     'int64_t vesica_corners_of_shapes_f32(void *, void *)',

@@ -257,6 +257,18 @@ TYPED_TEST(GuardPagesOfArrays, AreNotTouchedByBoxes) {
         EXPECT_EQ(F::ellipses_from_boxes(boxes, count, stride, VESICA_ANGLE_DEGREES, ellipses), 0);
         EXPECT_EQ(written(rects, n), n);
         EXPECT_EQ(written(ellipses, n), n);
+        const std::size_t eight = 8 + gap;
+        const std::vector<T> equal(n == 0 ? 0 : (n - 1) * eight + 8, T(3));
+        const auto apart = static_cast<std::ptrdiff_t>(eight * sizeof(T));
+        const T* const corners = rooms.copy(equal);
+        auto* const made = rooms.room<typename F::Rect>(n);
+        T* const misfit = rooms.room<T>(n);
+        EXPECT_EQ(F::rects_from_corners(corners, count, apart, made), 0);
+        EXPECT_EQ(written(made, n), n);
+        typename F::Shapes shapes;
+        EXPECT_EQ(F::from_records(VESICA_RECT, count, made, sizeof(typename F::Rect), &shapes), 0);
+        EXPECT_EQ(F::rect_corners_misfit_many(corners, apart, &shapes, misfit), 0);
+        EXPECT_EQ(written(misfit, n), n);
       }
       for (int kind = 0; kind < properties::kinds; ++kind) {
         const std::span<const Numbers<T>> shapes(mixed_pairs<T>(kind, kind).a.data(), n);

@@ -2763,7 +2763,42 @@ extern "C" {
     /// Since: 0.1.
     pub fn vesica_ellipses_from_boxes_f64(boxes: *const f64, count: i64, stride: isize, angle: i32,
         out: *mut Ellipse<f64>) -> i64;
-    /// Boxes from rectangles or from ellipses: the inverse of the two functions above.
+    /// Rectangles from four corners each: out\[i\] is the result of vesica_rect_from_corners_f64.
+    ///
+    /// Crossed corners, in another order than round the outline, make their element invalid.
+    ///
+    /// Requires: corners, `count` rows of eight numbers x0 y0 ... x3 y3 with any alignment, `stride` bytes apart; out,
+    /// room for `count`.
+    ///
+    /// Returns: 0.
+    ///
+    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would overflow: all
+    /// numbers of that result are NaN, and all other results are written as usual. Before anything is written:
+    /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array
+    /// that exceeds the address space, an unknown unit of angles).
+    ///
+    /// Accuracy: as vesica_rect_from_corners_f64.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_rects_from_corners_f64(corners: *const f64, count: i64, stride: isize, out: *mut Rect<f64>) -> i64;
+    /// How far corners are from those of rectangles: misfit\[i\] is the result of vesica_rect_corners_misfit_f64.
+    ///
+    /// Requires: corners, a row for each rectangle, as vesica_rects_from_corners_f64; rects, of kind VESICA_RECT;
+    /// misfit, room for `count`.
+    ///
+    /// Returns: 0.
+    ///
+    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would overflow: all
+    /// numbers of that result are NaN, and all other results are written as usual. Before anything is written:
+    /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array
+    /// that exceeds the address space, an unknown unit of angles).
+    ///
+    /// Accuracy: as vesica_rect_corners_misfit_f64.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_rect_corners_misfit_many_f64(corners: *const f64, stride: isize, rects: *const Shapes<f64>,
+        misfit: *mut f64) -> i64;
+    /// Boxes from rectangles or from ellipses: the inverse of the first two functions.
     ///
     /// Angles are from -180 to 180 degrees, in the unit asked for.
     ///
@@ -2928,7 +2963,44 @@ extern "C" {
     /// Since: 0.1.
     pub fn vesica_ellipses_from_boxes_f32(boxes: *const f32, count: i64, stride: isize, angle: i32,
         out: *mut Ellipse<f32>) -> i64;
-    /// Boxes from rectangles or from ellipses: the inverse of the two functions above.
+    /// Rectangles from four corners each: out\[i\] is the result of vesica_rect_from_corners_f32.
+    ///
+    /// Crossed corners, in another order than round the outline, make their element invalid.
+    ///
+    /// Requires: corners, `count` rows of eight numbers x0 y0 ... x3 y3 with any alignment, `stride` bytes apart; out,
+    /// room for `count`.
+    ///
+    /// Returns: 0.
+    ///
+    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would overflow: all
+    /// numbers of that result are NaN, and all other results are written as usual. Before anything is written:
+    /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array
+    /// that exceeds the address space, an unknown unit of angles).
+    ///
+    /// Accuracy: as vesica_rect_from_corners_f32.
+    /// Each number is computed in double, within these bounds, and then rounded to float once.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_rects_from_corners_f32(corners: *const f32, count: i64, stride: isize, out: *mut Rect<f32>) -> i64;
+    /// How far corners are from those of rectangles: misfit\[i\] is the result of vesica_rect_corners_misfit_f32.
+    ///
+    /// Requires: corners, a row for each rectangle, as vesica_rects_from_corners_f32; rects, of kind VESICA_RECT;
+    /// misfit, room for `count`.
+    ///
+    /// Returns: 0.
+    ///
+    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would overflow: all
+    /// numbers of that result are NaN, and all other results are written as usual. Before anything is written:
+    /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array
+    /// that exceeds the address space, an unknown unit of angles).
+    ///
+    /// Accuracy: as vesica_rect_corners_misfit_f32.
+    /// Each number is computed in double, within these bounds, and then rounded to float once.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_rect_corners_misfit_many_f32(corners: *const f32, stride: isize, rects: *const Shapes<f32>,
+        misfit: *mut f32) -> i64;
+    /// Boxes from rectangles or from ellipses: the inverse of the first two functions.
     ///
     /// Angles are from -180 to 180 degrees, in the unit asked for.
     ///
@@ -5141,6 +5213,9 @@ pub unsafe trait Scalar: Copy + Default + PartialEq + PartialOrd + core::fmt::De
     unsafe fn rects_from_boxes(boxes: *const Self, count: i64, stride: isize, angle: i32, out: *mut Rect<Self>) -> i64;
     unsafe fn ellipses_from_boxes(boxes: *const Self, count: i64, stride: isize, angle: i32,
         out: *mut Ellipse<Self>) -> i64;
+    unsafe fn rects_from_corners(corners: *const Self, count: i64, stride: isize, out: *mut Rect<Self>) -> i64;
+    unsafe fn rect_corners_misfit_many(corners: *const Self, stride: isize, rects: *const Shapes<Self>,
+        misfit: *mut Self) -> i64;
     unsafe fn boxes_from_shapes(shapes: *const Shapes<Self>, angle: i32, boxes: *mut Self) -> i64;
     unsafe fn corners_of_shapes(shapes: *const Shapes<Self>, corners: *mut Self) -> i64;
     unsafe fn bounds_many(shapes: *const Shapes<Self>, out: *mut Aabb<Self>) -> i64;
@@ -5528,6 +5603,15 @@ unsafe impl Scalar for f64 {
     unsafe fn ellipses_from_boxes(boxes: *const f64, count: i64, stride: isize, angle: i32,
         out: *mut Ellipse<f64>) -> i64 {
         vesica_ellipses_from_boxes_f64(boxes, count, stride, angle, out)
+    }
+    #[inline]
+    unsafe fn rects_from_corners(corners: *const f64, count: i64, stride: isize, out: *mut Rect<f64>) -> i64 {
+        vesica_rects_from_corners_f64(corners, count, stride, out)
+    }
+    #[inline]
+    unsafe fn rect_corners_misfit_many(corners: *const f64, stride: isize, rects: *const Shapes<f64>,
+        misfit: *mut f64) -> i64 {
+        vesica_rect_corners_misfit_many_f64(corners, stride, rects, misfit)
     }
     #[inline]
     unsafe fn boxes_from_shapes(shapes: *const Shapes<f64>, angle: i32, boxes: *mut f64) -> i64 {
@@ -6091,6 +6175,15 @@ unsafe impl Scalar for f32 {
     unsafe fn ellipses_from_boxes(boxes: *const f32, count: i64, stride: isize, angle: i32,
         out: *mut Ellipse<f32>) -> i64 {
         vesica_ellipses_from_boxes_f32(boxes, count, stride, angle, out)
+    }
+    #[inline]
+    unsafe fn rects_from_corners(corners: *const f32, count: i64, stride: isize, out: *mut Rect<f32>) -> i64 {
+        vesica_rects_from_corners_f32(corners, count, stride, out)
+    }
+    #[inline]
+    unsafe fn rect_corners_misfit_many(corners: *const f32, stride: isize, rects: *const Shapes<f32>,
+        misfit: *mut f32) -> i64 {
+        vesica_rect_corners_misfit_many_f32(corners, stride, rects, misfit)
     }
     #[inline]
     unsafe fn boxes_from_shapes(shapes: *const Shapes<f32>, angle: i32, boxes: *mut f32) -> i64 {
