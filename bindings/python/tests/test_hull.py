@@ -36,7 +36,7 @@ class Hull(unittest.TestCase):
         quads[0, 0, 0] = numpy.inf
         with self.assertRaises(vesica.VesicaError) as caught:
             vesica.min_area_rects(quads)
-        self.assertIn("the first is number 0", str(caught.exception))
+        self.assertIn("row 0 of shape: ring 0, vertex 0 is (inf, 0)", str(caught.exception))
         numpy.testing.assert_allclose(caught.exception.result[1, 4:], 2.5)
 
 

@@ -175,13 +175,13 @@ class Constructors(unittest.TestCase):
                 made = vesica.ellipses(numpy.array([row], dtype)).numbers[0].tolist()
                 self.assertEqual(made, [0, 0, 1, 0, float(row[2]), float(row[3])])
         rows = numpy.array([[1, 2, 3, 5e-324, 0], [0, 0, -1, 1, 0], [0, 0, math.nan, 1, 0], [0, 0, 1, math.inf, 0]])
-        with self.assertRaisesRegex(vesica.VesicaError, "3 invalid rows, the first is number 1") as caught:
+        with self.assertRaisesRegex(vesica.VesicaError, "row 1: a is -1 .the first of 3 invalid rows") as caught:
             vesica.ellipses(rows)
         self.assertEqual(caught.exception.result[0].numbers.tolist(), [1, 2, 1, 0, 3, 5e-324])
         self.assertEqual(rows[0, 2], 3)
 
     def test_invalid_rows(self):
-        with self.assertRaisesRegex(vesica.VesicaError, "1 invalid rows, the first is number 1") as caught:
+        with self.assertRaisesRegex(vesica.VesicaError, "^row 1: width is -6$") as caught:
             vesica.rects([[1, 2, 6, 4, 0], [1, 2, -6, 4, 0]])
         self.assertEqual(caught.exception.result[0].numbers.tolist(), [1, 2, 1, 0, 3, 2])
         with self.assertRaises(vesica.VesicaError):
@@ -205,7 +205,7 @@ class Constructors(unittest.TestCase):
     def test_rounded_rectangles_with_a_wrong_radius(self):
         rows = [[1, 2, 6, 4, 0, 2], [1, 2, 6, 4, 0, 2.1], [1, 2, 6, 4, 0, -1], [1, 2, -6, -4, 0, -9]]
         rows += [[1, 2, 6, 4, 0, math.nan], [1, 2, 6, 4, 0, math.inf], [1, 2, math.inf, 4, 0, math.inf]]
-        with self.assertRaisesRegex(vesica.VesicaError, "6 invalid rows, the first is number 1") as caught:
+        with self.assertRaisesRegex(vesica.VesicaError, "row 1: radius is 2.1, above half of height, 4 .the first of 6") as caught:
             vesica.round_rects(rows)
         self.assertEqual(caught.exception.result[0].numbers.tolist(), [1, 2, 1, 0, 1, 0, 2])
         self.assertTrue(numpy.isnan(caught.exception.result.numbers[1:]).all())
@@ -216,14 +216,22 @@ class Constructors(unittest.TestCase):
         self.assertEqual(vesica.rects_from_corners(corners).numbers.tolist(), [1, 0.5, 1, 0, 1, 0.5])
         self.assertEqual(len(vesica.rects_from_corners([corners] * 3)), 3)
         self.assertEqual(len(vesica.rects_from_corners([])), 0)
-        with self.assertRaisesRegex(ValueError, r"\(n, 4, 2\)"):
-            vesica.rects_from_corners([0] * 8)
-        with self.assertRaisesRegex(vesica.VesicaError, "rect 1"):
+        flat = [0, 0, 2, 0, 2, 1, 0, 1]
+        for one in (flat, numpy.array(flat, "f4"), numpy.repeat(numpy.array(flat), 2)[::2]):
+            self.assertEqual(vesica.rects_from_corners(one).numbers.tolist(), [1, 0.5, 1, 0, 1, 0.5])
+        rows = numpy.array([flat] * 3)
+        for many in (rows, numpy.asfortranarray(rows), rows.tolist(), rows.reshape(3, 4, 2)[::-1], rows.astype("f4")):
+            self.assertEqual(vesica.rects_from_corners(many).numbers.tolist(), [[1, 0.5, 1, 0, 1, 0.5]] * 3)
+        with self.assertRaisesRegex(ValueError, r"\(n, 4, 2\), .*not \(6,\)"):
+            vesica.rects_from_corners([0] * 6)
+        with self.assertRaisesRegex(vesica.VesicaError, r"^row 1: corner 0 is \(nan, 0\)$"):
             vesica.rects_from_corners([corners, [[math.nan, 0]] * 4])
         rows_of_a_table = [[0, 0], [2, 0], [0, 1], [2, 1]]
-        with self.assertRaisesRegex(vesica.VesicaError, "rect 1: corners are crossed") as caught:
+        with self.assertRaisesRegex(vesica.VesicaError, "^row 1: corners are crossed") as caught:
             vesica.rects_from_corners([corners, rows_of_a_table])
-        self.assertEqual(caught.exception.code, vesica._declarations.E_ARGUMENT)
+        self.assertEqual(caught.exception.result[0].numbers.tolist(), [1, 0.5, 1, 0, 1, 0.5])
+        self.assertEqual(caught.exception.result.invalid().tolist(), [1])
+        self.assertEqual(caught.exception.code, vesica._declarations.E_SHAPE)
 
     def test_misfit_of_corners(self):
         skewed = [[0, 0], [4, 0], [5, 1], [1, 1]]
@@ -257,7 +265,7 @@ class Constructors(unittest.TestCase):
             matrix = numpy.eye(2)
             matrix[nan] = math.nan
             kept = matrix.copy()
-            with self.assertRaisesRegex(vesica.VesicaError, "ellipse 0") as caught:
+            with self.assertRaisesRegex(vesica.VesicaError, "^c.. is nan") as caught:
                 vesica.ellipses_from_covariance([1, 2], matrix)
             self.assertEqual(caught.exception.code, vesica._declarations.E_NOT_FINITE)
             numpy.testing.assert_array_equal(matrix, kept)
@@ -273,17 +281,17 @@ class Refused(unittest.TestCase):
         of = vesica.rect_corners_misfit
         self.refused(TypeError, "corners are float64 and rect float32", of, square, rect.astype("f4"))
         self.refused(ValueError, "corners are of 2 rectangles, and rect has 1", of, [square] * 2, rect)
-        self.refused(ValueError, r"\(n, 4, 2\)", of, [0] * 8, rect)
+        self.refused(ValueError, r"\(n, 4, 2\)", of, [0] * 6, rect)
         self.refused(TypeError, "say which shapes", of, square, square)
         self.refused(vesica.VesicaError, "circle shapes, not rectangles", of, square, vesica.circles([0, 0, 1]))
         negative = vesica.shapes(Kind.RECT, [0, 0, 1, 0, 1, -1])
-        self.refused(vesica.VesicaError, "rect 0: .*negative", of, square, negative)
+        self.refused(vesica.VesicaError, "^rect: hy is -1$", of, square, negative)
 
     def test_arrays(self):
         self.refused(ValueError, "6 numbers each .cx cy ux uy hx hy.*not .7,", vesica.shapes, Kind.RECT, [1] * 7)
         self.refused(ValueError, "5 numbers each .x y width height angle", vesica.rects, [[1, 2, 3, 4]])
         self.refused(ValueError, "not .1, 2, 3", vesica.circles, [[[1, 2, 3], [4, 5, 6]]])
-        self.refused(TypeError, "float64 or float32 numbers, not <U1", vesica.points, ["a", "b"])
+        self.refused(TypeError, "points: row 0 is 'a', not numbers", vesica.points, ["a", "b"])
         self.refused(TypeError, "not float16", vesica.points, numpy.zeros(2, "f2"))
         self.refused(TypeError, "not complex128", vesica.points, numpy.zeros(2, complex))
         self.refused(ValueError, "missing: r", vesica.shapes, Kind.CIRCLE, numpy.zeros(2, [("cx", "f8"), ("cy", "f8")]))
@@ -374,9 +382,11 @@ class Refused(unittest.TestCase):
             (vesica.boxes, [points]),
             (vesica.nms, [points, [1]]),
             (vesica.nms_soft, [points, [1]]),
-            (vesica.intersection, [discs[0], discs[0]]),
         ):
-            self.refused(vesica.VesicaError, "not for this kind of shape", call, *arguments)
+            self.refused(vesica.VesicaError, "^not for point shapes$", call, *arguments)
+        self.refused(vesica.VesicaError, "^not for circle shapes$", vesica.intersection, discs[0], discs[0])
+        quad = vesica.polygons([[0, 0], [1, 0], [1, 1]])
+        self.refused(vesica.VesicaError, "^not for circle and polygon shapes$", vesica.intersection, discs[0], quad)
 
     def test_outputs(self):
         discs = vesica.circles(numpy.ones((3, 3)))
@@ -432,7 +442,7 @@ class Refused(unittest.TestCase):
 
     def test_invalid_shapes(self):
         discs = vesica.circles([[0, 0, 1], [0, 0, -1], [1, 1, 1], [math.nan, 0, 1]])
-        with self.assertRaisesRegex(vesica.VesicaError, "2 invalid shapes in a, the first is number 1") as caught:
+        with self.assertRaisesRegex(vesica.VesicaError, "^row 1 of a: r is -1 .the first of 2 invalid rows.$") as caught:
             vesica.overlap(discs, DISC)
         self.assertEqual(caught.exception.code, -2)
         self.assertEqual(discs.invalid().tolist(), [1, 3])
@@ -449,11 +459,11 @@ class Refused(unittest.TestCase):
             vesica.nms(discs, [1, 2, 3, 4], 0.5)
         self.assertEqual(caught.exception.result.tolist(), [2, 0])
         for call in (vesica.nms, vesica.nms_soft):
-            with self.assertRaisesRegex(vesica.VesicaError, "^2 scores that are NaN, the first is number 1$"):
+            with self.assertRaisesRegex(vesica.VesicaError, "^row 1 of scores: it is NaN .the first of 2 invalid rows.$"):
                 call(discs[[0, 2, 0]], [1, math.nan, math.nan])
-            with self.assertRaisesRegex(vesica.VesicaError, "1 invalid shapes in boxes, .* 1; 1 scores .* number 0"):
+            with self.assertRaisesRegex(vesica.VesicaError, "^row 1 of boxes: r is -1; row 0 of scores: it is NaN$"):
                 call(discs[:2], [math.nan, 1])
-        with self.assertRaisesRegex(vesica.VesicaError, "negative"):
+        with self.assertRaisesRegex(vesica.VesicaError, "^r is -1$"):
             vesica.check(discs[1])
         vesica.check(discs[0])
 

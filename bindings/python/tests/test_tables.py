@@ -39,9 +39,9 @@ class Tables(unittest.TestCase):
         self.assertEqual(vesica.circles(Table({"a": X, "b": Y, "c": R})).numbers.tolist()[1], [4, 4, 1])
 
     def test_wrong_ones(self):
-        with self.assertRaisesRegex(ValueError, "circle shapes need fields cx cy r; missing: r"):
+        with self.assertRaisesRegex(ValueError, "circles need fields cx cy r; missing: r"):
             vesica.circles({"cx": X, "cy": Y})
-        with self.assertRaisesRegex(ValueError, "columns of different lengths: 3, 2, 3"):
+        with self.assertRaisesRegex(ValueError, "circles have columns of different lengths: cx 3, cy 2, r 3"):
             vesica.circles({"cx": X, "cy": Y[:2], "r": R})
         with self.assertRaisesRegex(TypeError, "all float64 or all float32"):
             vesica.circles({"cx": X, "cy": Y, "r": R.astype("f4")})

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The loaded C library, and its errors as exceptions."""
 import ctypes
+import math
+import operator
 import pathlib
 
 import numpy
@@ -50,16 +52,60 @@ def by_scalar(name):
     return {letter: getattr(library, f"vesica_{name}_{suffix}") for letter, suffix in (("d", "f64"), ("f", "f32"))}
 
 
+ABOVE_ZERO = 5e-324  # the least number that is
+
+
+def real(value, name, dtype=numpy.float64, least=-math.inf, most=math.inf):
+    """A number of a call, rounded to the shapes' type; an error that names it if it is not from least to most."""
+    if isinstance(value, (str, bytes)):
+        raise TypeError(f"{name} is {value!r}, not a number")
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        raise TypeError(f"{name} is of the type {type(value).__name__}, not a number") from None
+    with numpy.errstate(all="ignore"):
+        rounded = float(numpy.dtype(dtype).type(number))
+    if not least <= rounded <= most:
+        raise VesicaError(_declarations.E_ARGUMENT, f"{name} is {plainly(number)}{_range(least, most)}")
+    return rounded
+
+
+def whole(value, name, least=0, most=math.inf):
+    """A whole number of a call, which ctypes would wrap; an error that names it if it is not from least to most."""
+    try:
+        number = operator.index(value)
+    except TypeError:
+        given = repr(value) if isinstance(value, (str, bytes, float)) else f"of the type {type(value).__name__}"
+        raise TypeError(f"{name} is {given}, not a whole number") from None
+    if not least <= number <= most:
+        raise VesicaError(_declarations.E_ARGUMENT, f"{name} is {number}{_range(least, most)}")
+    return number
+
+
+def _range(least, most):
+    most = math.inf if most >= 1 << 62 and isinstance(most, int) else most  # what has room in 64 bits
+    if least == -math.inf:
+        return ", not a number" if most == math.inf else f" ({plainly(most)} at most)"
+    if least == ABOVE_ZERO:
+        return " (above 0)"
+    return f" ({plainly(least)} or more)" if most == math.inf else f" ({plainly(least)} to {plainly(most)})"
+
+
+def plainly(number):
+    """A number as people write it: 3, not 3.0, with all its digits."""
+    text = str(number)
+    return text[:-2] if text.endswith(".0") else text
+
+
+def one_of(enumeration, value, name):
+    """A member of an enumeration; an error that lists its members for anything else."""
+    try:
+        return enumeration(value)
+    except ValueError:
+        members = ", ".join(member.name for member in enumeration)
+        raise ValueError(f"{name} is {value!r}, not one of vesica.{enumeration.__name__}: {members}") from None
+
+
 def first_rows(array, count):
     """The first rows of an array, in memory of their own: a view would keep all of the array's."""
     return array if count == len(array) else array[:count].copy()
-
-
-def all_points(function, a, b, *more):
-    """The points (n, 2) that a function of two single shapes writes. Without polygons they are at most 12."""
-    out = numpy.empty((12, 2), a.dtype)
-    while True:
-        count = checked(function(a.kind, a.record, b.kind, b.record, out.ctypes.data, len(out), *more))
-        if count <= len(out):
-            return first_rows(out, count)
-        out = numpy.empty((count, 2), a.dtype)

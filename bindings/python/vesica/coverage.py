@@ -5,8 +5,9 @@ import ctypes
 import numpy
 
 from . import _declarations
-from ._library import by_scalar, checked
-from .shapes import the_shapes
+from ._library import ABOVE_ZERO, by_scalar, real, whole
+from .motion import finite
+from .shapes import accepted, the_shapes
 
 _COVERAGE, _COVERAGE_CELLS = by_scalar("coverage"), by_scalar("coverage_cells")
 _GRIDS = {"d": _declarations.grid_f64, "f": _declarations.grid_f32}
@@ -20,7 +21,8 @@ def coverage(shape, rows, columns, *, origin=(0, 0), cell=(1, 1)):
     """
     grid = _grid(shape, rows, columns, origin, cell)
     out = numpy.empty((rows, columns), shape.dtype)
-    checked(_COVERAGE[shape.letter](shape.kind, shape.record, ctypes.byref(grid), out.ctypes.data, columns))
+    code = _COVERAGE[shape.letter](shape.kind, shape.record, ctypes.byref(grid), out.ctypes.data, columns)
+    accepted(code, shape=shape)
     return out
 
 
@@ -32,11 +34,9 @@ def coverage_cells(shape, rows, columns, *, origin=(0, 0), cell=(1, 1)):
     grid = _grid(shape, rows, columns, origin, cell)
 
     def ask(cells, shares):
-        return checked(
-            _COVERAGE_CELLS[shape.letter](
-                shape.kind, shape.record, ctypes.byref(grid), cells.ctypes.data, shares.ctypes.data, len(cells)
-            )
-        )
+        outputs = cells.ctypes.data, shares.ctypes.data, len(cells)
+        code = _COVERAGE_CELLS[shape.letter](shape.kind, shape.record, ctypes.byref(grid), *outputs)
+        return accepted(code, shape=shape)
 
     count = ask(numpy.empty(0, numpy.int64), numpy.empty(0, shape.dtype))
     cells, shares = numpy.empty(count, numpy.int64), numpy.empty(count, shape.dtype)
@@ -46,6 +46,12 @@ def coverage_cells(shape, rows, columns, *, origin=(0, 0), cell=(1, 1)):
 
 def _grid(shape, rows, columns, origin, cell):
     if not the_shapes(shape, "shape").single:
-        raise TypeError("the shares are those of a single shape")
-    width, height = cell if numpy.ndim(cell) else (cell, cell)
-    return _GRIDS[shape.letter](*origin, width, height, columns, rows)
+        raise TypeError("shape is an array: the shares are those of a single shape, shape[i]")
+    rows, columns = whole(rows, "rows", 0, _MOST), whole(columns, "columns", 0, _MOST)
+    cell = cell if numpy.ndim(cell) else (cell, cell)
+    sizes = finite(cell, "cell", "(width, height)", shape.dtype)
+    sizes = [real(size, "cell", shape.dtype, ABOVE_ZERO) for size in sizes]
+    return _GRIDS[shape.letter](*finite(origin, "origin", "(x, y)", shape.dtype), *sizes, columns, rows)
+
+
+_MOST = (1 << 63) - 1

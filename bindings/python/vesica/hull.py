@@ -19,7 +19,7 @@ def convex_hull(points):
     """
     path = _paths(points)
     if not path.single:
-        raise ValueError("convex_hull takes the points of one shape; index an array of them")
+        raise ValueError(f"convex_hull takes the points (n, 2) of one shape, not an array of {len(path)} shapes")
     out = numpy.empty((sum(len(ring) for ring in path.rings[0]), 2), path.dtype)
     count = checked(_CONVEX_HULL[path.letter](path.record, out.ctypes.data, len(out)))
     return first_rows(out, count)

@@ -2,15 +2,14 @@
 """All pairs among millions: an index of shapes, joins, windows and nearest shapes."""
 import ctypes
 import math
-import operator
 
 import numpy
 
 from . import _declarations
-from ._library import VesicaError, by_scalar, checked, first_rows, library
-from .motion import first_of, new_impact, pair
+from ._library import VesicaError, by_scalar, checked, first_rows, library, one_of, real, whole
+from .motion import first_of, motion, new_impact
 from .queries import Ratio
-from .shapes import one_shape, same_scalar, the_shapes
+from .shapes import Shapes, accepted, first_of_rows, one_shape, same_scalar, the_shapes
 
 _QUERIES = {
     "overlap": _declarations.JOIN_OVERLAP,
@@ -30,10 +29,8 @@ _NO_OUTPUT = (None, None, 0, None)
 
 def _part_of(part, parts):
     """Both as whole numbers that make sense, because ctypes would wrap any other."""
-    part, parts = operator.index(part), operator.index(parts)
-    if not 0 <= part < parts < 1 << 63:
-        raise VesicaError(_declarations.E_ARGUMENT, f"no part {part} of {parts}: 0 <= part < parts < 2**63")
-    return part, parts
+    parts = whole(parts, "parts", 1, (1 << 63) - 1)
+    return whole(part, "part", 0, parts - 1), parts
 
 
 def _aligned(size):
@@ -48,6 +45,17 @@ def _copied(data):
     copy = _aligned(len(data))
     copy[:] = data
     return copy
+
+
+def _refused(code, result, sets):
+    """The error of a call with sets, which names the first row that is invalid."""
+    if code != _declarations.E_SHAPE:
+        return VesicaError(code)
+    for i, shapes in enumerate(sets):
+        rows = shapes.invalid()
+        if len(rows):
+            return VesicaError(code, first_of_rows(rows, shapes.fault(rows[0]), f" of sets[{i}]"), result)
+    return VesicaError(code, None, result)
 
 
 def _pairs(ask, *more):
@@ -164,7 +172,8 @@ class Index:
         other = self._joined(other)
         indexes = self._address(), self._sets, len(self._sets), other._address(), other._sets, len(other._sets)
         ask, parts = _JOIN_WITHIN[self._letter], _part_of(part, parts)
-        return _pairs(lambda *output: checked(ask(*indexes, float(distance), *parts, *output)))
+        distance = real(distance, "distance", self.sets[0].dtype)
+        return _pairs(lambda *output: checked(ask(*indexes, distance, *parts, *output)))
 
     def join_ratio(self, other=None, ratio=Ratio.OVER_UNION, threshold=0.0, part=0, parts=1):
         """All pairs that overlap and whose ratio, such as IoU, is at least `threshold`: (first, second, ratio).
@@ -173,7 +182,8 @@ class Index:
         overlaps; for GIoU, DIoU and CIoU, which may be negative, -inf does. Pairs without a ratio, since neither shape
         has an area, are left out. The threshold is first rounded to the shapes' type.
         """
-        other, asked = self._joined(other), (Ratio(ratio), float(threshold))
+        other = self._joined(other)
+        asked = one_of(Ratio, ratio, "ratio"), real(threshold, "threshold", self.sets[0].dtype)
         return _pairs(
             lambda *output: self._join_by(_JOIN_RATIO, asked, other, part, parts, output), self.sets[0].dtype
         )
@@ -185,7 +195,8 @@ class Index:
     def _joined(self, other):
         other = self if other is None else other
         if not isinstance(other, Index):
-            raise TypeError(f"other is {type(other).__name__}, not an index")
+            hint = ": vesica.Index(other) makes one" if isinstance(other, Shapes) else ""
+            raise TypeError(f"other is of the type {type(other).__name__}, not an index{hint}")
         same_scalar(self.sets[0], other.sets[0], "this index", "the other")
         if other is not self and other._address() == self._address():
             # Both were read in place from the same bytes. The library would take them for one index.
@@ -194,7 +205,7 @@ class Index:
 
     def _join(self, other, query, part, parts, output):
         if query not in _QUERIES:
-            raise ValueError(f"query is one of {', '.join(_QUERIES)}, not {query!r}")
+            raise ValueError(f"query is {query!r}, not one of {', '.join(_QUERIES)}")
         return self._join_by(_JOIN, (_QUERIES[query],), other, part, parts, output)
 
     def _join_by(self, functions, asked, other, part, parts, output):
@@ -212,12 +223,12 @@ class Index:
     def select(self, shape):
         """The items that a single shape overlaps. For many shapes, index and join them."""
         same_scalar(self.sets[0], one_shape(shape, "shape"), "the index", "shape")
-        return self._items(_SELECT[self._letter], ctypes.byref(shape.view))
+        return self._items(_SELECT[self._letter], shape)
 
-    def _items(self, function, *asked):
+    def _items(self, function, shape, *asked):
         """All items of a question, which is put twice: how many, and which."""
-        arguments = (self._address(), self._sets, len(self._sets), *asked)
-        count = checked(function(*arguments, None, 0, None))
+        arguments = (self._address(), self._sets, len(self._sets), ctypes.byref(shape.view), *asked)
+        count = accepted(function(*arguments, None, 0, None), shape=shape)
         out, state = numpy.empty(count, numpy.int64), numpy.zeros(4, numpy.int64)
         if count:
             checked(function(*arguments, out.ctypes.data, count, state.ctypes.data))
@@ -229,19 +240,17 @@ class Index:
         velocity and t_end are first rounded to the shapes' type.
         """
         same_scalar(self.sets[0], one_shape(shape, "shape"), "the index", "shape")
-        return self._items(_CAST[self._letter], ctypes.byref(shape.view), *pair(velocity), float(t_end))
+        return self._items(_CAST[self._letter], shape, *motion(velocity, t_end, shape.dtype))
 
     def cast_first(self, shape, velocity, t_end=math.inf):
         """The item that a moving shape touches first, the lowest of several: (item, Impact), or None; as cast."""
         same_scalar(self.sets[0], one_shape(shape, "shape"), "the index", "shape")
         record = new_impact(self._letter)
-        item = checked(
-            _CAST_FIRST[self._letter](
-                *(self._address(), self._sets, len(self._sets), ctypes.byref(shape.view)),
-                *(*pair(velocity), float(t_end), ctypes.byref(record)),
-            )
+        item = _CAST_FIRST[self._letter](
+            *(self._address(), self._sets, len(self._sets), ctypes.byref(shape.view)),
+            *(*motion(velocity, t_end, shape.dtype), ctypes.byref(record)),
         )
-        return first_of(item, self.count, record)
+        return first_of(accepted(item, shape=shape), self.count, record)
 
     def nearest(self, shape, k=1, within=math.inf):
         """The k items nearest to a single shape, and their distances, nearest first; at equal distances by number.
@@ -249,14 +258,13 @@ class Index:
         within, the largest distance, is first rounded to the shapes' type.
         """
         same_scalar(self.sets[0], one_shape(shape, "shape"), "the index", "shape")
-        k = operator.index(k)
+        k, within = min(whole(k, "k"), self.count), real(within, "within", shape.dtype, 0)
         out, distance = numpy.empty(k, numpy.int64), numpy.empty(k, shape.dtype)
-        found = checked(
-            _NEAREST[self._letter](
-                *(self._address(), self._sets, len(self._sets), ctypes.byref(shape.view)),
-                *(k, float(within), out.ctypes.data, distance.ctypes.data),
-            )
+        found = _NEAREST[self._letter](
+            *(self._address(), self._sets, len(self._sets), ctypes.byref(shape.view)),
+            *(k, within, out.ctypes.data, distance.ctypes.data),
         )
+        accepted(found, shape=shape)
         return (first_rows(out, found), first_rows(distance, found)) if k else (out, distance)
 
     def nearest_of_each(self, *sets, k=1, within=math.inf):
@@ -267,12 +275,13 @@ class Index:
         for i, shapes in enumerate(sets):
             same_scalar(self.sets[0], shapes, "the index", f"sets[{i}]")
         asked = (type(self.sets[0].view) * len(sets))(*(shapes.view for shapes in sets))
-        count, k = sum(len(shapes.columns[0]) for shapes in sets), operator.index(k)
+        count, k = sum(len(shapes.columns[0]) for shapes in sets), whole(k, "k", 1)
+        within = real(within, "within", self.sets[0].dtype, 0)
         out, distance = numpy.empty((count, k), numpy.int64), numpy.empty((count, k), self.sets[0].dtype)
         code = _JOIN_NEAREST[self._letter](
             *(asked, len(sets), self._address(), self._sets, len(self._sets)),
-            *(k, float(within), 0, 1, out.ctypes.data, distance.ctypes.data),
+            *(k, within, 0, 1, out.ctypes.data, distance.ctypes.data),
         )
         if code < 0:
-            raise VesicaError(code, result=(out, distance) if code == _declarations.E_SHAPE else None)
+            raise _refused(code, (out, distance), sets)
         return out, distance

@@ -8,9 +8,9 @@ from typing import NamedTuple
 import numpy
 
 from . import _declarations
-from ._library import VesicaError, by_scalar, checked
+from ._library import ABOVE_ZERO, VesicaError, by_scalar, plainly, real
 from .queries import columns_of, finish, in_step
-from .shapes import Kind, one_shape, plain, same_scalar, shapes, the_shapes
+from .shapes import Kind, accepted, first_of_rows, one_shape, plain, same_scalar, shapes, the_shapes
 
 
 class Cast(enum.IntEnum):
@@ -56,19 +56,23 @@ def impact_of(record):
     return Impact(*(getattr(record, field) for field in Impact._fields))
 
 
-def _floats(given, form):
-    """As many floats as there are names in the form: "a velocity is (vx, vy)"."""
-    numbers = plain(given, form)
+def finite(given, name, form, dtype):
+    """As many finite floats as there are names in the form: "(vx, vy)"."""
+    numbers = plain(given, name)
     if numbers.dtype.kind not in "iubf":
-        raise TypeError(f"{form}: numbers, not {numbers.dtype}")
+        raise TypeError(f"{name} is {form}: numbers, not {numbers.dtype}")
     if numbers.shape != (form.count(",") + 1,):
-        raise ValueError(f"{form}, not an array of shape {numbers.shape}")
+        raise ValueError(f"{name} is {form}, not an array of shape {numbers.shape}")
+    with numpy.errstate(over="ignore"):
+        finite = numpy.isfinite(numbers.astype(dtype)).all()
+    if not finite:
+        raise VesicaError(_declarations.E_ARGUMENT, f"{name} is ({', '.join(map(plainly, numbers))}), not finite")
     return numbers.astype(numpy.float64).tolist()
 
 
-def pair(velocity):
-    """Two floats."""
-    return _floats(velocity, "a velocity is (vx, vy)")
+def motion(velocity, t_end, dtype):
+    """The numbers of a motion: vx, vy and when it ends."""
+    return (*finite(velocity, "velocity", "(vx, vy)", dtype), real(t_end, "t_end", dtype, 0))
 
 
 def first_of(item, none, record):
@@ -92,25 +96,31 @@ def cast(a, b, velocity, t_end=math.inf, out=None):
         if out is not None:
             raise TypeError("the answer for two single shapes is one Impact: it has no out")
         record = new_impact(letter)
-        numbers = (*pair(velocity), float(t_end), ctypes.byref(record))
-        return Cast(checked(_CAST[letter](a.kind, a.record, b.kind, b.record, *numbers))), impact_of(record)
-    if not t_end >= 0:
-        raise VesicaError(_declarations.E_ARGUMENT, f"t_end is {t_end}, not 0 or more")
+        numbers = (*motion(velocity, t_end, a.dtype), ctypes.byref(record))
+        found = accepted(_CAST[letter](a.kind, a.record, b.kind, b.record, *numbers), a=a, b=b)
+        return Cast(found), impact_of(record)
+    t_end = real(t_end, "t_end", a.dtype, 0)
     count = in_step(a, b)
     vx, vy, stride, velocities = _velocities(velocity, count, a.dtype)
     result = Impact(*columns_of(Impact, out, count, a.dtype, (*a.columns, *b.columns, velocities)))
+
+    def undefined(_):
+        unfit = numpy.flatnonzero(~numpy.isfinite(velocities.reshape(-1, 2)).all(axis=1))
+        first = velocities.reshape(-1, 2)[unfit[0]]
+        return first_of_rows(unfit, f"it is ({', '.join(map(plainly, first))}), not finite", " of velocity")
+
     code = _CAST_MANY[letter](
-        *(ctypes.byref(a.view), ctypes.byref(b.view), vx, vy, stride, float(t_end)),
+        *(ctypes.byref(a.view), ctypes.byref(b.view), vx, vy, stride, t_end),
         *(column.ctypes.data for column in result),
     )
-    return finish(code, result, partial=True, a=a, b=b)
+    return finish(code, result, undefined, a=a, b=b)
 
 
 def _velocities(velocity, count, dtype):
     """The addresses of both columns, the bytes from one to the next, and the array that has them."""
     array = plain(velocity, "velocity")
     if array.dtype.kind not in "iubf":
-        raise TypeError(f"velocities are numbers, not {array.dtype}")
+        raise TypeError(f"velocity has numbers, not {array.dtype}")
     if array.shape not in ((2,), (count, 2)):
         raise ValueError(f"velocity has the shape (2,) or ({count}, 2), not {array.shape}")
     array = array.astype(dtype, copy=False)
@@ -129,8 +139,9 @@ def cast_first(one, many, velocity, t_end=math.inf):
     """
     letter = same_scalar(one_shape(one, "one"), many, "one", "many")
     record, count = new_impact(letter), len(many.columns[0])
-    arguments = (ctypes.byref(one.view), ctypes.byref(many.view), *pair(velocity), float(t_end), ctypes.byref(record))
-    return first_of(checked(_CAST_FIRST[letter](*arguments)), count, record)
+    arguments = ctypes.byref(one.view), ctypes.byref(many.view), *motion(velocity, t_end, one.dtype)
+    item = accepted(_CAST_FIRST[letter](*arguments, ctypes.byref(record)), one=one, many=many)
+    return first_of(item, count, record)
 
 
 def sweep_bounds(shape, velocity, t_end):
@@ -138,8 +149,18 @@ def sweep_bounds(shape, velocity, t_end):
     if not the_shapes(shape, "shape").single:
         raise TypeError("sweep_bounds takes a single shape")
     out = numpy.empty(4, shape.dtype)
-    checked(_SWEEP_BOUNDS[shape.letter](shape.kind, shape.record, *pair(velocity), float(t_end), out.ctypes.data))
+    moved = motion(velocity, t_end, shape.dtype)
+    accepted(_SWEEP_BOUNDS[shape.letter](shape.kind, shape.record, *moved, out.ctypes.data), shape=shape)
     return shapes(Kind.AABB, out)
+
+
+_MOST_RADIANS = 2.0**20
+
+
+def _turn(turn, name, dtype):
+    vx, vy, angle = finite(turn, name, "(vx, vy, angle)", dtype)
+    angle = real(angle, f"the angle of {name}", dtype, -_MOST_RADIANS, _MOST_RADIANS)
+    return _TURNS[dtype.char](vx, vy, angle)
 
 
 def impact_time(a, turn_a, b, turn_b, tolerance):
@@ -158,10 +179,11 @@ def impact_time(a, turn_a, b, turn_b, tolerance):
     letter = same_scalar(a, b)
     if not (a.single and b.single):
         raise TypeError("impact_time takes two single shapes")
-    turns = [_TURNS[letter](*_floats(turn, "a turn is (vx, vy, angle)")) for turn in (turn_a, turn_b)]
+    turns = [_turn(turn_a, "turn_a", a.dtype), _turn(turn_b, "turn_b", a.dtype)]
+    tolerance = real(tolerance, "tolerance", a.dtype, ABOVE_ZERO)
     record, gap = new_impact(letter), _NUMBERS[letter]()
     found = _IMPACT_TIME[letter](
         *(a.kind, a.record, ctypes.byref(turns[0]), b.kind, b.record, ctypes.byref(turns[1])),
-        *(float(tolerance), ctypes.byref(record), ctypes.byref(gap)),
+        *(tolerance, ctypes.byref(record), ctypes.byref(gap)),
     )
-    return Cast(checked(found)), impact_of(record), gap.value
+    return Cast(accepted(found, a=a, b=b)), impact_of(record), gap.value

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Polygons and polylines: shapes of any number of vertices, which are read where numpy has them."""
 import ctypes
+from collections.abc import Mapping
 
 import numpy
 
 from . import _declarations
 from .arrow import is_arrow, of_geoarrow
-from .shapes import VIEWS, Kind, Shapes, _floats, new_shapes
+from .shapes import VIEWS, Kind, Shapes, floats_of, new_shapes, not_finite
 
 # The C struct of a polygon, as numbers of the size of a pointer: x, y, stride, rings, count.
 _STRUCT = numpy.dtype(
@@ -96,6 +97,13 @@ class Paths(Shapes):
     def structs(self):
         return self.columns[0]
 
+    def fault(self, i):
+        for k, ring in enumerate(self[int(i) : int(i) + 1].rings[0] if not self.single else self.rings[0]):
+            wrong = not_finite(f"ring {k}, vertex", ring)
+            if wrong:
+                return wrong
+        return "it has no vertex"
+
 
 def _paths_of(kind, dtype, structs, kept, single=False):
     """Paths of C structs that lead into the arrays that are kept."""
@@ -108,8 +116,9 @@ def _paths_of(kind, dtype, structs, kept, single=False):
 def polygons(vertices, *offsets):
     """Polygons. Their holes, and what is inside, follow from the even-odd rule, in whatever order the rings are.
 
-    vertices: (n, k, 2), so that (n, 4, 2) are quads and (n, 3, 2) triangles; (k, 2) for a single polygon; a list of
-    polygons, each (k, 2) or a list of rings; (m, 2) with offsets; or an array of Arrow in GeoArrow's form, which has
+    vertices: (n, k, 2), so that (n, 4, 2) are quads and (n, 3, 2) triangles; (k, 2) for a single polygon; rows of
+    x0 y0 x1 y1 x2 y2 ..., so that (n, 8) are quads; a list of polygons, each (k, 2), such a row, or a list of rings;
+    (m, 2) with offsets; or an array of Arrow in GeoArrow's form, which has
     __arrow_c_array__ or __arrow_c_stream__. Arrays are read where they lie.
     offsets: where each ring begins among the vertices, with the end: one ring a polygon. With a second array, where each
     polygon begins among the rings: those of GeoArrow, and of shapely.to_ragged_array.
@@ -134,28 +143,59 @@ def _of_arrow(kind, array):
 
 
 def _make(kind, vertices, offsets):
+    what = f"{kind.name.lower()}s"
     if not offsets and is_arrow(vertices):
         return _of_arrow(kind, vertices)
     if len(offsets) == 1 and isinstance(offsets[0], tuple):
         offsets = offsets[0]
     if offsets:
-        return _of_offsets(kind, _pairs(vertices), *offsets)
-    if isinstance(vertices, (list, tuple)) and not _is_even(vertices):
-        return _of_rings(kind, [each if _is_ragged(each) else [each] for each in vertices])
-    vertices = _floats(vertices)
+        return _of_offsets(kind, _pairs(vertices, f"vertices of {what} with offsets"), *offsets)
+    if isinstance(vertices, numpy.ndarray) and vertices.dtype == object and vertices.ndim == 1:
+        vertices = vertices.tolist()  # arrays in an array, as tables have them
+    if isinstance(vertices, (list, tuple)) and (len(vertices) == 0 or not _is_even(vertices)):
+        return _of_rings(kind, [_rings_of(each, f"{what}: row {i}") for i, each in enumerate(vertices)])
+    vertices = floats_of(vertices, what)
+    in_rows = vertices.shape[-1:] != (2,) and vertices.ndim in (1, 2) and _are_places(vertices.shape[-1])
+    if in_rows:
+        vertices = vertices.reshape(*vertices.shape[:-1], vertices.shape[-1] // 2, 2)
+    if vertices.ndim == 4 and vertices.shape[-1] == 2:
+        return _of_rings(kind, vertices)  # as many rings each, of as many vertices
     if vertices.ndim not in (2, 3) or vertices.shape[-1] != 2:
-        raise ValueError(f"vertices have the shape (n, k, 2) or (k, 2), not {vertices.shape}")
+        raise ValueError(_wanted(what, vertices.shape))
     single = vertices.ndim == 2
     each = vertices.shape[-2]
     if each == 0:
-        raise ValueError("a polygon needs a vertex")
+        raise ValueError(f"{what}: a {kind.name.lower()} needs a vertex")
     flat = vertices.reshape(-1, 2)
     return _of_ranges(kind, flat, numpy.arange(0, len(flat), each), each, single)
 
 
-def _is_ragged(each):
-    """Is it a list of rings, not a ring?"""
-    return len(each) > 0 and numpy.ndim(each[0]) == 2
+def _are_places(numbers):
+    """May a row of so many numbers be x0 y0 x1 y1 ...? Four are rather a box or the ends of a segment."""
+    return numbers >= 6 and numbers % 2 == 0
+
+
+def _wanted(what, shape):
+    hint = ""
+    if len(shape) > 1 and shape[-1] == 3:
+        hint = "; leave out the third coordinate, as by [..., :2]"
+    elif shape[-1:] == (4,):
+        hint = "; boxes x0 y0 x1 y1 are vesica.aabbs, segments vesica.segments"
+    return (
+        f"{what} have vertices of the shape (n, k, 2), (k, 2) for a single one, or rows x0 y0 x1 y1 x2 y2 ..., "
+        f"not {shape}{hint}"
+    )
+
+
+def _rings_of(given, where):
+    """The rings of one shape of a list: it is a ring, a row x0 y0 x1 y1 ..., or a list of rings."""
+    if isinstance(given, (str, bytes, Mapping)) or not hasattr(given, "__getitem__"):
+        raise TypeError(f"{where} is of the type {type(given).__name__}, not an array of vertices")
+    if len(given) and numpy.ndim(given[0]) == 2:
+        return [_pairs(ring, f"{where}, ring {k}") for k, ring in enumerate(given)]
+    if len(given) and numpy.ndim(given[0]) == 0 and _are_places(len(given)):
+        return [floats_of(given, where).reshape(-1, 2)]
+    return [_pairs(given, where)]
 
 
 def _is_even(vertices):
@@ -166,10 +206,10 @@ def _is_even(vertices):
         return False
 
 
-def _pairs(vertices):
-    vertices = _floats(vertices)
+def _pairs(vertices, what="vertices"):
+    vertices = floats_of(vertices, what)
     if vertices.ndim != 2 or vertices.shape[1] != 2:
-        raise ValueError(f"vertices with offsets have the shape (m, 2), not {vertices.shape}")
+        raise ValueError(f"{what}: vertices have the shape (k, 2), not {vertices.shape}")
     return vertices
 
 

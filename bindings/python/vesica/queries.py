@@ -4,15 +4,26 @@ import bisect
 import ctypes
 import enum
 import math
-import operator
 from numbers import Real
 from typing import NamedTuple
 
 import numpy
 
 from . import _declarations
-from ._library import VesicaError, all_points, by_scalar, checked, first_rows, library
-from .shapes import Kind, exactly, one_shape, plain, same_scalar, shapes, the_shapes
+from ._library import VesicaError, by_scalar, checked, first_rows, library, one_of, real, whole
+from .shapes import (
+    BOUNDS,
+    Kind,
+    all_points,
+    exactly,
+    first_of_rows,
+    one_shape,
+    plain,
+    refused,
+    same_scalar,
+    shapes,
+    the_shapes,
+)
 
 
 class Relation(enum.IntEnum):
@@ -118,22 +129,45 @@ def in_step(a, b):
 _WRITTEN = (_declarations.E_SHAPE, _declarations.E_RANGE)
 
 
-def finish(code, result, partial=False, scores=(), **operands):
+def finish(code, result, undefined=None, scores=(), **operands):
     """The result, or the error with it; operands: what may be invalid, by the names of the parameters.
 
-    partial: whether E_ARGUMENT is an error of single elements too; else nothing was written. scores: which make a shape
-    invalid where they are NaN.
+    undefined(result): what makes E_ARGUMENT an error of single elements, in words; else nothing was written. scores:
+    which make a shape invalid where they are NaN.
     """
     if code >= 0:
         return result
-    message, written = None, code in _WRITTEN or (partial and code == _declarations.E_ARGUMENT)
-    if code == _declarations.E_SHAPE:
-        wrong = [(f"invalid shapes in {name}", shape.invalid()) for name, shape in operands.items()]
-        wrong.append(("scores that are NaN", numpy.flatnonzero(numpy.isnan(scores))))
-        message = "; ".join(
-            f"{len(which)} {what}, the first is number {which[0]}" for what, which in wrong if len(which)
-        )
-    raise VesicaError(code, message, result if written else None)
+    written = code in _WRITTEN or (undefined is not None and code == _declarations.E_ARGUMENT)
+    error = refused(code, result if written else None, **operands)
+    unknown = numpy.flatnonzero(numpy.isnan(scores))
+    if code == _declarations.E_SHAPE and len(unknown):
+        nan = first_of_rows(unknown, "it is NaN", " of scores")
+        invalid = any(len(shape.invalid()) for shape in operands.values())
+        raise VesicaError(code, f"{error}; {nan}" if invalid else nan, error.result)
+    if code == _declarations.E_RANGE:
+        raise VesicaError(code, f"{_first_nan(result)}{error}", error.result)
+    if code == _declarations.E_ARGUMENT and written:
+        raise VesicaError(code, undefined(result), error.result)
+    raise error
+
+
+def _first_nan(result):
+    """Which of the results is the first that is NaN: "row 2: "."""
+    values = result[0] if isinstance(result, tuple) else result
+    if values is None or numpy.ndim(values) == 0:
+        return ""
+    where = numpy.argwhere(numpy.isnan(values))
+    if len(where) == 0:
+        return ""
+    return f"row {where[0][0]}: " if values.ndim == 1 else f"a[{where[0][0]}] and b[{where[0][1]}]: "
+
+
+def _no_area(result):
+    return f"{_first_nan(result)}the areas leave nothing to divide by"
+
+
+def _no_variance(result):
+    return f"{_first_nan(result)}a shape without an area"
 
 
 def columns_of(named, out, count, dtype, inputs):
@@ -157,9 +191,9 @@ def _apart(columns):
 class _Query:
     """A question about two shapes: its C functions and the types of its results."""
 
-    def __init__(self, name, dtypes=None, convert=None, result=None, record=None, first=(), last=(), partial=False):
+    def __init__(self, name, dtypes=None, convert=None, result=None, record=None, first=(), last=(), undefined=None):
         self.one, self.many = by_scalar(name), by_scalar(f"{name}_many")
-        self.partial = partial  # as of finish
+        self.undefined = undefined  # as of finish
         self.first, self.last = first, last  # arguments before the shapes, and after
         self.dtypes = dtypes  # of codes; numbers have the shapes' own
         self.convert = convert  # a single code
@@ -178,16 +212,19 @@ class _Query:
             addresses = [column.ctypes.data for column in result]
         operands = (*self.first, ctypes.byref(a.view), ctypes.byref(b.view), *self.last)
         code = self.many[letter](*operands, *addresses)
-        return finish(code, result, self.partial, a=a, b=b)
+        return finish(code, result, self.undefined, a=a, b=b)
 
     def _single(self, letter, a, b, out):
         if out is not None:
             raise TypeError("the answer for two single shapes is a number: it has no out")
         function = self.one[letter]
         if self.convert is not None:
-            return self.convert(checked(function(a.kind, a.record, b.kind, b.record, *self.last)))
+            code = function(a.kind, a.record, b.kind, b.record, *self.last)
+            finish(code, None, a=a, b=b)
+            return self.convert(code)
         record = self.record[letter]()
-        checked(function(*self.first, a.kind, a.record, b.kind, b.record, ctypes.byref(record)))
+        code = function(*self.first, a.kind, a.record, b.kind, b.record, ctypes.byref(record))
+        finish(code, None, self.undefined, a=a, b=b)
         if self.result is None:
             return record.value
         return self.result(*(getattr(record, field) for field in self.result._fields))
@@ -196,9 +233,9 @@ class _Query:
 class _Matrix:
     """The same question of every pair of two arrays."""
 
-    def __init__(self, name, dtypes=None, first=(), last=(), partial=False):
+    def __init__(self, name, dtypes=None, first=(), last=(), undefined=None):
         self.function, self.dtypes = by_scalar(f"{name}_matrix"), dtypes
-        self.first, self.last, self.partial = first, last, partial
+        self.first, self.last, self.undefined = first, last, undefined
 
     def __call__(self, a, b, out):
         letter = same_scalar(a, b)
@@ -207,7 +244,7 @@ class _Matrix:
         row = result.strides[0] // result.itemsize if result.size else shape[1]
         operands = (*self.first, ctypes.byref(a.view), ctypes.byref(b.view), *self.last)
         code = self.function[letter](*operands, result.ctypes.data, row)
-        return finish(code, result, self.partial, a=a, b=b)
+        return finish(code, result, self.undefined, a=a, b=b)
 
 
 def _structs(name):
@@ -225,22 +262,22 @@ _BOUNDARY_DISTANCE = _Query("boundary_distance", result=ClosestPoints, record=_s
 _DEPTH = _Query("depth", result=Penetration, record=_structs("penetration"))
 _SIGNED_DISTANCE = _Query("signed_distance", record=_NUMBER)
 _AREA = _Query("area", record=_NUMBER)
-_IOU = _Query("iou", record=_NUMBER, partial=True)
+_IOU = _Query("iou", record=_NUMBER, undefined=_no_area)
 _OVERLAP_MATRIX, _CONTAINS_MATRIX = _Matrix("overlap", _BYTES), _Matrix("contains", _BYTES)
 _INTERIORS_MATRIX = _Matrix("interiors_overlap", _BYTES)
 _RELATION_MATRIX = _Matrix("relation", (numpy.uint8,))
-_AREA_MATRIX, _IOU_MATRIX = _Matrix("area"), _Matrix("iou", partial=True)
+_AREA_MATRIX, _IOU_MATRIX = _Matrix("area"), _Matrix("iou", undefined=_no_area)
 _NEAREST_MATRIX, _BOUNDARY_DISTANCE_MATRIX = _Matrix("nearest"), _Matrix("boundary_distance")
 _DEPTH_MATRIX, _SIGNED_DISTANCE_MATRIX = _Matrix("depth"), _Matrix("signed_distance")
-_RATIO = {which: _Query("ratio", record=_NUMBER, first=(which,), partial=True) for which in Ratio}
-_RATIO_MATRIX = {which: _Matrix("ratio", first=(which,), partial=True) for which in Ratio}
-_GAUSSIAN = {which: _Query("gaussian_distance", record=_NUMBER, first=(which,), partial=True) for which in Gaussian}
-_GAUSSIAN_MATRIX = {which: _Matrix("gaussian_distance", first=(which,), partial=True) for which in Gaussian}
+_RATIO = {which: _Query("ratio", record=_NUMBER, first=(which,), undefined=_no_area) for which in Ratio}
+_RATIO_MATRIX = {which: _Matrix("ratio", first=(which,), undefined=_no_area) for which in Ratio}
+_GAUSSIAN = {which: _Query("gaussian_distance", record=_NUMBER, first=(which,), undefined=_no_variance) for which in Gaussian}
+_GAUSSIAN_MATRIX = {which: _Matrix("gaussian_distance", first=(which,), undefined=_no_variance) for which in Gaussian}
 _SELECT, _SUPPRESS, _SOFT = by_scalar("overlap_select"), by_scalar("suppress"), by_scalar("suppress_soft")
 _INTERIORS_SELECT = by_scalar("interiors_overlap_select")
 _DECAYS = {"linear": _declarations.DECAY_LINEAR, "gaussian": _declarations.DECAY_GAUSSIAN}
 _CROSSINGS = by_scalar("crossings")
-_SHAPE_AREA, _BOUNDS, _CORNERS = by_scalar("shape_area"), by_scalar("bounds_many"), by_scalar("corners_of_shapes")
+_SHAPE_AREA, _CORNERS = by_scalar("shape_area"), by_scalar("corners_of_shapes")
 
 # Every question takes shapes a and b. Two single shapes give a number. Arrays in step give an array; of one shape and
 # an array, the one is repeated. `out` is a contiguous array to write to. All are float64, or all float32.
@@ -352,19 +389,14 @@ def within(a, b, distance, out=None):
     With a negative distance: do they overlap at least that deep? Exact for the distance as rounded to the shapes' type.
     With ellipses it may be Within.NEARLY where their distance or depth is too near the one asked for to decide.
     """
-    return _Query("within", (numpy.uint8,), Within, last=(_distance(distance),))(a, b, out)
+    last = (real(distance, "distance", the_shapes(a, "a").dtype),)
+    return _Query("within", (numpy.uint8,), Within, last=last)(a, b, out)
 
 
 def within_matrix(a, b, distance, out=None):
     """(len(a), len(b)) of uint8: is each of a at most `distance` from each of b? The numbers of Within; as within."""
-    return _Matrix("within", (numpy.uint8,), last=(_distance(distance),))(a, b, out)
-
-
-def _distance(distance):
-    """A distance that may be asked about."""
-    if distance != distance:
-        raise VesicaError(_declarations.E_ARGUMENT, "distance is NaN")
-    return float(distance)
+    last = (real(distance, "distance", the_shapes(a, "a").dtype),)
+    return _Matrix("within", (numpy.uint8,), last=last)(a, b, out)
 
 
 def area(a, b, out=None):
@@ -393,12 +425,12 @@ def ratio(which, a, b, out=None):
     The last three are with the box along the coordinate axes about both shapes. Two shapes whose areas leave nothing to
     divide by are a VesicaError (NaN in its `result`).
     """
-    return _RATIO[Ratio(which)](a, b, out)
+    return _RATIO[one_of(Ratio, which, "which")](a, b, out)
 
 
 def ratio_matrix(which, a, b, out=None):
     """(len(a), len(b)): a Ratio of each of a and each of b."""
-    return _RATIO_MATRIX[Ratio(which)](a, b, out)
+    return _RATIO_MATRIX[one_of(Ratio, which, "which")](a, b, out)
 
 
 def gaussian_distance(which, a, b, out=None):
@@ -408,12 +440,12 @@ def gaussian_distance(which, a, b, out=None):
     KLD take width^2 / 4: for theirs multiply widths and heights of rectangles by sqrt(3). A shape without an area is a
     VesicaError (NaN in its `result`), except for WASSERSTEIN.
     """
-    return _GAUSSIAN[Gaussian(which)](a, b, out)
+    return _GAUSSIAN[one_of(Gaussian, which, "which")](a, b, out)
 
 
 def gaussian_distance_matrix(which, a, b, out=None):
     """(len(a), len(b)): a distance of each of a from each of b as Gaussian distributions."""
-    return _GAUSSIAN_MATRIX[Gaussian(which)](a, b, out)
+    return _GAUSSIAN_MATRIX[one_of(Gaussian, which, "which")](a, b, out)
 
 
 def crossings(a, b):
@@ -434,13 +466,13 @@ def shape_area(shape):
     for i in range(len(rows)):
         code = function(shape.kind, row_from + i * rows.strides[0], row_to + i * out.itemsize)
         if code < 0:
-            raise VesicaError(code, f"shape {i}: {VesicaError(code)}")
+            raise refused(code, shape=shape)
     return out[0].item() if shape.single else out
 
 
 def bounds(shape):
     """The smallest boxes that surely contain shapes, as aabbs."""
-    return shapes(Kind.AABB, numbers_of(shape, _BOUNDS, 4))
+    return shapes(Kind.AABB, numbers_of(shape, BOUNDS, 4))
 
 
 def corners(shape):
@@ -465,8 +497,9 @@ def nms(boxes, scores, threshold=0.5, *, labels=None, ratio=Ratio.OVER_UNION, le
     each; ratio: any but OVER_FIRST and OVER_SECOND; least_score, compared as it is: boxes below it are left out; most:
     how many are kept at most. The threshold is first rounded to the boxes' type.
     """
-    labels = _labels(labels, boxes)
-    scores, least_score = _in_order(_scores(scores, boxes), boxes.dtype, least_score)
+    scores, labels, ratio = _scores(scores, boxes), _labels(labels, boxes), _symmetric(ratio)
+    threshold = real(threshold, "threshold", boxes.dtype, 0, 1)
+    scores, least_score = _in_order(scores, boxes.dtype, least_score)
     room = _room(most, boxes)
     keep, kept = numpy.empty(room, numpy.int64), ctypes.c_int64()
     scratch = numpy.empty(checked(library.vesica_nms_scratch(len(boxes))), numpy.uint8)
@@ -474,8 +507,8 @@ def nms(boxes, scores, threshold=0.5, *, labels=None, ratio=Ratio.OVER_UNION, le
         ctypes.byref(boxes.view),
         scores.ctypes.data,
         None if labels is None else labels.ctypes.data,
-        Ratio(ratio),
-        float(threshold),
+        ratio,
+        threshold,
         least_score,
         room,
         scratch.ctypes.data,
@@ -494,16 +527,19 @@ def nms_soft(boxes, scores, parameter=0.5, *, decay="linear", labels=None, ratio
     above the parameter; "gaussian", times exp(-r^2 / parameter). Scores, parameter and least_score are rounded to the
     boxes' type. The rest as nms.
     """
-    labels = _labels(labels, boxes)
-    scores = _as_type(_scores(scores, boxes), boxes.dtype)
+    scores, labels, ratio = _scores(scores, boxes), _labels(labels, boxes), _symmetric(ratio)
+    scores = _as_type(scores, boxes.dtype)
     if decay not in _DECAYS:
-        raise ValueError(f"decay is one of {', '.join(_DECAYS)}, not {decay!r}")
+        raise ValueError(f"decay is {decay!r}, not one of {', '.join(_DECAYS)}")
+    of_decay = (0, 1) if decay == "linear" else (2.0**-100, numpy.finfo(boxes.dtype).max)
+    parameter = real(parameter, "parameter", boxes.dtype, *of_decay)
+    least_score = real(least_score, "least_score", boxes.dtype, 0)
     room = _room(most, boxes)
     keep, left, kept = numpy.empty(room, numpy.int64), numpy.empty(room, boxes.dtype), ctypes.c_int64()
     scratch = numpy.empty(checked(library.vesica_suppress_soft_scratch(len(boxes))) // 8 + 1, numpy.int64)
     code = _SOFT[boxes.letter](
-        *(ctypes.byref(boxes.view), scores.ctypes.data, None if labels is None else labels.ctypes.data, Ratio(ratio)),
-        *(_DECAYS[decay], float(parameter), float(least_score), room, scratch.ctypes.data, scratch.nbytes),
+        *(ctypes.byref(boxes.view), scores.ctypes.data, None if labels is None else labels.ctypes.data, ratio),
+        *(_DECAYS[decay], parameter, least_score, room, scratch.ctypes.data, scratch.nbytes),
         *(keep.ctypes.data, left.ctypes.data, ctypes.byref(kept)),
     )
     result = first_rows(keep, kept.value), first_rows(left, kept.value)
@@ -512,12 +548,15 @@ def nms_soft(boxes, scores, parameter=0.5, *, decay="linear", labels=None, ratio
 
 def _room(most, boxes):
     """How many boxes may be kept. ctypes would wrap a number that has no place in 64 bits."""
-    if most is None:
-        return len(boxes)
-    most = operator.index(most)
-    if most < 0:
-        raise VesicaError(_declarations.E_ARGUMENT, f"most is {most}, not 0 or more")
-    return min(most, len(boxes))
+    return len(boxes) if most is None else min(whole(most, "most"), len(boxes))
+
+
+def _symmetric(ratio):
+    """A ratio that is the same for both orders of two boxes."""
+    ratio = one_of(Ratio, ratio, "ratio")
+    if ratio in (Ratio.OVER_FIRST, Ratio.OVER_SECOND):
+        raise VesicaError(_declarations.E_ARGUMENT, f"ratio is {ratio.name}: of two boxes either may come first")
+    return ratio
 
 
 def _one_each(name, values, boxes):
@@ -529,7 +568,9 @@ def _one_each(name, values, boxes):
 
 
 def _scores(scores, boxes):
-    scores = _one_each("scores", scores, the_shapes(boxes, "boxes"))
+    if the_shapes(boxes, "boxes").single:
+        raise TypeError("boxes are an array of shapes, not a single one")
+    scores = _one_each("scores", scores, boxes)
     if scores.dtype.kind not in "iubf":
         raise TypeError(f"scores are numbers, not {scores.dtype}")
     return scores
@@ -545,9 +586,8 @@ def _in_order(scores, dtype, least):
     ranks: so unequal scores stay unequal. Scores below the least one become minus infinity, below all ranks."""
     least = -math.inf if least is None else numpy.asarray(least).item()
     if not isinstance(least, Real):
-        raise TypeError(f"least_score is a number, not {type(least).__name__}")
-    if least != least:
-        raise VesicaError(_declarations.E_ARGUMENT, "least_score is not a number")
+        raise TypeError(f"least_score is of the type {type(least).__name__}, not a number")
+    real(least, "least_score")
     exact = exactly(scores, dtype)
     with numpy.errstate(over="ignore"):
         rounds = dtype.type(least).item() != least
@@ -565,6 +605,8 @@ def _labels(labels, boxes):
     """The labels as the library takes them, or others that are equal where they are; None for none."""
     if labels is None:
         return None
+    if numpy.asarray(labels).dtype.kind in "US":
+        raise TypeError("labels are whole numbers: number texts by numpy.unique(labels, return_inverse=True)[1]")
     labels = _one_each("labels", labels, boxes)
     if labels.size == 0:
         return numpy.empty(0, numpy.int32)

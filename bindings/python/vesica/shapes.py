@@ -3,14 +3,16 @@
 import ctypes
 import enum
 import itertools
+import math
 import operator
+import warnings
 from collections.abc import Mapping
-from numbers import Integral
+from numbers import Integral, Number
 
 import numpy
 
 from . import _declarations
-from ._library import VesicaError, by_scalar, checked
+from ._library import VesicaError, by_scalar, first_rows, one_of, plainly, real
 from .arrow import columns_of, is_arrow
 
 
@@ -40,7 +42,9 @@ _GEOARROW = {Kind.POINT: "point", Kind.AABB: "box"}
 _GEOARROW_BOX = ("xmin", "ymin", "xmax", "ymax")
 VIEWS = {"d": _declarations.shapes_f64, "f": _declarations.shapes_f32}
 CHECK = by_scalar("check")
-_RECT_FROM_CORNERS, _CORNERS_MISFIT = by_scalar("rect_from_corners"), by_scalar("rect_corners_misfit")
+_RECT_FROM_CORNERS, _RECTS_FROM_CORNERS = by_scalar("rect_from_corners"), by_scalar("rects_from_corners")
+_MISFIT_OF_ONE = by_scalar("rect_corners_misfit")
+_CORNERS_MISFIT, BOUNDS = by_scalar("rect_corners_misfit_many"), by_scalar("bounds_many")
 _ELLIPSE_FROM_COVARIANCE = by_scalar("ellipse_from_covariance")
 _RECTS_FROM_BOXES, _ELLIPSES_FROM_BOXES = by_scalar("rects_from_boxes"), by_scalar("ellipses_from_boxes")
 _BOXES_FROM_SHAPES = by_scalar("boxes_from_shapes")
@@ -137,10 +141,99 @@ class Shapes:
 
     def invalid(self):
         """The numbers of the invalid shapes: NaN or infinity, a negative size, a zero axis, min above max, no vertex."""
-        rows = self.structs()
+        boxes = numpy.empty((len(self.columns[0]), 4), self.dtype)
+        if BOUNDS[self.letter](ctypes.byref(self.view), boxes.ctypes.data) >= 0:
+            return numpy.empty(0, numpy.int64)
+        suspects = numpy.flatnonzero(numpy.isnan(boxes[:, 0]))  # the boxes of the others may be too large for float32
+        rows = (self if self.single else self[suspects]).structs()
         check, start, step = CHECK[self.letter], rows.ctypes.data, rows.strides[0]
         codes = numpy.array([check(self.kind, start + i * step) for i in range(len(rows))], numpy.int64)
-        return numpy.flatnonzero((codes < 0) & (codes != _declarations.E_NOT_SIMPLE))
+        return suspects[(codes < 0) & (codes != _declarations.E_NOT_SIMPLE)]
+
+    def fault(self, i):
+        """What makes shape i invalid, in words."""
+        return fault_of(FIELDS[self.kind], [column[i] for column in self.columns]) or "it is invalid"
+
+
+# The numbers that may not be negative, and those that may not be above others.
+_SIZES = {"r", "hx", "hy", "a", "b", "width", "height", "radius"}
+_ORDERED = (("min_x", "max_x"), ("min_y", "max_y"))
+
+
+def fault_of(names, numbers):
+    """Which of a shape's numbers makes it invalid, by its name; None if none does."""
+    by_name = dict(zip(names, numbers))
+    for name, number in by_name.items():
+        if not numpy.isfinite(number) or (name in _SIZES and number < 0):
+            return f"{name} is {plainly(number)}"
+    if by_name.get("ux") == by_name.get("uy") == 0:
+        return "ux and uy are both 0"
+    for low, high in _ORDERED:
+        if low in by_name and by_name[low] > by_name[high]:
+            return f"{low} is {plainly(by_name[low])}, above {high}, {plainly(by_name[high])}"
+    for name in ("width", "height"):
+        if 2 * by_name.get("radius", 0) > by_name.get(name, math.inf):
+            return f"radius is {plainly(by_name['radius'])}, above half of {name}, {plainly(by_name[name])}"
+    return None
+
+
+def not_finite(what, places):
+    """The first of some places (n, 2) that is not finite, in words; None if all are."""
+    wrong = numpy.flatnonzero(~numpy.isfinite(places).all(axis=1))
+    return f"{what} {wrong[0]} is ({', '.join(map(plainly, places[wrong[0]]))})" if len(wrong) else None
+
+
+def first_of_rows(rows, fault, of=""):
+    """The first of the invalid rows, in words."""
+    more = f" (the first of {len(rows)} invalid rows)" if len(rows) > 1 else ""
+    return f"row {rows[0]}{of}: {fault}{more}"
+
+
+# An invalid shape: of a call with shapes, and of a single one.
+_OF_SHAPES = (
+    _declarations.E_SHAPE,
+    _declarations.E_NOT_FINITE,
+    _declarations.E_NEGATIVE_SIZE,
+    _declarations.E_ZERO_AXIS,
+    _declarations.E_INVERTED,
+)
+
+
+def refused(code, result=None, **operands):
+    """The error of a call with shapes, which names the shape and the number that the library refuses."""
+    message = None
+    if code == _declarations.E_KIND:
+        kinds = dict.fromkeys(shape.kind.name.lower() for shape in operands.values())
+        message = f"not for {' and '.join(kinds)} shapes"
+    elif code in _OF_SHAPES:
+        message = "; ".join(filter(None, (_invalid_in(name, shape) for name, shape in operands.items())))
+    return VesicaError(code, message, result)
+
+
+def _invalid_in(name, shape):
+    rows = shape.invalid()
+    if len(rows) == 0:
+        return None
+    fault = shape.fault(rows[0])
+    return f"{name}: {fault}" if shape.single else first_of_rows(rows, fault, f" of {name}")
+
+
+def accepted(code, **operands):
+    """The answer of a call with shapes, if it is one."""
+    if code < 0:
+        raise refused(code, **operands)
+    return code
+
+
+def all_points(function, a, b, *more):
+    """The points (n, 2) that a function of two single shapes writes. Without polygons they are at most 12."""
+    out = numpy.empty((12, 2), a.dtype)
+    while True:
+        count = function(a.kind, a.record, b.kind, b.record, out.ctypes.data, len(out), *more)
+        accepted(count, a=a, b=b)
+        if count <= len(out):
+            return first_rows(out, count)
+        out = numpy.empty((count, 2), a.dtype)
 
 
 def _shapes_of(kind, columns, single=False):
@@ -171,10 +264,19 @@ def the_shapes(value, name):
     """value, if it is Shapes; an error that says how to make them if not."""
     if isinstance(value, Shapes):
         return value
+    if _has_shapes(value):
+        raise TypeError(f"{name} is a list of shapes: {_TOGETHER}")
     raise TypeError(
         f"{name} is {type(value).__name__}: say which shapes it holds, as in vesica.rects({name}) "
         f"or vesica.shapes(vesica.Kind.CIRCLE, {name})"
     )
+
+
+_TOGETHER = "make one array of them, as by vesica.shapes(kind, [shape.numbers for shape in ...])"
+
+
+def _has_shapes(value):
+    return isinstance(value, (list, tuple)) and any(isinstance(each, Shapes) for each in value)
 
 
 def one_shape(value, name):
@@ -206,15 +308,56 @@ def _one_number(index):
 
 def plain(values, name):
     """Values as an array that has them all. Those that a mask hides would come to light, so there may be none."""
+    if isinstance(values, Shapes):
+        raise TypeError(f"{name} are {values.kind.name.lower()} shapes already, not an array of numbers")
+    if _has_shapes(values):
+        raise TypeError(f"{name} are shapes already: {_TOGETHER}")
     if hasattr(values, "__dlpack__") and not isinstance(values, numpy.ndarray):
         values = _of_dlpack(values, name)
     kinds, masked = _elements(values) if isinstance(values, (list, tuple)) else (set(), numpy.ma.is_masked(values))
     if masked:
         raise ValueError(f"{name}: some of the numbers are masked, and masks are not looked at; take the others alone")
-    array = numpy.asarray(values)
+    array = _as_array(values, name)
     if kinds - {float, list, tuple} and array.dtype.kind == "f" and _rounded(values, array):
         raise ValueError(f"{name}: {array.dtype} lacks some of these whole numbers: above 2**53 it has not all")
     return array
+
+
+def _as_array(values, name):
+    """Values as numpy takes them, if these are numbers; an error that says which is none if not."""
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # numpy before 1.24 makes ragged rows objects, and warns
+            array = numpy.asarray(values)
+    except ValueError:
+        raise _no_numbers(values, name) from None
+    objects = array.dtype.kind == "O" and not (array.ndim and all(isinstance(each, Number) for each in array.flat))
+    if objects or array.dtype.kind in "US":
+        raise _no_numbers(values, name)
+    return array
+
+
+def _no_numbers(values, name):
+    """The error for what is no array of numbers, with the first row that makes it none."""
+    if isinstance(values, numpy.ndarray) and values.ndim:
+        values = list(values)
+    if not isinstance(values, (list, tuple)):
+        given = repr(values) if values is None or isinstance(values, str) else f"of the type {type(values).__name__}"
+        return TypeError(f"{name} is {given}, not an array of numbers")
+    sizes = [None if isinstance(row, (str, bytes)) or not hasattr(row, "__len__") else len(row) for row in values]
+    for i, (row, size) in enumerate(zip(values, sizes)):
+        if isinstance(row, Mapping):
+            return TypeError(f"{name}: row {i} is a dict; columns of one dict are taken, not a list of dicts")
+        if size is None and not isinstance(row, Number):
+            return TypeError(f"{name}: row {i} is {row!r}, not numbers")
+        if size != sizes[0]:
+            has = ("one number" if n is None else f"{n} numbers" for n in (size, sizes[0]))
+            return ValueError(f"{name}: row {i} has {next(has)}, row 0 has {next(has)}")
+    for i, row in enumerate(values):
+        for j, value in enumerate(row if sizes[i] else ()):
+            if not isinstance(value, Number) and not hasattr(value, "__len__") or isinstance(value, (str, bytes)):
+                return TypeError(f"{name}: row {i}, number {j} is {value!r}, not a number")
+    return ValueError(f"{name}: rows of unequal length, or something that is no number, are no array")
 
 
 # What DLPack calls the devices whose memory this processor reads, and others.
@@ -281,22 +424,28 @@ def _alike(columns):
     return columns if len(strides) <= 1 else [numpy.ascontiguousarray(column) for column in columns]
 
 
-def _floats(array):
+def floats_of(array, name):
     """Numbers as float64, or as float32 where they are that. Only what is neither is copied."""
-    array = plain(array, "shapes")
+    array = plain(array, name)
     if array.dtype.kind in "iub":
         floats = exactly(array, numpy.float64)
         if floats is None:
-            raise ValueError(f"float64 lacks some of these numbers of {array.dtype}: above 2**53 it has not all")
+            lacks = f"float64 lacks some of these numbers of {array.dtype}: above 2**53 it has not all"
+            raise ValueError(f"{name}: {lacks}")
         return floats
     if array.dtype.char not in "df":
-        raise TypeError(f"shapes have float64 or float32 numbers, not {array.dtype}")
+        hint = ": convert them, as by .astype('f8')" if array.dtype.kind in "fO" else ""
+        raise TypeError(f"{name} have float64 or float32 numbers, not {array.dtype}{hint}")
     return array.astype(array.dtype.newbyteorder("=")) if not array.dtype.isnative else array
 
 
 def _rows(array, what, *names):
     """An array with a column for each of the names, and whether it is only one row."""
-    array = _floats(array)
+    named = _columns(array, what, names)
+    if named is not None:
+        columns, single = named
+        return numpy.stack(columns, axis=-1), single
+    array = floats_of(array, what)
     if array.ndim == 2 and array.shape[1] == len(names):
         return array, False
     if array.ndim == 1 and len(array) == len(names):
@@ -304,9 +453,53 @@ def _rows(array, what, *names):
     if array.size == 0 and array.ndim == 1:
         return array.reshape(0, len(names)), False
     raise ValueError(
-        f"{what} need {len(names)} numbers each ({' '.join(names)}): "
-        f"an array of shape (n, {len(names)}) or ({len(names)},), not {array.shape}"
+        f"{what} need {len(names)} numbers each ({' '.join(names)}): an array of shape (n, {len(names)}) or "
+        f"({len(names)},), not {array.shape}{_other_rows(array.shape, what, len(names))}"
     )
+
+
+def _other_rows(shape, what, wanted):
+    """What rows of another length may be."""
+    if len(shape) == 2 and shape[0] == wanted:
+        return "; if each column is a shape, take its transpose"
+    turned = what in ("rects", "ellipses", "ellipses_in_boxes", "round_rects")
+    if turned and (shape[-1:] == (8,) or shape[-2:] == (4, 2)):
+        return "; four corners are taken by vesica.rects_from_corners"
+    if turned and shape[-1:] == (4,):
+        return "; x0 y0 x1 y1 are taken by vesica.aabbs, and boxes that are not turned have an angle of 0"
+    if turned and shape[-1:] == (6,):
+        return "; cx cy ux uy and half sizes are taken by vesica.shapes(kind, array)"
+    return ""
+
+
+def _columns(array, what, wanted):
+    """The columns of a dict, a table or structured array by their names, and whether it is of one shape.
+
+    None for what has no such names: a table may be taken by the order of its columns.
+    """
+    names = getattr(getattr(array, "dtype", None), "names", None)
+    if names is None and isinstance(array, Mapping):
+        names = list(array)
+    if names is None and not isinstance(array, Shapes) and set(wanted) <= set(getattr(array, "columns", ())):
+        names = list(array.columns)
+    if names is None:
+        return None
+    missing = [name for name in wanted if name not in names]
+    if missing:
+        raise ValueError(f"{what} need fields {' '.join(wanted)}; missing: {' '.join(missing)}")
+    record = getattr(array, "ndim", None) == 0
+    array = numpy.atleast_1d(array) if record else array
+    columns = [floats_of(array[name], f"{what}: {name}") for name in wanted]
+    types = {str(column.dtype) for column in columns}
+    if len(types) > 1:
+        which = ", ".join(f"{name} {column.dtype}" for name, column in zip(wanted, columns))
+        raise TypeError(f"the fields of {what} are all float64 or all float32, not {which}")
+    scalars = all(column.ndim == 0 for column in columns)
+    columns = [column.reshape(1) if scalars else column for column in columns]
+    if len({column.shape for column in columns}) > 1:
+        lengths = ", ".join(f"{name} {len(column) if column.ndim else 'one'}" for name, column in zip(wanted, columns))
+        raise ValueError(f"{what} have columns of different lengths: {lengths}")
+    return _alike(columns), record or scalars
 
 
 def shapes(kind, array):
@@ -317,31 +510,21 @@ def shapes(kind, array):
     array of Arrow, of structs that have such columns, or of lists that have so many numbers. Boxes along the axes may
     have GeoArrow's names there. A table that has other names is taken by the order of its columns.
     """
-    kind = Kind(kind)
+    kind = one_of(Kind, kind, "kind")
     if kind not in FIELDS:
         raise TypeError(f"{kind.name.lower()} shapes have vertices: they are made by vesica.{kind.name.lower()}s")
     if is_arrow(array):
         names = [FIELDS[kind], _GEOARROW_BOX] if kind == Kind.AABB else [FIELDS[kind]]
         return _shapes_of(kind, columns_of(array, _GEOARROW.get(kind), *names))
-    names = getattr(getattr(array, "dtype", None), "names", None)
-    if names is None and isinstance(array, Mapping):
-        names = list(array)
-    if names is None and set(FIELDS[kind]) <= set(getattr(array, "columns", ())):
-        names = list(array.columns)
-    if names is None:
-        rows, single = _rows(array, f"{kind.name.lower()} shapes", *FIELDS[kind])
-        return _shapes_of(kind, [rows[:, i] for i in range(rows.shape[1])], single)
-    missing = [name for name in FIELDS[kind] if name not in names]
-    if missing:
-        wanted = f"{kind.name.lower()} shapes need fields {' '.join(FIELDS[kind])}"
-        raise ValueError(f"{wanted}; missing: {' '.join(missing)}")
-    single = getattr(array, "ndim", None) == 0
-    columns = [_floats(numpy.atleast_1d(array)[name] if single else array[name]) for name in FIELDS[kind]]
-    if len({column.dtype for column in columns}) > 1:
-        raise TypeError("the fields of shapes are all float64 or all float32")
-    if len({column.shape for column in columns}) > 1:
-        raise ValueError(f"columns of different lengths: {', '.join(str(len(column)) for column in columns)}")
-    return _shapes_of(kind, _alike(columns), single)
+    what = f"{kind.name.lower()}s"
+    named = _columns(array, what, FIELDS[kind])
+    if named is not None:
+        return _shapes_of(kind, *named)
+    rows, single = _rows(array, what, *FIELDS[kind])
+    return _shapes_of(kind, [rows[:, i] for i in range(rows.shape[1])], single)
+
+
+_BOX = ("x", "y", "width", "height", "angle")
 
 
 def points(xy):
@@ -376,24 +559,25 @@ def rects(array, degrees=False, *, quarters=False, reverse=False):
     with `reverse` the other way. Multiples of 90 degrees turn exactly. An invalid row is a VesicaError, whose `result`
     has NaN for it. shapes(Kind.RECT, ...) takes the library's own six numbers without a copy.
     """
-    rows, single = _rows(array, "rects", "x", "y", "width", "height", "angle")
-    return _from_boxes(Kind.RECT, _RECTS_FROM_BOXES, rows, single, angle_unit(degrees, quarters, reverse))
+    rows, single = _rows(array, "rects", *_BOX)
+    return _from_boxes(Kind.RECT, _RECTS_FROM_BOXES, rows, single, angle_unit(degrees, quarters, reverse), _BOX)
 
 
 def ellipses(array, degrees=False, *, quarters=False, reverse=False):
     """Ellipses from (n, 5): centre x, y, half axes a, b, angle of a; else as rects."""
-    rows, single = _rows(array, "ellipses", "x", "y", "a", "b", "angle")
+    names = ("x", "y", "a", "b", "angle")
+    rows, single = _rows(array, "ellipses", *names)
     unit, boxes_of_one = angle_unit(degrees, quarters, reverse), numpy.array(rows)
     sizes = boxes_of_one[:, 2:4]
     # The library halves what it gets, or the axis where that would round. Of a size of 1 it never does.
     sizes[(sizes >= 0) & numpy.isfinite(sizes)] = 1
-    return _from_boxes(Kind.ELLIPSE, _ELLIPSES_FROM_BOXES, boxes_of_one, single, unit, rows[:, 2:4])
+    return _from_boxes(Kind.ELLIPSE, _ELLIPSES_FROM_BOXES, boxes_of_one, single, unit, names, rows)
 
 
 def ellipses_in_boxes(array, degrees=False, *, quarters=False, reverse=False):
     """Ellipses from the boxes about them, (n, 5) as of rects, whose sides they touch in the middle."""
-    rows, single = _rows(array, "ellipses", "x", "y", "width", "height", "angle")
-    return _from_boxes(Kind.ELLIPSE, _ELLIPSES_FROM_BOXES, rows, single, angle_unit(degrees, quarters, reverse))
+    rows, single = _rows(array, "ellipses_in_boxes", *_BOX)
+    return _from_boxes(Kind.ELLIPSE, _ELLIPSES_FROM_BOXES, rows, single, angle_unit(degrees, quarters, reverse), _BOX)
 
 
 def round_rects(array, degrees=False, *, quarters=False, reverse=False):
@@ -401,12 +585,13 @@ def round_rects(array, degrees=False, *, quarters=False, reverse=False):
 
     Width and height include the round corners. A radius of more than half of one of them is an invalid row.
     """
-    rows, single = _rows(array, "round_rects", "x", "y", "width", "height", "angle", "radius")
+    names = (*_BOX, "radius")
+    rows, single = _rows(array, "round_rects", *names)
     unit, core, radius = angle_unit(degrees, quarters, reverse), numpy.array(rows[:, :5]), rows[:, 5]
     with numpy.errstate(all="ignore"):
         core[:, 2:4] -= 2 * radius[:, None]
     core[radius < 0, 2] = -1  # a negative size, which the library refuses
-    return _from_boxes(Kind.ROUND_RECT, _RECTS_FROM_BOXES, core, single, unit, radius=radius)
+    return _from_boxes(Kind.ROUND_RECT, _RECTS_FROM_BOXES, core, single, unit, names, rows)
 
 
 def boxes(shape, degrees=False, *, quarters=False, reverse=False):
@@ -416,7 +601,7 @@ def boxes(shape, degrees=False, *, quarters=False, reverse=False):
     code = _BOXES_FROM_SHAPES[shape.letter](ctypes.byref(shape.view), unit, out.ctypes.data)
     result = out[0] if shape.single else out
     if code < 0:
-        raise VesicaError(code, result=result if code != _declarations.E_KIND else None)
+        raise refused(code, result if code != _declarations.E_KIND else None, shape=shape)
     return result
 
 
@@ -429,66 +614,93 @@ def angle_unit(degrees, quarters, reverse):
     return unit + _declarations.ANGLE_REVERSED if reverse else unit
 
 
-def _from_boxes(kind, functions, rows, single, unit, half_sizes=None, radius=None):
-    """Shapes that the library makes from rows; half_sizes: what the valid ones have in place of the rows' sizes."""
+def _from_boxes(kind, functions, rows, single, unit, names, given=None):
+    """Shapes that the library makes from rows.
+
+    names: of the columns that the caller gave. given: these, where rows are made from them: half sizes, or a radius.
+    """
     if rows.strides[1] != rows.itemsize:
         rows = numpy.ascontiguousarray(rows)
     out = numpy.empty((len(rows), 6), rows.dtype)
     code = functions[rows.dtype.char](rows.ctypes.data, len(rows), rows.strides[0], unit, out.ctypes.data)
-    if half_sizes is not None:
+    if kind == Kind.ELLIPSE and given is not None:
         valid = ~numpy.isnan(out[:, 4])
-        out[valid, 4:6] = half_sizes[valid]
-    if radius is not None:
-        out = numpy.column_stack((out, radius))
+        out[valid, 4:6] = given[valid, 2:4]
+    if kind == Kind.ROUND_RECT:
+        out = numpy.column_stack((out, given[:, 5]))
         out[numpy.isnan(out[:, 4]), 6] = numpy.nan
-    made = shapes(kind, out[0] if single else out)
-    if code < 0:
-        wrong = made.invalid()
-        first = f"{len(wrong)} invalid rows, the first is number {wrong[0]}" if len(wrong) else None
-        raise VesicaError(code, first, made)
-    return made
+    rows = rows if given is None else given
+    return _made(code, kind, out, single, lambda i: fault_of(names, rows[i]))
+
+
+def _made(code, kind, numbers, single, fault):
+    """Shapes of rows that the library made, or its error with them. fault(i): what is wrong with row i, in words."""
+    made = shapes(kind, numbers[0] if single else numbers)
+    if code >= 0:
+        return made
+    wrong = made.invalid()
+    if len(wrong) == 0:
+        raise VesicaError(code, result=made)
+    why = fault(wrong[0]) or str(VesicaError(code))
+    raise VesicaError(code, why if single else first_of_rows(wrong, why), made)
 
 
 def rects_from_corners(corners):
-    """Rectangles from (n, 4, 2) or (4, 2): four corners in order round the outline, in either sense.
+    """Rectangles from (n, 4, 2) or (n, 8): four corners in order round the outline, in either sense; one for a single.
 
-    Corners that are not exactly a rectangle's give one near them: `rect_corners_misfit` says how near. Crossed corners,
-    as in the order of a table's rows, are a VesicaError. Costs about 2 us each.
+    Corners that are not exactly a rectangle's give one near them: `rect_corners_misfit` says how near. A row of crossed
+    corners, as in the order of a table's rows, is a VesicaError, whose `result` has NaN for it.
     """
     rows, single = _corner_rows(corners)
-    return _constructed(Kind.RECT, rows.dtype, single, len(rows), lambda i: (rows[i].ctypes.data,))
+    out = numpy.empty((len(rows), 6), rows.dtype)
+    code = _RECTS_FROM_CORNERS[rows.dtype.char](rows.ctypes.data, len(rows), rows.strides[0], out.ctypes.data)
+
+    def fault(i):
+        alone = _RECT_FROM_CORNERS[rows.dtype.char](rows[i].ctypes.data, numpy.empty(6, rows.dtype).ctypes.data)
+        crossed = "corners are crossed, not in order round the outline"
+        return crossed if alone == _declarations.E_ARGUMENT else not_finite("corner", rows[i].reshape(4, 2))
+
+    return _made(code, Kind.RECT, out, single, fault)
 
 
 def rect_corners_misfit(corners, rect):
-    """How far corners (n, 4, 2) or (4, 2) are off those of rectangles: an array, or a float for a single rectangle.
+    """How far corners (n, 4, 2) or (n, 8) are off those of rectangles: an array, or a float for a single rectangle.
 
     It is the largest distance from a given corner to the rectangle's corner that corresponds to it. The corners may
-    start at any corner of the rectangle and run in either sense. Costs about 2 us each.
+    start at any corner of the rectangle and run in either sense.
     """
     rows, _ = _corner_rows(corners)
     if the_shapes(rect, "rect").kind != Kind.RECT:
         raise VesicaError(_declarations.E_KIND, f"rect holds {rect.kind.name.lower()} shapes, not rectangles")
     if rows.dtype != rect.dtype:
         raise TypeError(f"corners are {rows.dtype} and rect {rect.dtype}: both are float64, or both float32")
-    rects_of_rows = numpy.ascontiguousarray(rect.numbers.reshape(-1, 6))
-    if len(rows) != len(rects_of_rows):
-        raise ValueError(f"corners are of {len(rows)} rectangles, and rect has {len(rects_of_rows)}")
-    out, function = numpy.empty(len(rows), rows.dtype), _CORNERS_MISFIT[rect.letter]
-    for i in range(len(rows)):
-        code = function(rows[i].ctypes.data, rects_of_rows[i].ctypes.data, out[i:].ctypes.data)
-        if code < 0:
-            raise VesicaError(code, f"rect {i}: {VesicaError(code)}")
+    if len(rows) != len(rect.columns[0]):
+        raise ValueError(f"corners are of {len(rows)} rectangles, and rect has {len(rect.columns[0])}")
+    out = numpy.empty(len(rows), rows.dtype)
+    result = None if rect.single else out
+    if rect.single:
+        code = _MISFIT_OF_ONE[rect.letter](rows.ctypes.data, rect.record, out.ctypes.data)
+    else:
+        code = _CORNERS_MISFIT[rect.letter](rows.ctypes.data, rows.strides[0], ctypes.byref(rect.view), out.ctypes.data)
+    if code < 0:
+        for i in numpy.flatnonzero(~numpy.isfinite(rows).all(axis=1))[:1]:
+            raise VesicaError(code, f"row {i} of corners: {not_finite('corner', rows[i].reshape(4, 2))}", result)
+        raise refused(code, result, rect=rect)
     return out[0].item() if rect.single else out
 
 
 def _corner_rows(corners):
     """Four corners each as rows of 8 numbers, and whether they are of a single rectangle."""
-    corners = _floats(corners)
+    corners = floats_of(corners, "corners")
     if corners.shape == (0,):
-        corners = corners.reshape(0, 4, 2)
-    if corners.shape[-2:] != (4, 2) or corners.ndim > 3:
-        raise ValueError(f"corners have the shape (n, 4, 2) or (4, 2), not {corners.shape}")
-    return numpy.ascontiguousarray(corners.reshape(-1, 8)), corners.ndim == 2
+        corners = corners.reshape(0, 8)
+    in_pairs = corners.shape[-2:] == (4, 2)
+    if corners.shape[-1:] != (8,) and not in_pairs or corners.ndim > 2 + in_pairs:
+        raise ValueError(f"corners have the shape (n, 4, 2), (n, 8), or (4, 2) or (8,) for one, not {corners.shape}")
+    rows = corners.reshape(-1, 8)
+    if len(rows) and rows.strides[1] != rows.itemsize:
+        rows = numpy.ascontiguousarray(rows)
+    return rows, corners.ndim == 1 + in_pairs
 
 
 def ellipses_from_covariance(means, covariances, k=1.0):
@@ -496,42 +708,50 @@ def ellipses_from_covariance(means, covariances, k=1.0):
 
     They are float32 where means and covariances both are.
     """
-    means, covariances, k = _floats(means), _floats(covariances), float(k)
+    means, covariances = floats_of(means, "means"), floats_of(covariances, "covariances")
     if means.shape[-1:] != (2,) or covariances.shape != (*means.shape, 2) or means.ndim > 2:
         raise ValueError(
             f"means have the shape (n, 2) and covariances (n, 2, 2), not {means.shape} and {covariances.shape}"
         )
     dtype = numpy.result_type(means, covariances)
+    k = real(k, "k", dtype, 0)
     rows, matrices = means.reshape(-1, 2).astype(dtype), covariances.reshape(-1, 2, 2).astype(dtype)
     upper, lower = matrices[:, 0, 1], matrices[:, 1, 0]
     unknown = numpy.isnan(upper) | numpy.isnan(lower)
-    if (upper != lower)[~unknown].any():
-        raise ValueError("a covariance is a symmetric matrix")
+    skew = (upper != lower) & ~unknown
+    if skew.any():
+        i = numpy.argmax(skew)
+        raise ValueError(f"covariances: row {i} is not symmetric: {plainly(upper[i])} and {plainly(lower[i])}")
     upper[unknown] = numpy.nan  # the library is given this one, and says what is wrong
     return _constructed(
         Kind.ELLIPSE,
-        dtype,
+        _ELLIPSE_FROM_COVARIANCE,
+        numpy.column_stack((rows, matrices[:, 0, 0], upper, matrices[:, 1, 1], numpy.full(len(rows), k, dtype))),
         means.ndim == 1,
-        len(rows),
-        lambda i: (*rows[i], matrices[i, 0, 0], upper[i], matrices[i, 1, 1], k),
+        _fault_of_covariance,
     )
 
 
-def _constructed(kind, dtype, single, count, arguments):
-    """Shapes that a constructor of the C library makes one by one."""
-    function = (_RECT_FROM_CORNERS if kind == Kind.RECT else _ELLIPSE_FROM_COVARIANCE)[dtype.char]
-    numbers = numpy.empty((count, 6), dtype)
-    for i in range(count):
-        code = function(*arguments(i), numbers[i].ctypes.data)
+def _fault_of_covariance(row):
+    finite = fault_of(("x", "y", "cxx", "cxy", "cyy", "k"), row)
+    return finite or f"the covariance {' '.join(map(plainly, row[2:5]))} (xx xy yy) has a negative variance"
+
+
+def _constructed(kind, functions, rows, single, fault):
+    """Shapes that a constructor of the C library makes of a row of arguments each, one by one."""
+    numbers, function, first = numpy.empty((len(rows), len(FIELDS[kind])), rows.dtype), functions[rows.dtype.char], 0
+    for i, row in enumerate(rows):
+        code = function(*row, numbers[i].ctypes.data)
         if code < 0:
-            crossed = kind == Kind.RECT and code == _declarations.E_ARGUMENT
-            why = "corners are crossed, not in order round the outline" if crossed else VesicaError(code)
-            raise VesicaError(code, f"{kind.name.lower()} {i}: {why}")
-    return shapes(kind, numbers[0] if single else numbers)
+            numbers[i] = numpy.nan
+            first = first or code
+    return _made(first, kind, numbers, single, lambda i: fault(rows[i]))
 
 
 def check(shape):
     """Raises VesicaError, which says why, if a single shape is invalid. Of arrays, `Shapes.invalid` tells which are."""
     if not the_shapes(shape, "shape").single:
         raise TypeError("check takes a single shape")
-    checked(CHECK[shape.letter](shape.kind, shape.record))
+    code = CHECK[shape.letter](shape.kind, shape.record)
+    if code < 0:
+        raise VesicaError(code, shape.fault(0) if len(shape.invalid()) else None)

@@ -4,8 +4,9 @@ import ctypes
 
 import numpy
 
-from ._library import all_points, by_scalar, checked, library
-from .shapes import same_scalar
+from . import _declarations
+from ._library import VesicaError, by_scalar, checked, library
+from .shapes import accepted, all_points, same_scalar
 
 _DE9IM, _INTERSECTION = by_scalar("de9im"), by_scalar("intersection")
 
@@ -20,7 +21,7 @@ def de9im(a, b):
     letter = same_scalar(a, b)
     _two(a, b, "a nine-intersection matrix")
     out = ctypes.create_string_buffer(10)
-    checked(_DE9IM[letter](a.kind, a.record, b.kind, b.record, out))
+    accepted(_DE9IM[letter](a.kind, a.record, b.kind, b.record, out), a=a, b=b)
     return out.value.decode()
 
 
@@ -29,8 +30,9 @@ def de9im_match(matrix, pattern):
     for name, text in (("matrix", matrix), ("pattern", pattern)):
         if not isinstance(text, str):
             raise TypeError(f"{name} is a text of nine characters, not {type(text).__name__}")
-        if not text.isascii() or "\0" in text:
-            raise ValueError(f"{name} has nine characters of F, 0, 1, 2, T and *, not {text!r}")
+        if len(text) != 9 or set(text) - set("F012T*"[: 4 if name == "matrix" else 6]):
+            of = "F, 0, 1 and 2" if name == "matrix" else "F, 0, 1, 2, T and *"
+            raise VesicaError(_declarations.E_ARGUMENT, f"{name} is {text!r}, not nine characters of {of}")
     return bool(checked(library.vesica_de9im_match(matrix.encode(), pattern.encode())))
 
 
