@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shapes that move: two, arrays of them, and one through an index.
+#include <cmath>
 #include <cstring>
+#include <limits>
+#include <vesica/arithmetic/length.hpp>
 #include <vesica/impact_time.hpp>
 #include <vesica/polygon/bounds.hpp>
 
@@ -164,6 +167,11 @@ VESICA_INLINE int32_t cast_typed(const void* a, const void* b, T vx, T vy, T end
   return cast_known<A, B, T>(a, b, vx, vy, end, out);
 }
 
+template <class CTurn>
+vesica::Turn<double> turn_of(const CTurn& t) noexcept {
+  return {static_cast<double>(t.vx), static_cast<double>(t.vy), static_cast<double>(t.angle)};
+}
+
 template <class T, class CTurn, class Out>
 int32_t impact_time(int32_t kind_a, const void* a, const CTurn* turn_a, int32_t kind_b, const void* b,
                     const CTurn* turn_b, T tolerance, Out* out, T* gap) noexcept {
@@ -171,9 +179,6 @@ int32_t impact_time(int32_t kind_a, const void* a, const CTurn* turn_a, int32_t 
   if (a == nullptr || turn_a == nullptr || b == nullptr || turn_b == nullptr) return VESICA_E_NULL;
   if (out == nullptr || gap == nullptr) return VESICA_E_NULL;
   if (!casts_take(kind_a) || !casts_take(kind_b)) return VESICA_E_KIND;
-  const auto turn_of = [](const CTurn& t) {
-    return vesica::Turn<double>{static_cast<double>(t.vx), static_cast<double>(t.vy), static_cast<double>(t.angle)};
-  };
   const vesica::Turn<double> first = turn_of(*turn_a), second = turn_of(*turn_b);
   const bool sound = vesica::detail::impact_time::is_sound(first) && vesica::detail::impact_time::is_sound(second);
   if (!sound || !(tolerance > 0)) return VESICA_E_ARGUMENT;
@@ -309,27 +314,98 @@ struct Moving {
   }
 };
 
-/// The arguments of both functions of an index, checked; is_sound() checks the other arguments, once there is an index,
-/// and action(cast, moving) answers.
+/// A shape that moves and turns among items at rest, as Moving does.
+template <class T>
+struct TurningAmong : Moving<T> {
+  vesica::Turn<double> turn;
+  double tolerance;
+  int32_t last_answer, answer;
+  T last_gap, gap;
+
+  static int32_t ask(void* context, std::uint32_t item, double end, double& t) {
+    TurningAmong& self = *static_cast<TurningAmong*>(context);
+    constexpr vesica::Turn<double> rest{0, 0, 0};
+    self.last_answer = self.with_path(item) ? vesica::polygon::impact_time(Item<T>(self.sets, item).operand, rest,
+                                                                           Item<T>(self.single, 0).operand, self.turn,
+                                                                           self.tolerance, self.last, self.last_gap)
+                                            : vesica::queries::impact_time(self.still(item), rest, self.body, self.turn,
+                                                                           self.tolerance, self.last, self.last_gap);
+    t = static_cast<double>(self.last.t);
+    return self.last_answer > 0 && t > end ? VESICA_CAST_MISS : self.last_answer;
+  }
+  static void prefetch(const void* context, std::uint32_t item) {
+    Moving<T>::prefetch(static_cast<const Moving<T>*>(static_cast<const TurningAmong*>(context)), item);
+  }
+  static void keep(void* context) {
+    TurningAmong& self = *static_cast<TurningAmong*>(context);
+    self.first = self.last;
+    self.answer = self.last_answer;
+    self.gap = self.last_gap;
+  }
+};
+
+/// Widens the bounds of a shape to those of its turns about their middle, and by the tolerance. No point of it is
+/// farther from the middle than half their diagonal r, so none moves farther than r |angle|.
+void widen_by_turn(double angle, double tolerance, double (&box)[4]) noexcept {
+  constexpr double more = 1 + 0x1p-50, largest = std::numeric_limits<double>::max();
+  const double r = vesica::detail::arithmetic::length(0.5 * box[2] - 0.5 * box[0], 0.5 * box[3] - 0.5 * box[1]) * more;
+  const double arc = r * std::fabs(angle) * more;
+  for (int axis = 0; axis < 2; ++axis) {
+    double &low = box[axis], &high = box[axis + 2];
+    const double middle = 0.5 * low + 0.5 * high;
+    const double rounding = 0x1p-50 * (std::fabs(low) + std::fabs(high) + r + tolerance);
+    const double from = std::fmax(middle - r, low - arc), to = std::fmin(middle + r, high + arc);
+    low = std::fmax(from - (tolerance + rounding), -largest);
+    high = std::fmin(to + (tolerance + rounding), largest);
+  }
+}
+
+/// An index, its sets, and a single shape with its bounds.
+struct Among {
+  const void* index;
+  index::Sets items, single;
+  double box[4];
+};
+
+/// Checks the arguments of functions of an index, then calls action(among). is_sound() checks the other arguments, once
+/// there is an index.
+template <class T, class IsSound, class Action>
+int64_t with_index(const void* from, const CShapesOf<T>* sets, int32_t set_count, const CShapesOf<T>* one,
+                   const IsSound& is_sound, const Action& action) noexcept {
+  if (one == nullptr) return VESICA_E_NULL;
+  Among among{from, {}, {}, {}};
+  const int32_t of_shapes = first_error(view_sets<T>(one, 1, among.single, casts_take),
+                                        view_sets<T>(sets, set_count, among.items, casts_take));
+  const int32_t error = first_error(check_index(from), of_shapes);
+  if (error != 0) return error;
+  const bool fits = among.single.items == 1 && among.items.items == index::View(from).items();
+  if (!fits || !is_sound()) return VESICA_E_ARGUMENT;
+  if (!index::bounds_of_item(index_kernels(), among.single, 0, among.box)) return VESICA_E_SHAPE;
+  return action(among);
+}
+
+template <class T>
+Moving<T> moving_among(const Among& among, const CShapesOf<T>& one, const Motion& motion) noexcept {
+  constexpr Impact<T> none = vesica::detail::cast::no_impact<T>();
+  return {among.items, among.single, vesica::is_row(one.kind) ? body_at(view<T>(one), 0) : Body{}, motion, none, none};
+}
+
+index::Cast cast_of(const Among& among, const Motion& motion, const index::Targets& targets) noexcept {
+  return {among.index, targets, among.box, motion.vx, motion.vy, motion.end, among.items.is_float};
+}
+
+/// The same for casts: action(cast, moving) answers.
 template <class T, class IsSound, class Action>
 int64_t through_index(const void* from, const CShapesOf<T>* sets, int32_t set_count, const CShapesOf<T>* one,
                       const Motion& motion, const IsSound& is_sound, const Action& action) noexcept {
-  if (one == nullptr) return VESICA_E_NULL;
-  index::Sets items, single;
-  const int32_t of_shapes =
-      first_error(view_sets<T>(one, 1, single, casts_take), view_sets<T>(sets, set_count, items, casts_take));
-  const int32_t error = first_error(check_index(from), of_shapes);
-  if (error != 0) return error;
-  const bool fits = single.items == 1 && items.items == index::View(from).items();
-  if (!fits || !vesica::detail::cast::is_sound(motion) || !is_sound()) return VESICA_E_ARGUMENT;
-  double box[4];
-  if (!index::bounds_of_item(index_kernels(), single, 0, box)) return VESICA_E_SHAPE;
-  constexpr Impact<T> none = vesica::detail::cast::no_impact<T>();
-  const Body body = vesica::is_row(one->kind) ? body_at(view<T>(*one), 0) : Body{};
-  Moving<T> moving{items, single, body, motion, none, none};
-  const index::Targets targets{&moving, Moving<T>::ask, Moving<T>::meets, Moving<T>::prefetch, Moving<T>::keep};
-  const index::Cast cast{from, targets, box, motion.vx, motion.vy, motion.end, items.is_float};
-  return action(cast, moving);
+  return with_index<T>(
+      from, sets, set_count, one, [&] { return vesica::detail::cast::is_sound(motion) && is_sound(); },
+      [&](const Among& among) {
+        Moving<T> moving = moving_among<T>(among, *one, motion);
+        return action(
+            cast_of(among, motion, {&moving, Moving<T>::ask, Moving<T>::meets, Moving<T>::prefetch, Moving<T>::keep}),
+            moving);
+      });
 }
 
 template <class T>
@@ -355,6 +431,32 @@ int64_t index_first(const void* from, const CShapesOf<T>* sets, int32_t set_coun
                             write(moving.first, out);
                             return found.item;
                           });
+}
+
+template <class T, class CTurn, class Out>
+int64_t index_impact_time(const void* from, const CShapesOf<T>* sets, int32_t set_count, const CShapesOf<T>* one,
+                          const CTurn* turn, T tolerance, Out* out, T* gap, int32_t* answer) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT((index_impact_time<T, CTurn, Out>), from, sets, set_count, one, turn, tolerance, out, gap,
+                             answer);
+  if (turn == nullptr || out == nullptr || gap == nullptr || answer == nullptr) return VESICA_E_NULL;
+  const auto enough = static_cast<double>(tolerance);
+  return with_index<T>(
+      from, sets, set_count, one, [&] { return vesica::detail::impact_time::is_sound(turn_of(*turn)) && enough > 0; },
+      [&](Among& among) {
+        const vesica::Turn<double> way = turn_of(*turn);
+        widen_by_turn(way.angle, enough, among.box);
+        const Motion motion{way.vx, way.vy, 1};
+        constexpr T none = std::numeric_limits<T>::quiet_NaN();
+        TurningAmong<T> moving{
+            moving_among<T>(among, *one, motion), way, enough, VESICA_CAST_MISS, VESICA_CAST_MISS, none, none};
+        const index::FirstItem found = index::find_first_hit(cast_of(
+            among, motion, {&moving, TurningAmong<T>::ask, nullptr, TurningAmong<T>::prefetch, TurningAmong<T>::keep}));
+        if (found.error != 0) return int64_t{found.error};
+        write(moving.first, out);
+        *gap = moving.gap;
+        *answer = moving.answer;
+        return found.item;
+      });
 }
 
 }  // namespace
@@ -390,6 +492,11 @@ int64_t index_first(const void* from, const CShapesOf<T>* sets, int32_t set_coun
                                            const vesica_shapes_##scalar* one, T vx, T vy, T t_end,                    \
                                            vesica_impact_##scalar* out) {                                             \
     return index_first<T>(index, sets, set_count, one, vx, vy, t_end, out);                                           \
+  }                                                                                                                   \
+  int64_t vesica_index_impact_time_##scalar(const void* index, const vesica_shapes_##scalar* sets, int32_t set_count, \
+                                            const vesica_shapes_##scalar* one, const vesica_turn_##scalar* turn,      \
+                                            T tolerance, vesica_impact_##scalar* out, T* gap, int32_t* answer) {      \
+    return index_impact_time<T>(index, sets, set_count, one, turn, tolerance, out, gap, answer);                      \
   }
 
 VESICA_MOTION(f64, double)

@@ -4,8 +4,8 @@
 ///
 ///     vesica_bench_join [n] [repeats] [row]...
 ///
-/// A row is a workload of tests/index/workloads.cpp, or identical, windows, nearest, kinds, growth, memory, threads or
-/// frame; all by default.
+/// A row is a workload of tests/index/workloads.cpp, or identical, windows, nearest, turning, kinds, growth, memory,
+/// threads or frame; all by default.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -18,7 +18,7 @@ namespace {
 using namespace vesica::bench;
 
 /// Rows that are not a workload.
-constexpr const char* questions[] = {"identical", "windows", "nearest", "kinds",
+constexpr const char* questions[] = {"identical", "windows", "nearest", "turning", "kinds",
                                      "growth",    "memory",  "threads", "frame"};
 
 bool is_row(const std::string& name) {
@@ -33,6 +33,8 @@ void report(const std::string& row, std::int64_t n, int repeats) {
     report_windows(n, repeats);
   } else if (row == "nearest") {
     report_nearest(n, repeats);
+  } else if (row == "turning") {
+    report_turning(n, repeats);
   } else if (row == "kinds") {
     report_kinds(n, repeats);
   } else if (row == "growth") {

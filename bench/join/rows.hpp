@@ -19,6 +19,9 @@ void report_windows(std::int64_t n, int repeats);
 /// The ten boxes nearest to a point, of n.
 void report_nearest(std::int64_t n, int repeats);
 
+/// Moving and turning rectangles, one at a time, against n at rest; beside asking each of the n.
+void report_turning(std::int64_t n, int repeats);
+
 /// All six kinds against rectangles alone: a candidate's decision.
 void report_kinds(std::int64_t n, int repeats);
 

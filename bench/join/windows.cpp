@@ -86,4 +86,42 @@ void report_nearest(std::int64_t n, int repeats) {
   std::printf("\n");
 }
 
+void report_turning(std::int64_t n, int repeats) {
+  constexpr int queries = 200, asked_of_all = 3;
+  constexpr double tolerance = 1e-3;
+  const auto shapes = draw("uniform", n, 1);
+  auto moving = draw("uniform", n, 2);
+  moving.resize(queries);
+  const Operand set({view(shapes)});
+  Times times;
+  build(set, Scratch(n), times);
+  vesica_impact_f64 impact;
+  double gap, sum = 0;
+  std::int64_t hits = 0;
+  const auto turn_of = [](const RectRecord& r) { return vesica_turn_f64{20 * r.ux, 20 * r.uy, 2}; };
+  const double taken = quickest(repeats, [&] {
+    hits = 0;
+    for (const RectRecord& r : moving) {
+      vesica_shapes_f64 one;
+      std::int32_t answer;
+      vesica_shapes_from_records_f64(VESICA_RECT, 1, &r, 0, &one);
+      const vesica_turn_f64 turn = turn_of(r);
+      hits += vesica_index_impact_time_f64(set.index.data, set.sets.data(), 1, &one, &turn, tolerance, &impact, &gap,
+                                           &answer) < n;
+    }
+  });
+  const double all = quickest(1, [&] {
+    for (int i = 0; i < asked_of_all; ++i) {
+      const RectRecord& r = moving[static_cast<std::size_t>(i)];
+      const vesica_turn_f64 rest{0, 0, 0}, turn = turn_of(r);
+      for (const RectRecord& other : shapes) {
+        if (vesica_impact_time_f64(VESICA_RECT, &other, &rest, VESICA_RECT, &r, &turn, tolerance, &impact, &gap) > 0)
+          sum += impact.t;
+      }
+    }
+  });
+  std::printf("turning, %.0f%% hit: %.0f ns | each of all x%.0f%s\n", 100.0 * static_cast<double>(hits) / queries,
+              taken * 1e9 / queries, all / asked_of_all / (taken / queries), sum < 0 ? "!" : "");
+}
+
 }  // namespace vesica::bench

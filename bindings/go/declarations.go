@@ -1107,6 +1107,14 @@ func cImpactTime(wide bool, kindA C.int32_t, a C.vesica_go_shape, turnA *C.char,
 	return C.go_impact_time_f32(kindA, a, turnA, kindB, b, turnB, C.float(tolerance), out, gap)
 }
 
+func cIndexImpactTime(wide bool, index *C.char, sets C.vesica_go_sets, setCount C.int32_t, one C.vesica_go_view,
+	turn *C.char, tolerance float64, out *C.char, gap *C.char, answer *C.char) C.int64_t {
+	if wide {
+		return C.go_index_impact_time_f64(index, sets, setCount, one, turn, C.double(tolerance), out, gap, answer)
+	}
+	return C.go_index_impact_time_f32(index, sets, setCount, one, turn, C.float(tolerance), out, gap, answer)
+}
+
 func cCastPointPoint(wide bool, a *C.char, b *C.char, vx float64, vy float64, tEnd float64, out *C.char) C.int32_t {
 	if wide {
 		return C.go_cast_point_point_f64(a, b, C.double(vx), C.double(vy), C.double(tEnd), out)

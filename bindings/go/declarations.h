@@ -1370,6 +1370,26 @@ static inline int32_t go_impact_time_f32(int32_t kind_a, vesica_go_shape a, cons
         (void *)out, (void *)gap);
 }
 
+static inline int64_t go_index_impact_time_f64(const char *index, vesica_go_sets sets, int32_t set_count,
+    vesica_go_view one, const char *turn, double tolerance, char *out, char *gap, char *answer) {
+    vesica_shapes_f64 of_sets[64];
+    memcpy(of_sets, &sets, sizeof of_sets);
+    vesica_shapes_f64 of_one;
+    memcpy(&of_one, &one, sizeof of_one);
+    return vesica_index_impact_time_f64((const void *)index, of_sets, set_count, &of_one, (const void *)turn, tolerance,
+        (void *)out, (void *)gap, (void *)answer);
+}
+
+static inline int64_t go_index_impact_time_f32(const char *index, vesica_go_sets sets, int32_t set_count,
+    vesica_go_view one, const char *turn, float tolerance, char *out, char *gap, char *answer) {
+    vesica_shapes_f32 of_sets[64];
+    memcpy(of_sets, &sets, sizeof of_sets);
+    vesica_shapes_f32 of_one;
+    memcpy(&of_one, &one, sizeof of_one);
+    return vesica_index_impact_time_f32((const void *)index, of_sets, set_count, &of_one, (const void *)turn, tolerance,
+        (void *)out, (void *)gap, (void *)answer);
+}
+
 static inline int32_t go_cast_point_point_f64(const char *a, const char *b, double vx, double vy, double t_end,
     char *out) {
     return vesica_cast_point_point_f64((const void *)a, (const void *)b, vx, vy, t_end, (void *)out);

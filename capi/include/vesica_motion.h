@@ -181,6 +181,24 @@ VESICA_API int32_t vesica_impact_time_f64(int32_t kind_a, const void *a, const v
                                           const void *b, const vesica_turn_f64 *turn_b, double tolerance,
                                           vesica_impact_f64 *out, double *gap);
 
+/**
+ * Which item of an index does a shape that moves and turns touch first? It is proved that there is no contact with any
+ * item before t.
+ *
+ * The items are at rest. Each is asked as by vesica_impact_time_f64, the item as a and `one` as b; the one with the
+ * least t counts, and of several the lowest. *out, *gap and *answer are its results. Items are not asked if they stay
+ * farther than the tolerance from all places of `one`, nor if they are first that near after t.
+ * Requires: sets are those of the index. one, an array of count 1; turn and tolerance as for vesica_impact_time_f64.
+ * Returns: the item, with *answer VESICA_CAST_HIT, _NEAR or _START; or the index's count, with VESICA_CAST_MISS.
+ * Errors: those of vesica_index_cast_f64; VESICA_E_RANGE, and VESICA_E_NOT_CONVEX of a polygon in the index, only for
+ * an item that might be touched first.
+ * Cost: a search, and vesica_impact_time_f64 for the items near the way.
+ * Since: 0.1.
+ */
+VESICA_API int64_t vesica_index_impact_time_f64(const void *index, const vesica_shapes_f64 *sets, int32_t set_count,
+                                                const vesica_shapes_f64 *one, const vesica_turn_f64 *turn,
+                                                double tolerance, vesica_impact_f64 *out, double *gap, int32_t *answer);
+
 /* ---- Casts of two given kinds, double: the same bits as vesica_cast_f64, without its dispatch by kind ----
  * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
  * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
@@ -260,6 +278,10 @@ typedef struct {
 VESICA_API int32_t vesica_impact_time_f32(int32_t kind_a, const void *a, const vesica_turn_f32 *turn_a, int32_t kind_b,
                                           const void *b, const vesica_turn_f32 *turn_b, float tolerance,
                                           vesica_impact_f32 *out, float *gap);
+/** As vesica_index_impact_time_f64. */
+VESICA_API int64_t vesica_index_impact_time_f32(const void *index, const vesica_shapes_f32 *sets, int32_t set_count,
+                                                const vesica_shapes_f32 *one, const vesica_turn_f32 *turn,
+                                                float tolerance, vesica_impact_f32 *out, float *gap, int32_t *answer);
 
 /* ---- Casts of two given kinds, float ----
  * Errors: those of the double functions.

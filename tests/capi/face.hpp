@@ -125,6 +125,7 @@ struct Face<double> {
   static constexpr auto intersection = capi_tests::intersection<double>;
   static constexpr auto intersection_in_room = vesica_intersection_f64;
   static constexpr auto impact_time = vesica_impact_time_f64;
+  static constexpr auto index_impact_time = vesica_index_impact_time_f64;
   static constexpr auto suppress_soft = vesica_suppress_soft_f64;
   static constexpr auto within = vesica_within_f64;
   static constexpr auto within_many = vesica_within_many_f64;
@@ -210,6 +211,7 @@ struct Face<float> {
   static constexpr auto intersection = capi_tests::intersection<float>;
   static constexpr auto intersection_in_room = vesica_intersection_f32;
   static constexpr auto impact_time = vesica_impact_time_f32;
+  static constexpr auto index_impact_time = vesica_index_impact_time_f32;
   static constexpr auto suppress_soft = vesica_suppress_soft_f32;
   static constexpr auto within = vesica_within_f32;
   static constexpr auto within_many = vesica_within_many_f32;

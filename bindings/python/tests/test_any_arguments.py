@@ -117,6 +117,7 @@ def ask_index(draw, index):
         "nearest": [one],
         "cast": [one, velocity],
         "cast_first": [one, velocity],
+        "impact_time": [one, numbers(draw, 3), 0.5],
         "nearest_of_each": [array(draw)],
         "join": [vesica.Index(array(draw))],
     }

@@ -6,8 +6,8 @@ import math
 import numpy
 
 from . import _declarations
-from ._library import VesicaError, by_scalar, checked, first_rows, library, one_of, real, whole
-from .motion import first_of, motion, new_impact
+from ._library import ABOVE_ZERO, VesicaError, by_scalar, checked, first_rows, library, one_of, real, whole
+from .motion import NUMBERS, Cast, first_of, impact_of, motion, new_impact, turn_record
 from .queries import Ratio
 from .shapes import Shapes, accepted, first_of_rows, one_shape, same_scalar, the_shapes
 
@@ -22,6 +22,7 @@ _BUILD, _SELECT, _JOIN = by_scalar("index_build"), by_scalar("index_select"), by
 _NEAREST, _JOIN_NEAREST = by_scalar("index_nearest"), by_scalar("join_nearest")
 _JOIN_WITHIN, _JOIN_RATIO = by_scalar("join_within"), by_scalar("join_ratio")
 _CAST, _CAST_FIRST = by_scalar("index_cast"), by_scalar("index_cast_first")
+_IMPACT_TIME = by_scalar("index_impact_time")
 _ALIGNMENT = 64
 _PAIRS_A_CALL = 1 << 16
 _NO_OUTPUT = (None, None, 0, None)
@@ -251,6 +252,23 @@ class Index:
             *(*motion(velocity, t_end, shape.dtype), ctypes.byref(record)),
         )
         return first_of(accepted(item, shape=shape), self.count, record)
+
+    def impact_time(self, shape, turn, tolerance):
+        """The item that a moving and turning shape touches first, the lowest of several: (item, Cast, Impact, gap), or
+        None if it is proved that there is none. Proved: there is no contact with any item before.
+
+        The items are at rest. The answer is of impact_time for the item and the shape; Cast is HIT, NEAR or START.
+        """
+        same_scalar(self.sets[0], one_shape(shape, "shape"), "the index", "shape")
+        record, gap, answer = new_impact(self._letter), NUMBERS[self._letter](), ctypes.c_int32()
+        way = turn_record(turn, "turn", shape.dtype)
+        item = _IMPACT_TIME[self._letter](
+            *(self._address(), self._sets, len(self._sets), ctypes.byref(shape.view)),
+            *(ctypes.byref(way), real(tolerance, "tolerance", shape.dtype, ABOVE_ZERO), ctypes.byref(record)),
+            *(ctypes.byref(gap), ctypes.byref(answer)),
+        )
+        found = accepted(item, shape=shape) < self.count
+        return (item, Cast(answer.value), impact_of(record), gap.value) if found else None
 
     def nearest(self, shape, k=1, within=math.inf):
         """The k items nearest to a single shape, and their distances, nearest first; at equal distances by number.

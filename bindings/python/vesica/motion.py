@@ -49,7 +49,7 @@ _IMPACTS = {"d": _declarations.impact_f64, "f": _declarations.impact_f32}
 _CAST, _CAST_MANY, _CAST_FIRST = by_scalar("cast"), by_scalar("cast_many"), by_scalar("cast_first")
 _SWEEP_BOUNDS, _IMPACT_TIME = by_scalar("sweep_bounds"), by_scalar("impact_time")
 _TURNS = {"d": _declarations.turn_f64, "f": _declarations.turn_f32}
-_NUMBERS = {"d": ctypes.c_double, "f": ctypes.c_float}
+NUMBERS = {"d": ctypes.c_double, "f": ctypes.c_float}
 
 
 def impact_of(record):
@@ -157,7 +157,8 @@ def sweep_bounds(shape, velocity, t_end):
 _MOST_RADIANS = 2.0**20
 
 
-def _turn(turn, name, dtype):
+def turn_record(turn, name, dtype):
+    """A C struct."""
     vx, vy, angle = finite(turn, name, "(vx, vy, angle)", dtype)
     angle = real(angle, f"the angle of {name}", dtype, -_MOST_RADIANS, _MOST_RADIANS)
     return _TURNS[dtype.char](vx, vy, angle)
@@ -179,9 +180,9 @@ def impact_time(a, turn_a, b, turn_b, tolerance):
     letter = same_scalar(a, b)
     if not (a.single and b.single):
         raise TypeError("impact_time takes two single shapes")
-    turns = [_turn(turn_a, "turn_a", a.dtype), _turn(turn_b, "turn_b", a.dtype)]
+    turns = [turn_record(turn_a, "turn_a", a.dtype), turn_record(turn_b, "turn_b", a.dtype)]
     tolerance = real(tolerance, "tolerance", a.dtype, ABOVE_ZERO)
-    record, gap = new_impact(letter), _NUMBERS[letter]()
+    record, gap = new_impact(letter), NUMBERS[letter]()
     found = _IMPACT_TIME[letter](
         *(a.kind, a.record, ctypes.byref(turns[0]), b.kind, b.record, ctypes.byref(turns[1])),
         *(tolerance, ctypes.byref(record), ctypes.byref(gap)),

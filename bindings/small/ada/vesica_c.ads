@@ -1593,6 +1593,12 @@ package Vesica_C is
       System.Address; Gap : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_impact_time_f64";
 
+   --  Which item of an index does a shape that moves and turns touch first?
+   function Vesica_Index_Impact_Time_F64 (Index : System.Address; Sets : System.Address; Set_Count : Integer_32;
+      One : System.Address; Turn : System.Address; Tolerance : IEEE_Float_64; Output : System.Address; Gap :
+      System.Address; Answer : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_index_impact_time_f64";
+
    --  A ray at a point.
    function Vesica_Cast_Point_Point_F64 (A : System.Address; B : System.Address; Vx : IEEE_Float_64; Vy :
       IEEE_Float_64; T_End : IEEE_Float_64; Output : System.Address) return Integer_32
@@ -1671,6 +1677,12 @@ package Vesica_C is
       Integer_32; B : System.Address; Turn_B : System.Address; Tolerance : IEEE_Float_32; Output :
       System.Address; Gap : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_impact_time_f32";
+
+   --  Which item of an index does a shape that moves and turns touch first?
+   function Vesica_Index_Impact_Time_F32 (Index : System.Address; Sets : System.Address; Set_Count : Integer_32;
+      One : System.Address; Turn : System.Address; Tolerance : IEEE_Float_32; Output : System.Address; Gap :
+      System.Address; Answer : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_index_impact_time_f32";
 
    --  A ray at a point.
    function Vesica_Cast_Point_Point_F32 (A : System.Address; B : System.Address; Vx : IEEE_Float_32; Vy :

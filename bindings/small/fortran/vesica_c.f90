@@ -2727,6 +2727,21 @@ module vesica_c
       type(c_ptr), value :: gap
     end function
 
+    !> Which item of an index does a shape that moves and turns touch first?
+    integer(c_int64_t) function vesica_index_impact_time_f64(index, sets, set_count, one, turn, tolerance, out, gap, &
+      answer) bind(c)
+      import
+      type(c_ptr), value :: index
+      type(c_ptr), value :: sets
+      integer(c_int32_t), value :: set_count
+      type(vesica_shapes_f64), intent(in) :: one
+      type(vesica_turn_f64), intent(in) :: turn
+      real(c_double), value :: tolerance
+      type(vesica_impact_f64), intent(out) :: out
+      type(c_ptr), value :: gap
+      type(c_ptr), value :: answer
+    end function
+
     !> A ray at a point.
     integer(c_int32_t) function vesica_cast_point_point_f64(a, b, vx, vy, t_end, out) bind(c)
       import
@@ -2908,6 +2923,21 @@ module vesica_c
       real(c_float), value :: tolerance
       type(vesica_impact_f32), intent(out) :: out
       type(c_ptr), value :: gap
+    end function
+
+    !> Which item of an index does a shape that moves and turns touch first?
+    integer(c_int64_t) function vesica_index_impact_time_f32(index, sets, set_count, one, turn, tolerance, out, gap, &
+      answer) bind(c)
+      import
+      type(c_ptr), value :: index
+      type(c_ptr), value :: sets
+      integer(c_int32_t), value :: set_count
+      type(vesica_shapes_f32), intent(in) :: one
+      type(vesica_turn_f32), intent(in) :: turn
+      real(c_float), value :: tolerance
+      type(vesica_impact_f32), intent(out) :: out
+      type(c_ptr), value :: gap
+      type(c_ptr), value :: answer
     end function
 
     !> A ray at a point.

@@ -583,6 +583,8 @@
 (c vesica_index_cast_first_f64 int64 '* '* int32 '* double double double '*)
 ;; When do two shapes that move and turn touch first?
 (c vesica_impact_time_f64 int32 int32 '* '* int32 '* '* double '* '*)
+;; Which item of an index does a shape that moves and turns touch first?
+(c vesica_index_impact_time_f64 int64 '* '* int32 '* '* double '* '* '*)
 ;; A ray at a point.
 (c vesica_cast_point_point_f64 int32 '* '* double double double '*)
 ;; A ray at a segment.
@@ -613,6 +615,8 @@
 (c vesica_index_cast_first_f32 int64 '* '* int32 '* float float float '*)
 ;; As vesica_impact_time_f64.
 (c vesica_impact_time_f32 int32 int32 '* '* int32 '* '* float '* '*)
+;; Which item of an index does a shape that moves and turns touch first?
+(c vesica_index_impact_time_f32 int64 '* '* int32 '* '* float '* '* '*)
 ;; A ray at a point.
 (c vesica_cast_point_point_f32 int32 '* '* float float float '*)
 ;; A ray at a segment.

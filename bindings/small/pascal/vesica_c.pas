@@ -1121,6 +1121,10 @@ function vesica_index_cast_first_f64(index: Pointer; sets: PVesicaShapesF64; set
 function vesica_impact_time_f64(kind_a: Int32; a: Pointer; turn_a: PVesicaTurnF64; kind_b: Int32; b: Pointer;
   turn_b: PVesicaTurnF64; tolerance: Double; output: PVesicaImpactF64; gap: PDouble): Int32; cdecl; external
   vesica_library;
+// Which item of an index does a shape that moves and turns touch first?
+function vesica_index_impact_time_f64(index: Pointer; sets: PVesicaShapesF64; set_count: Int32; one:
+  PVesicaShapesF64; turn: PVesicaTurnF64; tolerance: Double; output: PVesicaImpactF64; gap: PDouble; answer:
+  PInt32): Int64; cdecl; external vesica_library;
 // A ray at a point.
 function vesica_cast_point_point_f64(a: PVesicaPointF64; b: PVesicaPointF64; vx: Double; vy: Double; t_end: Double;
   output: PVesicaImpactF64): Int32; cdecl; external vesica_library;
@@ -1170,6 +1174,10 @@ function vesica_index_cast_first_f32(index: Pointer; sets: PVesicaShapesF32; set
 function vesica_impact_time_f32(kind_a: Int32; a: Pointer; turn_a: PVesicaTurnF32; kind_b: Int32; b: Pointer;
   turn_b: PVesicaTurnF32; tolerance: Single; output: PVesicaImpactF32; gap: PSingle): Int32; cdecl; external
   vesica_library;
+// Which item of an index does a shape that moves and turns touch first?
+function vesica_index_impact_time_f32(index: Pointer; sets: PVesicaShapesF32; set_count: Int32; one:
+  PVesicaShapesF32; turn: PVesicaTurnF32; tolerance: Single; output: PVesicaImpactF32; gap: PSingle; answer:
+  PInt32): Int64; cdecl; external vesica_library;
 // A ray at a point.
 function vesica_cast_point_point_f32(a: PVesicaPointF32; b: PVesicaPointF32; vx: Single; vy: Single; t_end: Single;
   output: PVesicaImpactF32): Int32; cdecl; external vesica_library;

@@ -612,6 +612,9 @@ our @FUNCTIONS = (
     # When do two shapes that move and turn touch first?
     [vesica_impact_time_f64 => ['sint32', 'double[]', 'opaque', 'sint32', 'double[]', 'opaque', 'double', 'opaque',
         'opaque'] => 'sint32'],
+    # Which item of an index does a shape that moves and turns touch first?
+    [vesica_index_impact_time_f64 => ['opaque', 'opaque', 'sint32', 'opaque', 'opaque', 'double', 'opaque', 'opaque',
+        'opaque'] => 'sint64'],
     # A ray at a point.
     [vesica_cast_point_point_f64 => ['opaque', 'opaque', 'double', 'double', 'double', 'opaque'] => 'sint32'],
     # A ray at a segment.
@@ -646,6 +649,9 @@ our @FUNCTIONS = (
     # As vesica_impact_time_f64.
     [vesica_impact_time_f32 => ['sint32', 'float[]', 'opaque', 'sint32', 'float[]', 'opaque', 'float', 'opaque',
         'opaque'] => 'sint32'],
+    # Which item of an index does a shape that moves and turns touch first?
+    [vesica_index_impact_time_f32 => ['opaque', 'opaque', 'sint32', 'opaque', 'opaque', 'float', 'opaque', 'opaque',
+        'opaque'] => 'sint64'],
     # A ray at a point.
     [vesica_cast_point_point_f32 => ['opaque', 'opaque', 'float', 'float', 'float', 'opaque'] => 'sint32'],
     # A ray at a segment.

@@ -588,6 +588,8 @@ module Vesica
     'int64_t vesica_index_cast_first_f64(void *, void *, int, void *, double, double, double, void *)',
     # When do two shapes that move and turn touch first?
     'int vesica_impact_time_f64(int, void *, void *, int, void *, void *, double, void *, void *)',
+    # Which item of an index does a shape that moves and turns touch first?
+    'int64_t vesica_index_impact_time_f64(void *, void *, int, void *, void *, double, void *, void *, void *)',
     # A ray at a point.
     'int vesica_cast_point_point_f64(void *, void *, double, double, double, void *)',
     # A ray at a segment.
@@ -619,6 +621,8 @@ module Vesica
     'int64_t vesica_index_cast_first_f32(void *, void *, int, void *, float, float, float, void *)',
     # As vesica_impact_time_f64.
     'int vesica_impact_time_f32(int, void *, void *, int, void *, void *, float, void *, void *)',
+    # Which item of an index does a shape that moves and turns touch first?
+    'int64_t vesica_index_impact_time_f32(void *, void *, int, void *, void *, float, void *, void *, void *)',
     # A ray at a point.
     'int vesica_cast_point_point_f32(void *, void *, float, float, float, void *)',
     # A ray at a segment.

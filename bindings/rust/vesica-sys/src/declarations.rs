@@ -4617,6 +4617,27 @@ extern "C" {
     /// Since: 0.1.
     pub fn vesica_impact_time_f64(kind_a: i32, a: *const c_void, turn_a: *const Turn<f64>, kind_b: i32,
         b: *const c_void, turn_b: *const Turn<f64>, tolerance: f64, out: *mut Impact<f64>, gap: *mut f64) -> i32;
+    /// Which item of an index does a shape that moves and turns touch first? It is proved that there is no contact with
+    /// any item before t.
+    ///
+    /// The items are at rest. Each is asked as by vesica_impact_time_f64, the item as a and `one` as b; the one with
+    /// the least t counts, and of several the lowest. \*out, \*gap and \*answer are its results. Items are not asked if
+    /// they stay farther than the tolerance from all places of `one`, nor if they are first that near after t.
+    ///
+    /// Requires: sets are those of the index. one, an array of count 1; turn and tolerance as for
+    /// vesica_impact_time_f64.
+    ///
+    /// Returns: the item, with \*answer VESICA_CAST_HIT, _NEAR or _START; or the index's count, with VESICA_CAST_MISS.
+    ///
+    /// Errors: those of vesica_index_cast_f64; VESICA_E_RANGE, and VESICA_E_NOT_CONVEX of a polygon in the index, only
+    /// for an item that might be touched first.
+    ///
+    /// Cost: a search, and vesica_impact_time_f64 for the items near the way.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_index_impact_time_f64(index: *const c_void, sets: *const Shapes<f64>, set_count: i32,
+        one: *const Shapes<f64>, turn: *const Turn<f64>, tolerance: f64, out: *mut Impact<f64>, gap: *mut f64,
+        answer: *mut i32) -> i64;
     /// A ray at a point.
     ///
     /// Requires: vx and vy finite; both may be 0. t_end \>= 0, or infinity.
@@ -4869,6 +4890,27 @@ extern "C" {
     /// Since: 0.1.
     pub fn vesica_impact_time_f32(kind_a: i32, a: *const c_void, turn_a: *const Turn<f32>, kind_b: i32,
         b: *const c_void, turn_b: *const Turn<f32>, tolerance: f32, out: *mut Impact<f32>, gap: *mut f32) -> i32;
+    /// Which item of an index does a shape that moves and turns touch first? It is proved that there is no contact with
+    /// any item before t.
+    ///
+    /// The items are at rest. Each is asked as by vesica_impact_time_f32, the item as a and `one` as b; the one with
+    /// the least t counts, and of several the lowest. \*out, \*gap and \*answer are its results. Items are not asked if
+    /// they stay farther than the tolerance from all places of `one`, nor if they are first that near after t.
+    ///
+    /// Requires: sets are those of the index. one, an array of count 1; turn and tolerance as for
+    /// vesica_impact_time_f32.
+    ///
+    /// Returns: the item, with \*answer VESICA_CAST_HIT, _NEAR or _START; or the index's count, with VESICA_CAST_MISS.
+    ///
+    /// Errors: those of vesica_index_cast_f32; VESICA_E_RANGE, and VESICA_E_NOT_CONVEX of a polygon in the index, only
+    /// for an item that might be touched first.
+    ///
+    /// Cost: a search, and vesica_impact_time_f32 for the items near the way.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_index_impact_time_f32(index: *const c_void, sets: *const Shapes<f32>, set_count: i32,
+        one: *const Shapes<f32>, turn: *const Turn<f32>, tolerance: f32, out: *mut Impact<f32>, gap: *mut f32,
+        answer: *mut i32) -> i64;
     /// A ray at a point.
     ///
     /// Requires: vx and vy finite; both may be 0. t_end \>= 0, or infinity.
@@ -5300,6 +5342,9 @@ pub unsafe trait Scalar: Copy + Default + PartialEq + PartialOrd + core::fmt::De
         one: *const Shapes<Self>, vx: Self, vy: Self, t_end: Self, out: *mut Impact<Self>) -> i64;
     unsafe fn impact_time(kind_a: i32, a: *const c_void, turn_a: *const Turn<Self>, kind_b: i32, b: *const c_void,
         turn_b: *const Turn<Self>, tolerance: Self, out: *mut Impact<Self>, gap: *mut Self) -> i32;
+    unsafe fn index_impact_time(index: *const c_void, sets: *const Shapes<Self>, set_count: i32,
+        one: *const Shapes<Self>, turn: *const Turn<Self>, tolerance: Self, out: *mut Impact<Self>, gap: *mut Self,
+        answer: *mut i32) -> i64;
     unsafe fn cast_point_point(a: *const Point<Self>, b: *const Point<Self>, vx: Self, vy: Self, t_end: Self,
         out: *mut Impact<Self>) -> i32;
     unsafe fn cast_segment_point(a: *const Segment<Self>, b: *const Point<Self>, vx: Self, vy: Self, t_end: Self,
@@ -5841,6 +5886,11 @@ unsafe impl Scalar for f64 {
     unsafe fn impact_time(kind_a: i32, a: *const c_void, turn_a: *const Turn<f64>, kind_b: i32, b: *const c_void,
         turn_b: *const Turn<f64>, tolerance: f64, out: *mut Impact<f64>, gap: *mut f64) -> i32 {
         vesica_impact_time_f64(kind_a, a, turn_a, kind_b, b, turn_b, tolerance, out, gap)
+    }
+    #[inline]
+    unsafe fn index_impact_time(index: *const c_void, sets: *const Shapes<f64>, set_count: i32, one: *const Shapes<f64>,
+        turn: *const Turn<f64>, tolerance: f64, out: *mut Impact<f64>, gap: *mut f64, answer: *mut i32) -> i64 {
+        vesica_index_impact_time_f64(index, sets, set_count, one, turn, tolerance, out, gap, answer)
     }
     #[inline]
     unsafe fn cast_point_point(a: *const Point<f64>, b: *const Point<f64>, vx: f64, vy: f64, t_end: f64,
@@ -6413,6 +6463,11 @@ unsafe impl Scalar for f32 {
     unsafe fn impact_time(kind_a: i32, a: *const c_void, turn_a: *const Turn<f32>, kind_b: i32, b: *const c_void,
         turn_b: *const Turn<f32>, tolerance: f32, out: *mut Impact<f32>, gap: *mut f32) -> i32 {
         vesica_impact_time_f32(kind_a, a, turn_a, kind_b, b, turn_b, tolerance, out, gap)
+    }
+    #[inline]
+    unsafe fn index_impact_time(index: *const c_void, sets: *const Shapes<f32>, set_count: i32, one: *const Shapes<f32>,
+        turn: *const Turn<f32>, tolerance: f32, out: *mut Impact<f32>, gap: *mut f32, answer: *mut i32) -> i64 {
+        vesica_index_impact_time_f32(index, sets, set_count, one, turn, tolerance, out, gap, answer)
     }
     #[inline]
     unsafe fn cast_point_point(a: *const Point<f32>, b: *const Point<f32>, vx: f32, vy: f32, t_end: f32,
