@@ -14,6 +14,7 @@ std::string minkowski_sum();
 std::string closest_features();
 std::string separating_lines();
 std::string first_contact();
+std::string coverage();
 
 /// Ends the program with the message unless `holds`.
 void require(bool holds, const char* what);

@@ -38,6 +38,7 @@ constexpr Figure all[] = {
     {"closest_features", figures::closest_features},
     {"separating_lines", figures::separating_lines},
     {"first_contact", figures::first_contact},
+    {"coverage", figures::coverage},
 };
 
 }  // namespace
