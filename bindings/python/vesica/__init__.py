@@ -12,7 +12,7 @@
 
 Shapes are closed and solid, and touching is overlap. Answers that are yes or no are exact for every valid input. Arrays
 are used where they lie, whatever their strides; float64 and float32 are equals. The interpreter's lock is released
-during every call, so threads may work at the same time. An invalid shape is a VesicaError, whose `result` has the
+during every call, and more than 100,000 answers are divided among threads (`threads=1`: not). An invalid shape is a VesicaError, whose `result` has the
 answers of all others. `vesica.c` is the C library itself, and help(vesica.c.vesica_nearest_f64) has its text.
 """
 from ._library import VesicaError

@@ -25,23 +25,23 @@ def convex_hull(points):
     return first_rows(out, count)
 
 
-def min_area_rects(points):
+def min_area_rects(points, threads=None):
     """The rectangles of the least area that contain the points of each shape, in any order.
 
     points: what `polygons` takes, such as quads (n, 4, 2), or polygons or polylines, whose vertices are meant. A side of
     each rectangle lies along an edge of the hull; its axis is that edge's direction.
     """
-    return _smallest(points, _MIN_AREA_RECTS)
+    return _smallest(points, _MIN_AREA_RECTS, threads)
 
 
-def min_perimeter_rects(points):
+def min_perimeter_rects(points, threads=None):
     """The rectangles of the least perimeter; else as min_area_rects."""
-    return _smallest(points, _MIN_PERIMETER_RECTS)
+    return _smallest(points, _MIN_PERIMETER_RECTS, threads)
 
 
 def _paths(points):
     return points if isinstance(points, Paths) else polygons(points)
 
 
-def _smallest(points, functions):
-    return shapes(Kind.RECT, numbers_of(_paths(points), functions, 6))
+def _smallest(points, functions, threads):
+    return shapes(Kind.RECT, numbers_of(_paths(points), functions, 6, threads))

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """All pairs among millions: an index of shapes, joins, windows and nearest shapes."""
 import ctypes
+import itertools
 import math
 
 import numpy
 
 from . import _declarations
 from ._library import ABOVE_ZERO, VesicaError, by_scalar, checked, first_rows, library, one_of, real, whole
+from ._threads import count_of, in_order, parts_of, worst
 from .motion import NUMBERS, Cast, first_of, impact_of, motion, new_impact, turn_record
 from .queries import Ratio
 from .shapes import Shapes, accepted, first_of_rows, one_shape, same_scalar, the_shapes
@@ -18,6 +20,7 @@ _QUERIES = {
     "inside": _declarations.JOIN_INSIDE,
     "interiors": _declarations.JOIN_INTERIORS,
 }
+_STEP = by_scalar("index_step")
 _BUILD, _SELECT, _JOIN = by_scalar("index_build"), by_scalar("index_select"), by_scalar("join")
 _NEAREST, _JOIN_NEAREST = by_scalar("index_nearest"), by_scalar("join_nearest")
 _JOIN_WITHIN, _JOIN_RATIO = by_scalar("join_within"), by_scalar("join_ratio")
@@ -59,14 +62,34 @@ def _refused(code, result, sets):
     return VesicaError(code, None, result)
 
 
-def _pairs(ask, *more):
-    """All pairs that a join writes in as many calls as it takes; more: the types of what it writes beside them."""
-    written, state = [], numpy.zeros(4, numpy.int64)
-    while state[0] != -1:
-        columns = [numpy.empty(_PAIRS_A_CALL, dtype) for dtype in (numpy.int64, numpy.int64, *more)]
-        found = ask(*(column.ctypes.data for column in columns), _PAIRS_A_CALL, state.ctypes.data)
-        written.append([column[:found] for column in columns])
+def _pairs(ask, shares, threads, *more):
+    """All pairs that the parts of a join write in as many calls as it takes; more: the types of other columns.
+
+    ask(part, parts, output): writes some pairs.
+    """
+
+    def of_part(share):
+        written, state = [], numpy.zeros(4, numpy.int64)
+        while state[0] != -1:
+            columns = [numpy.empty(_PAIRS_A_CALL, dtype) for dtype in (numpy.int64, numpy.int64, *more)]
+            found = ask(*share, (*(column.ctypes.data for column in columns), _PAIRS_A_CALL, state.ctypes.data))
+            written.append([first_rows(column, found) for column in columns])
+        return written
+
+    written = itertools.chain.from_iterable(in_order(of_part, shares, threads))
     return tuple(numpy.concatenate(column) for column in zip(*written))
+
+
+def _built(ask, memory, threads):
+    """The code of a build in the five steps of the library, of which the first and the last have one part."""
+    code = 0
+    for step in range(5):
+        parts = parts_of(threads) if 0 < step < 4 else 1
+        codes = in_order(lambda part: ask(step, part, parts, *memory), range(parts), threads)
+        code = worst(codes)
+        if code < 0:
+            break
+    return code
 
 
 class Index:
@@ -74,15 +97,18 @@ class Index:
 
     Item i is shape i of the first set, and the next set's items follow. The index holds bounds: the arrays must stay as
     they were. Where shapes are invalid the index of the others is made, and `incomplete` is True.
+
+    threads, here and in joins: among how many threads more than 100,000 items are divided, by default all that the
+    process has processors for. The bytes, and the pairs and their order, are those of one.
     """
 
-    def __init__(self, *sets):
+    def __init__(self, *sets, threads=None):
         self._take(sets)
         size, scratch = library.vesica_index_size(self.count), library.vesica_index_scratch(self.count)
         room, scratch = _aligned(checked(size)), _aligned(checked(scratch))
-        code = _BUILD[self._letter](
-            self._sets, len(sets), room.ctypes.data, len(room), scratch.ctypes.data, len(scratch)
-        )
+        threads = count_of(threads, self.count)
+        memory = (self._sets, len(sets), room.ctypes.data, len(room), scratch.ctypes.data, len(scratch))
+        code = _BUILD[self._letter](*memory) if threads == 1 else _built(_STEP[self._letter], memory, threads)
         self.incomplete = code == _declarations.E_SHAPE
         if not self.incomplete:
             checked(code)
@@ -154,17 +180,17 @@ class Index:
         checked(library.vesica_index_bounds(self._address(), ctypes.byref(box)))
         return box.min_x, box.min_y, box.max_x, box.max_y
 
-    def join(self, other=None, query="overlap", part=0, parts=1):
+    def join(self, other=None, query="overlap", part=0, parts=1, threads=None):
         """All pairs of an item of this index and one of another: two arrays of item numbers, each pair once.
 
         other: an index; None, or this index itself, for the pairs a < b of this one. query: "overlap", "contains" (the
         first item contains the second), "inside", "interiors" (touching does not count), or "bounds" for candidates.
-        Parts may be asked by several threads or processes.
+        Parts may be asked by several processes; threads divide a whole join.
         """
-        other = self._joined(other)
-        return _pairs(lambda *output: self._join(other, query, part, parts, output))
+        other, ask = self._joined(other), self._join(query)
+        return _pairs(lambda *share: ask(other, *share), *self._shares(other, part, parts, threads))
 
-    def join_within(self, other, distance, part=0, parts=1):
+    def join_within(self, other, distance, part=0, parts=1, threads=None):
         """All pairs at most `distance` apart, as join gives them. Of ellipses also those too near to tell.
 
         other: an index; None, or this index itself, for the pairs a < b of this one. With a negative distance, pairs that
@@ -172,11 +198,13 @@ class Index:
         """
         other = self._joined(other)
         indexes = self._address(), self._sets, len(self._sets), other._address(), other._sets, len(other._sets)
-        ask, parts = _JOIN_WITHIN[self._letter], _part_of(part, parts)
-        distance = real(distance, "distance", self.sets[0].dtype)
-        return _pairs(lambda *output: checked(ask(*indexes, distance, *parts, *output)))
+        ask, distance = _JOIN_WITHIN[self._letter], real(distance, "distance", self.sets[0].dtype)
+        return _pairs(
+            lambda part, parts, output: checked(ask(*indexes, distance, part, parts, *output)),
+            *self._shares(other, part, parts, threads),
+        )
 
-    def join_ratio(self, other=None, ratio=Ratio.OVER_UNION, threshold=0.0, part=0, parts=1):
+    def join_ratio(self, other=None, ratio=Ratio.OVER_UNION, threshold=0.0, part=0, parts=1, threads=None):
         """All pairs that overlap and whose ratio, such as IoU, is at least `threshold`: (first, second, ratio).
 
         They come as join gives them, the values as vesica.ratio: a sparse matrix. Threshold 0 gives every pair that
@@ -186,12 +214,25 @@ class Index:
         other = self._joined(other)
         asked = one_of(Ratio, ratio, "ratio"), real(threshold, "threshold", self.sets[0].dtype)
         return _pairs(
-            lambda *output: self._join_by(_JOIN_RATIO, asked, other, part, parts, output), self.sets[0].dtype
+            lambda *share: self._join_by(_JOIN_RATIO, asked, other, *share),
+            *(*self._shares(other, part, parts, threads), self.sets[0].dtype),
         )
 
-    def join_count(self, other=None, query="overlap", part=0, parts=1):
+    def join_count(self, other=None, query="overlap", part=0, parts=1, threads=None):
         """How many pairs `join` would give."""
-        return self._join(self._joined(other), query, part, parts, _NO_OUTPUT)
+        other, ask = self._joined(other), self._join(query)
+        shares, threads = self._shares(other, part, parts, threads)
+        return sum(in_order(lambda share: ask(other, *share, _NO_OUTPUT), shares, threads))
+
+    def _shares(self, other, part, parts, threads):
+        """([(part, parts)] of a join, by how many threads)."""
+        part, parts = _part_of(part, parts)
+        if parts > 1:
+            if threads not in (None, 1):
+                raise ValueError(f"threads is {threads}: threads divide a whole join, not a part of {parts}")
+            return [(part, parts)], 1
+        threads = count_of(threads, self.count + other.count)
+        return [(i, parts_of(threads)) for i in range(parts_of(threads))], threads
 
     def _joined(self, other):
         other = self if other is None else other
@@ -204,10 +245,11 @@ class Index:
             other = Index.from_bytes(bytearray(other._bytes), *other.sets)
         return other
 
-    def _join(self, other, query, part, parts, output):
+    def _join(self, query):
+        """A function of (other, part, parts, output)."""
         if query not in _QUERIES:
             raise ValueError(f"query is {query!r}, not one of {', '.join(_QUERIES)}")
-        return self._join_by(_JOIN, (_QUERIES[query],), other, part, parts, output)
+        return lambda *share: self._join_by(_JOIN, (_QUERIES[query],), *share)
 
     def _join_by(self, functions, asked, other, part, parts, output):
         scratch = _aligned(checked(library.vesica_join_scratch()))
@@ -216,7 +258,7 @@ class Index:
                 *asked,
                 *(self._address(), self._sets, len(self._sets)),
                 *(other._address(), other._sets, len(other._sets)),
-                *(*_part_of(part, parts), scratch.ctypes.data, len(scratch)),
+                *(part, parts, scratch.ctypes.data, len(scratch)),
                 *output,
             )
         )
@@ -285,7 +327,7 @@ class Index:
         accepted(found, shape=shape)
         return (first_rows(out, found), first_rows(distance, found)) if k else (out, distance)
 
-    def nearest_of_each(self, *sets, k=1, within=math.inf):
+    def nearest_of_each(self, *sets, k=1, within=math.inf, threads=None):
         """Of each shape of some sets, the k nearest items: two arrays (n, k), filled up by -1 at distance infinity.
 
         within is as of nearest.
@@ -296,10 +338,16 @@ class Index:
         count, k = sum(len(shapes.columns[0]) for shapes in sets), whole(k, "k", 1)
         within = real(within, "within", self.sets[0].dtype, 0)
         out, distance = numpy.empty((count, k), numpy.int64), numpy.empty((count, k), self.sets[0].dtype)
-        code = _JOIN_NEAREST[self._letter](
-            *(asked, len(sets), self._address(), self._sets, len(self._sets)),
-            *(k, within, 0, 1, out.ctypes.data, distance.ctypes.data),
-        )
+        threads = count_of(threads, count)
+        parts = parts_of(threads)
+
+        def ask(part):
+            return _JOIN_NEAREST[self._letter](
+                *(asked, len(sets), self._address(), self._sets, len(self._sets)),
+                *(k, within, part, parts, out.ctypes.data, distance.ctypes.data),
+            )
+
+        code = worst(in_order(ask, range(parts), threads))
         if code < 0:
             raise _refused(code, (out, distance), sets)
         return out, distance

@@ -9,6 +9,7 @@ import numpy
 
 from . import _declarations
 from ._library import ABOVE_ZERO, VesicaError, by_scalar, plainly, real
+from ._threads import divided
 from .queries import columns_of, finish, in_step
 from .shapes import Kind, accepted, first_of_rows, one_shape, plain, same_scalar, shapes, the_shapes
 
@@ -84,7 +85,7 @@ def new_impact(letter):
     return _IMPACTS[letter]()
 
 
-def cast(a, b, velocity, t_end=math.inf, out=None):
+def cast(a, b, velocity, t_end=math.inf, out=None, threads=None):
     """Does b touch a while it moves, t from 0 to t_end, when first, and where?
 
     Two single shapes give (Cast, Impact), and whether there is contact is exact. Arrays in step, or one shape and an
@@ -109,10 +110,11 @@ def cast(a, b, velocity, t_end=math.inf, out=None):
         first = velocities.reshape(-1, 2)[unfit[0]]
         return first_of_rows(unfit, f"it is ({', '.join(map(plainly, first))}), not finite", " of velocity")
 
-    code = _CAST_MANY[letter](
-        *(ctypes.byref(a.view), ctypes.byref(b.view), vx, vy, stride, t_end),
-        *(column.ctypes.data for column in result),
-    )
+    def ask(a, b, vx, vy, *outputs):
+        return _CAST_MANY[letter](a, b, vx, vy, stride, t_end, *outputs)
+
+    columns = [(vx, stride), (vy, stride), *((column.ctypes.data, column.itemsize) for column in result)]
+    code = divided(ask, (a.view, b.view), columns, count, threads)
     return finish(code, result, undefined, a=a, b=b)
 
 

@@ -11,6 +11,7 @@ import numpy
 
 from . import _declarations
 from ._library import VesicaError, by_scalar, checked, first_rows, library, one_of, real, whole
+from ._threads import count_of, cut, divided, in_order, ranges, worst
 from .shapes import (
     BOUNDS,
     Kind,
@@ -199,19 +200,22 @@ class _Query:
         self.convert = convert  # a single code
         self.result, self.record = result, record  # a named tuple, and the C struct it comes from
 
-    def __call__(self, a, b, out):
+    def __call__(self, a, b, out, threads):
         letter = same_scalar(a, b)
         if a.single and b.single:
             return self._single(letter, a, b, out)
         count, inputs = in_step(a, b), (*a.columns, *b.columns)
         if self.result is None:
             columns = result = _output(out, (count,), self.dtypes or (a.dtype,), inputs)
-            addresses = (columns.ctypes.data,)
+            columns = (columns,)
         else:
-            result = self.result(*columns_of(self.result, out, count, a.dtype, inputs))
-            addresses = [column.ctypes.data for column in result]
-        operands = (*self.first, ctypes.byref(a.view), ctypes.byref(b.view), *self.last)
-        code = self.many[letter](*operands, *addresses)
+            columns = result = self.result(*columns_of(self.result, out, count, a.dtype, inputs))
+
+        def ask(a, b, *outputs):
+            return self.many[letter](*self.first, a, b, *self.last, *outputs)
+
+        outputs = [(column.ctypes.data, column.itemsize) for column in columns]
+        code = divided(ask, (a.view, b.view), outputs, count, threads)
         return finish(code, result, self.undefined, a=a, b=b)
 
     def _single(self, letter, a, b, out):
@@ -230,6 +234,12 @@ class _Query:
         return self.result(*(getattr(record, field) for field in self.result._fields))
 
 
+def _stripes(count, threads):
+    """[(begin, end)] of the rows or columns of a matrix, of which a few may be much work."""
+    step = max(-(-count // (4 * threads)), 1) if threads > 1 else count
+    return [(begin, min(begin + step, count)) for begin in range(0, count, max(step, 1))] or [(0, 0)]
+
+
 class _Matrix:
     """The same question of every pair of two arrays."""
 
@@ -237,13 +247,22 @@ class _Matrix:
         self.function, self.dtypes = by_scalar(f"{name}_matrix"), dtypes
         self.first, self.last, self.undefined = first, last, undefined
 
-    def __call__(self, a, b, out):
+    def __call__(self, a, b, out, threads):
         letter = same_scalar(a, b)
         shape = (len(a.columns[0]), len(b.columns[0]))
         result = _output(out, shape, self.dtypes or (a.dtype,), (*a.columns, *b.columns))
         row = result.strides[0] // result.itemsize if result.size else shape[1]
-        operands = (*self.first, ctypes.byref(a.view), ctypes.byref(b.view), *self.last)
-        code = self.function[letter](*operands, result.ctypes.data, row)
+        threads = count_of(threads, result.size)
+        by_rows = shape[0] >= shape[1]
+        steps = (row * result.itemsize, 0) if by_rows else (0, result.itemsize)
+
+        def ask(span):
+            parts = (cut(a.view, *span), b.view) if by_rows else (a.view, cut(b.view, *span))
+            parts = parts if threads > 1 else (a.view, b.view)
+            address = result.ctypes.data + span[0] * sum(steps)
+            return self.function[letter](*self.first, *map(ctypes.byref, parts), *self.last, address, row)
+
+        code = worst(in_order(ask, _stripes(max(shape), threads), threads))
         return finish(code, result, self.undefined, a=a, b=b)
 
 
@@ -280,172 +299,182 @@ _CROSSINGS = by_scalar("crossings")
 _SHAPE_AREA, _CORNERS = by_scalar("shape_area"), by_scalar("corners_of_shapes")
 
 # Every question takes shapes a and b. Two single shapes give a number. Arrays in step give an array; of one shape and
-# an array, the one is repeated. `out` is a contiguous array to write to. All are float64, or all float32.
+# an array, the one is repeated. `out` is a contiguous array to write to. All are float64, or all float32. `threads`
+# divides more than 100,000 answers; by default among as many threads as the process has processors. The results and
+# the errors are those of one.
 # VesicaError is raised for invalid shapes; its `result` has the answers of the others.
 
 
-def overlap(a, b, out=None):
+def overlap(a, b, out=None, threads=None):
     """Do a and b share a point? Touching counts. Exact. bool; out may also be uint8."""
-    return _OVERLAP(a, b, out)
+    return _OVERLAP(a, b, out, threads)
 
 
-def overlap_matrix(a, b, out=None):
+def overlap_matrix(a, b, out=None, threads=None):
     """(len(a), len(b)) of bool: does each of a overlap each of b?"""
-    return _OVERLAP_MATRIX(a, b, out)
+    return _OVERLAP_MATRIX(a, b, out, threads)
 
 
-def _selected(functions, one, many):
+def _selected(functions, one, many, threads):
     letter = same_scalar(one_shape(one, "one"), many, "one", "many")
-    out = numpy.zeros(len(many.columns[0]), numpy.int64)
-    code = functions[letter](ctypes.byref(one.view), ctypes.byref(many.view), out.ctypes.data, len(out))
-    # With an invalid shape, which is never selected, -1 follows the others.
-    found = code if code >= 0 else numpy.argmax(out == -1)
-    return finish(code, first_rows(out, found), one=one, many=many)
+    count = len(many.columns[0])
+
+    def ask(span):
+        part, room = cut(many.view, *span), span[1] - span[0]
+        out = numpy.zeros(room, numpy.int64)
+        code = functions[letter](ctypes.byref(one.view), ctypes.byref(part), out.ctypes.data, room)
+        # With an invalid shape, which is never selected, -1 follows the others.
+        return code, out[: code if code >= 0 else numpy.argmax(out == -1)] + span[0]
+
+    threads = count_of(threads, count)
+    parts = in_order(ask, ranges(count, threads), threads) if count else [(0, numpy.empty(0, numpy.int64))]
+    found = numpy.concatenate([items for _, items in parts])
+    return finish(worst([code for code, _ in parts]), found, one=one, many=many)
 
 
-def overlap_select(one, many):
+def overlap_select(one, many, threads=None):
     """The indices of those of `many` that overlap a single shape, ascending."""
-    return _selected(_SELECT, one, many)
+    return _selected(_SELECT, one, many, threads)
 
 
-def interiors_overlap(a, b, out=None):
+def interiors_overlap(a, b, out=None, threads=None):
     """Do the insides of a and b share a point? Touching does not count. Exact. bool; out may also be uint8."""
-    return _INTERIORS(a, b, out)
+    return _INTERIORS(a, b, out, threads)
 
 
-def interiors_overlap_matrix(a, b, out=None):
+def interiors_overlap_matrix(a, b, out=None, threads=None):
     """(len(a), len(b)) of bool: do the insides of each of a and each of b share a point?"""
-    return _INTERIORS_MATRIX(a, b, out)
+    return _INTERIORS_MATRIX(a, b, out, threads)
 
 
-def interiors_overlap_select(one, many):
+def interiors_overlap_select(one, many, threads=None):
     """The indices of those of `many` whose insides share a point with that of a single shape, ascending."""
-    return _selected(_INTERIORS_SELECT, one, many)
+    return _selected(_INTERIORS_SELECT, one, many, threads)
 
 
-def relation(a, b, out=None):
+def relation(a, b, out=None, threads=None):
     """How does a relate to b? A Relation, or an array of uint8 with their numbers. Exact."""
-    return _RELATION(a, b, out)
+    return _RELATION(a, b, out, threads)
 
 
-def relation_matrix(a, b, out=None):
+def relation_matrix(a, b, out=None, threads=None):
     """(len(a), len(b)) of uint8: the Relation of each of a to each of b."""
-    return _RELATION_MATRIX(a, b, out)
+    return _RELATION_MATRIX(a, b, out, threads)
 
 
-def contains(a, b, out=None):
+def contains(a, b, out=None, threads=None):
     """Does a hold all of b? Equal shapes do. Exact. bool; out may also be uint8."""
-    return _CONTAINS(a, b, out)
+    return _CONTAINS(a, b, out, threads)
 
 
-def contains_matrix(a, b, out=None):
+def contains_matrix(a, b, out=None, threads=None):
     """(len(a), len(b)) of bool: does each of a hold all of each of b?"""
-    return _CONTAINS_MATRIX(a, b, out)
+    return _CONTAINS_MATRIX(a, b, out, threads)
 
 
-def nearest(a, b, out=None):
+def nearest(a, b, out=None, threads=None):
     """How far are the solid shapes apart, and which of their points are closest? ClosestPoints; out has five arrays."""
-    return _NEAREST(a, b, out)
+    return _NEAREST(a, b, out, threads)
 
 
-def nearest_matrix(a, b, out=None):
+def nearest_matrix(a, b, out=None, threads=None):
     """(len(a), len(b)): the distance of each of a from each of b; 0 where they overlap."""
-    return _NEAREST_MATRIX(a, b, out)
+    return _NEAREST_MATRIX(a, b, out, threads)
 
 
-def boundary_distance(a, b, out=None):
+def boundary_distance(a, b, out=None, threads=None):
     """How far are the outlines apart, that of a shape inside another too? ClosestPoints; out has five arrays."""
-    return _BOUNDARY_DISTANCE(a, b, out)
+    return _BOUNDARY_DISTANCE(a, b, out, threads)
 
 
-def boundary_distance_matrix(a, b, out=None):
+def boundary_distance_matrix(a, b, out=None, threads=None):
     """(len(a), len(b)): the distance of the outline of each of a from that of each of b."""
-    return _BOUNDARY_DISTANCE_MATRIX(a, b, out)
+    return _BOUNDARY_DISTANCE_MATRIX(a, b, out, threads)
 
 
-def depth(a, b, out=None):
+def depth(a, b, out=None, threads=None):
     """How far and in which direction must b move until it only touches a? Penetration; out has three arrays."""
-    return _DEPTH(a, b, out)
+    return _DEPTH(a, b, out, threads)
 
 
-def depth_matrix(a, b, out=None):
+def depth_matrix(a, b, out=None, threads=None):
     """(len(a), len(b)): how far each of b must move until it only touches each of a; 0 where they do not overlap."""
-    return _DEPTH_MATRIX(a, b, out)
+    return _DEPTH_MATRIX(a, b, out, threads)
 
 
-def signed_distance(a, b, out=None):
+def signed_distance(a, b, out=None, threads=None):
     """How far are the solid shapes apart or, below 0, how deep do they overlap?"""
-    return _SIGNED_DISTANCE(a, b, out)
+    return _SIGNED_DISTANCE(a, b, out, threads)
 
 
-def signed_distance_matrix(a, b, out=None):
+def signed_distance_matrix(a, b, out=None, threads=None):
     """(len(a), len(b)): the signed distance of each of a and each of b."""
-    return _SIGNED_DISTANCE_MATRIX(a, b, out)
+    return _SIGNED_DISTANCE_MATRIX(a, b, out, threads)
 
 
-def within(a, b, distance, out=None):
+def within(a, b, distance, out=None, threads=None):
     """Are a and b at most `distance` apart? Exactly so far counts. A Within, or an array of uint8 with their numbers.
 
     With a negative distance: do they overlap at least that deep? Exact for the distance as rounded to the shapes' type.
     With ellipses it may be Within.NEARLY where their distance or depth is too near the one asked for to decide.
     """
     last = (real(distance, "distance", the_shapes(a, "a").dtype),)
-    return _Query("within", (numpy.uint8,), Within, last=last)(a, b, out)
+    return _Query("within", (numpy.uint8,), Within, last=last)(a, b, out, threads)
 
 
-def within_matrix(a, b, distance, out=None):
+def within_matrix(a, b, distance, out=None, threads=None):
     """(len(a), len(b)) of uint8: is each of a at most `distance` from each of b? The numbers of Within; as within."""
     last = (real(distance, "distance", the_shapes(a, "a").dtype),)
-    return _Matrix("within", (numpy.uint8,), last=last)(a, b, out)
+    return _Matrix("within", (numpy.uint8,), last=last)(a, b, out, threads)
 
 
-def area(a, b, out=None):
+def area(a, b, out=None, threads=None):
     """The area that a and b share, in square units."""
-    return _AREA(a, b, out)
+    return _AREA(a, b, out, threads)
 
 
-def area_matrix(a, b, out=None):
+def area_matrix(a, b, out=None, threads=None):
     """(len(a), len(b)): the area that each of a shares with each of b."""
-    return _AREA_MATRIX(a, b, out)
+    return _AREA_MATRIX(a, b, out, threads)
 
 
-def iou(a, b, out=None):
+def iou(a, b, out=None, threads=None):
     """Intersection over union: the shared area over that of both, from 0 to 1."""
-    return _IOU(a, b, out)
+    return _IOU(a, b, out, threads)
 
 
-def iou_matrix(a, b, out=None):
+def iou_matrix(a, b, out=None, threads=None):
     """(len(a), len(b)): intersection over union of each of a with each of b."""
-    return _IOU_MATRIX(a, b, out)
+    return _IOU_MATRIX(a, b, out, threads)
 
 
-def ratio(which, a, b, out=None):
+def ratio(which, a, b, out=None, threads=None):
     """A Ratio of a and b: what share of one is covered by the other, GIoU, DIoU or CIoU.
 
     The last three are with the box along the coordinate axes about both shapes. Two shapes whose areas leave nothing to
     divide by are a VesicaError (NaN in its `result`).
     """
-    return _RATIO[one_of(Ratio, which, "which")](a, b, out)
+    return _RATIO[one_of(Ratio, which, "which")](a, b, out, threads)
 
 
-def ratio_matrix(which, a, b, out=None):
+def ratio_matrix(which, a, b, out=None, threads=None):
     """(len(a), len(b)): a Ratio of each of a and each of b."""
-    return _RATIO_MATRIX[one_of(Ratio, which, "which")](a, b, out)
+    return _RATIO_MATRIX[one_of(Ratio, which, "which")](a, b, out, threads)
 
 
-def gaussian_distance(which, a, b, out=None):
+def gaussian_distance(which, a, b, out=None, threads=None):
     """A distance of circles, boxes, rectangles or ellipses as Gaussian distributions, as `which` of Gaussian says.
 
     The variance of a rectangle is width^2 / 12 along its sides, of an ellipse a^2 / 4 along its axes. Papers on GWD and
     KLD take width^2 / 4: for theirs multiply widths and heights of rectangles by sqrt(3). A shape without an area is a
     VesicaError (NaN in its `result`), except for WASSERSTEIN.
     """
-    return _GAUSSIAN[one_of(Gaussian, which, "which")](a, b, out)
+    return _GAUSSIAN[one_of(Gaussian, which, "which")](a, b, out, threads)
 
 
-def gaussian_distance_matrix(which, a, b, out=None):
+def gaussian_distance_matrix(which, a, b, out=None, threads=None):
     """(len(a), len(b)): a distance of each of a from each of b as Gaussian distributions."""
-    return _GAUSSIAN_MATRIX[one_of(Gaussian, which, "which")](a, b, out)
+    return _GAUSSIAN_MATRIX[one_of(Gaussian, which, "which")](a, b, out, threads)
 
 
 def crossings(a, b):
@@ -470,23 +499,24 @@ def shape_area(shape):
     return out[0].item() if shape.single else out
 
 
-def bounds(shape):
+def bounds(shape, threads=None):
     """The smallest boxes that surely contain shapes, as aabbs."""
-    return shapes(Kind.AABB, numbers_of(shape, BOUNDS, 4))
+    return shapes(Kind.AABB, numbers_of(shape, BOUNDS, 4, threads))
 
 
-def corners(shape):
+def corners(shape, threads=None):
     """The corners of rectangles, or of the boxes about ellipses: (n, 4, 2), or (4, 2) of a single one."""
-    numbers = numbers_of(shape, _CORNERS, 8)
+    numbers = numbers_of(shape, _CORNERS, 8, threads)
     return numbers.reshape(numbers.shape[:-1] + (4, 2))
 
 
-def numbers_of(shape, functions, numbers):
+def numbers_of(shape, functions, numbers, threads):
     """Some numbers of each shape, by a C function of arrays."""
     the_shapes(shape, "shape")
     out = numpy.empty((len(shape.columns[0]), numbers), shape.dtype)
     result = out[0] if shape.single else out
-    return finish(functions[shape.letter](ctypes.byref(shape.view), out.ctypes.data), result, shape=shape)
+    outputs = [(out.ctypes.data, numbers * out.itemsize)]
+    return finish(divided(functions[shape.letter], [shape.view], outputs, len(out), threads), result, shape=shape)
 
 
 def nms(boxes, scores, threshold=0.5, *, labels=None, ratio=Ratio.OVER_UNION, least_score=None, most=None):

@@ -13,6 +13,7 @@ import numpy
 
 from . import _declarations
 from ._library import VesicaError, by_scalar, first_rows, one_of, plainly, real
+from ._threads import by_ranges, divided
 from .arrow import columns_of, is_arrow
 
 
@@ -344,7 +345,8 @@ def _no_numbers(values, name):
     if not isinstance(values, (list, tuple)):
         given = repr(values) if values is None or isinstance(values, str) else f"of the type {type(values).__name__}"
         return TypeError(f"{name} is {given}, not an array of numbers")
-    sizes = [None if isinstance(row, (str, bytes)) or not hasattr(row, "__len__") else len(row) for row in values]
+    one = (str, bytes, Shapes)
+    sizes = [None if isinstance(row, one) or not hasattr(row, "__len__") else len(row) for row in values]
     for i, (row, size) in enumerate(zip(values, sizes)):
         if isinstance(row, Mapping):
             return TypeError(f"{name}: row {i} is a dict; columns of one dict are taken, not a list of dicts")
@@ -552,7 +554,7 @@ def aabbs(xyxy):
     return shapes(Kind.AABB, xyxy)
 
 
-def rects(array, degrees=False, *, quarters=False, reverse=False):
+def rects(array, degrees=False, *, quarters=False, reverse=False, threads=None):
     """Rotated rectangles from (n, 5): centre x, y, width, height, angle of the width's edge. A row for a single one.
 
     The angle is in radians, degrees, or quarter turns, from +x towards +y (counter-clockwise where y points up), or
@@ -560,10 +562,10 @@ def rects(array, degrees=False, *, quarters=False, reverse=False):
     has NaN for it. shapes(Kind.RECT, ...) takes the library's own six numbers without a copy.
     """
     rows, single = _rows(array, "rects", *_BOX)
-    return _from_boxes(Kind.RECT, _RECTS_FROM_BOXES, rows, single, angle_unit(degrees, quarters, reverse), _BOX)
+    return _from_boxes(Kind.RECT, _RECTS_FROM_BOXES, rows, single, angle_unit(degrees, quarters, reverse), _BOX, threads)
 
 
-def ellipses(array, degrees=False, *, quarters=False, reverse=False):
+def ellipses(array, degrees=False, *, quarters=False, reverse=False, threads=None):
     """Ellipses from (n, 5): centre x, y, half axes a, b, angle of a; else as rects."""
     names = ("x", "y", "a", "b", "angle")
     rows, single = _rows(array, "ellipses", *names)
@@ -571,16 +573,16 @@ def ellipses(array, degrees=False, *, quarters=False, reverse=False):
     sizes = boxes_of_one[:, 2:4]
     # The library halves what it gets, or the axis where that would round. Of a size of 1 it never does.
     sizes[(sizes >= 0) & numpy.isfinite(sizes)] = 1
-    return _from_boxes(Kind.ELLIPSE, _ELLIPSES_FROM_BOXES, boxes_of_one, single, unit, names, rows)
+    return _from_boxes(Kind.ELLIPSE, _ELLIPSES_FROM_BOXES, boxes_of_one, single, unit, names, threads, rows)
 
 
-def ellipses_in_boxes(array, degrees=False, *, quarters=False, reverse=False):
+def ellipses_in_boxes(array, degrees=False, *, quarters=False, reverse=False, threads=None):
     """Ellipses from the boxes about them, (n, 5) as of rects, whose sides they touch in the middle."""
     rows, single = _rows(array, "ellipses_in_boxes", *_BOX)
-    return _from_boxes(Kind.ELLIPSE, _ELLIPSES_FROM_BOXES, rows, single, angle_unit(degrees, quarters, reverse), _BOX)
+    return _from_boxes(Kind.ELLIPSE, _ELLIPSES_FROM_BOXES, rows, single, angle_unit(degrees, quarters, reverse), _BOX, threads)
 
 
-def round_rects(array, degrees=False, *, quarters=False, reverse=False):
+def round_rects(array, degrees=False, *, quarters=False, reverse=False, threads=None):
     """Rounded rectangles from (n, 6): x, y, width, height, angle as rects, and the radius of the corners.
 
     Width and height include the round corners. A radius of more than half of one of them is an invalid row.
@@ -591,14 +593,18 @@ def round_rects(array, degrees=False, *, quarters=False, reverse=False):
     with numpy.errstate(all="ignore"):
         core[:, 2:4] -= 2 * radius[:, None]
     core[radius < 0, 2] = -1  # a negative size, which the library refuses
-    return _from_boxes(Kind.ROUND_RECT, _RECTS_FROM_BOXES, core, single, unit, names, rows)
+    return _from_boxes(Kind.ROUND_RECT, _RECTS_FROM_BOXES, core, single, unit, names, threads, rows)
 
 
-def boxes(shape, degrees=False, *, quarters=False, reverse=False):
+def boxes(shape, degrees=False, *, quarters=False, reverse=False, threads=None):
     """The way back: (n, 5) of centre x, y, width, height, angle of rectangles, or of the boxes about ellipses."""
     unit = angle_unit(degrees, quarters, reverse)
     out = numpy.empty((len(the_shapes(shape, "shape").columns[0]), 5), shape.dtype)
-    code = _BOXES_FROM_SHAPES[shape.letter](ctypes.byref(shape.view), unit, out.ctypes.data)
+
+    def ask(view, row):
+        return _BOXES_FROM_SHAPES[shape.letter](view, unit, row)
+
+    code = divided(ask, [shape.view], [(out.ctypes.data, out.strides[0])], len(out), threads)
     result = out[0] if shape.single else out
     if code < 0:
         raise refused(code, result if code != _declarations.E_KIND else None, shape=shape)
@@ -614,7 +620,7 @@ def angle_unit(degrees, quarters, reverse):
     return unit + _declarations.ANGLE_REVERSED if reverse else unit
 
 
-def _from_boxes(kind, functions, rows, single, unit, names, given=None):
+def _from_boxes(kind, functions, rows, single, unit, names, threads, given=None):
     """Shapes that the library makes from rows.
 
     names: of the columns that the caller gave. given: these, where rows are made from them: half sizes, or a radius.
@@ -622,7 +628,7 @@ def _from_boxes(kind, functions, rows, single, unit, names, given=None):
     if rows.strides[1] != rows.itemsize:
         rows = numpy.ascontiguousarray(rows)
     out = numpy.empty((len(rows), 6), rows.dtype)
-    code = functions[rows.dtype.char](rows.ctypes.data, len(rows), rows.strides[0], unit, out.ctypes.data)
+    code = _from_rows(functions, rows, out, threads, unit)
     if kind == Kind.ELLIPSE and given is not None:
         valid = ~numpy.isnan(out[:, 4])
         out[valid, 4:6] = given[valid, 2:4]
@@ -631,6 +637,16 @@ def _from_boxes(kind, functions, rows, single, unit, names, given=None):
         out[numpy.isnan(out[:, 4]), 6] = numpy.nan
     rows = rows if given is None else given
     return _made(code, kind, out, single, lambda i: fault_of(names, rows[i]))
+
+
+def _from_rows(functions, rows, out, threads, *more):
+    """The code of a function that makes a row of numbers from each row of others."""
+    function, start, step = functions[rows.dtype.char], rows.ctypes.data, rows.strides[0]
+
+    def ask(begin, end):
+        return function(start + begin * step, end - begin, step, *more, out.ctypes.data + begin * out.strides[0])
+
+    return by_ranges(ask, len(rows), threads)
 
 
 def _made(code, kind, numbers, single, fault):
@@ -645,7 +661,7 @@ def _made(code, kind, numbers, single, fault):
     raise VesicaError(code, why if single else first_of_rows(wrong, why), made)
 
 
-def rects_from_corners(corners):
+def rects_from_corners(corners, threads=None):
     """Rectangles from (n, 4, 2) or (n, 8): four corners in order round the outline, in either sense; one for a single.
 
     Corners that are not exactly a rectangle's give one near them: `rect_corners_misfit` says how near. A row of crossed
@@ -653,7 +669,7 @@ def rects_from_corners(corners):
     """
     rows, single = _corner_rows(corners)
     out = numpy.empty((len(rows), 6), rows.dtype)
-    code = _RECTS_FROM_CORNERS[rows.dtype.char](rows.ctypes.data, len(rows), rows.strides[0], out.ctypes.data)
+    code = _from_rows(_RECTS_FROM_CORNERS, rows, out, threads)
 
     def fault(i):
         alone = _RECT_FROM_CORNERS[rows.dtype.char](rows[i].ctypes.data, numpy.empty(6, rows.dtype).ctypes.data)
@@ -663,7 +679,7 @@ def rects_from_corners(corners):
     return _made(code, Kind.RECT, out, single, fault)
 
 
-def rect_corners_misfit(corners, rect):
+def rect_corners_misfit(corners, rect, threads=None):
     """How far corners (n, 4, 2) or (n, 8) are off those of rectangles: an array, or a float for a single rectangle.
 
     It is the largest distance from a given corner to the rectangle's corner that corresponds to it. The corners may
@@ -681,7 +697,12 @@ def rect_corners_misfit(corners, rect):
     if rect.single:
         code = _MISFIT_OF_ONE[rect.letter](rows.ctypes.data, rect.record, out.ctypes.data)
     else:
-        code = _CORNERS_MISFIT[rect.letter](rows.ctypes.data, rows.strides[0], ctypes.byref(rect.view), out.ctypes.data)
+
+        def ask(rect_view, row, misfit):
+            return _CORNERS_MISFIT[rect.letter](row, rows.strides[0], rect_view, misfit)
+
+        columns = [(rows.ctypes.data, rows.strides[0]), (out.ctypes.data, out.itemsize)]
+        code = divided(ask, [rect.view], columns, len(rows), threads)
     if code < 0:
         for i in numpy.flatnonzero(~numpy.isfinite(rows).all(axis=1))[:1]:
             raise VesicaError(code, f"row {i} of corners: {not_finite('corner', rows[i].reshape(4, 2))}", result)
