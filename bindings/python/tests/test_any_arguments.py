@@ -72,7 +72,7 @@ FITTING = {
     "matrix": lambda draw: draw.choice(["FF2F11212", "212F11FF2"]),
     "pattern": lambda draw: draw.choice(["T*F**FFF*", "FF*FF****", "012******", "T*"]),
     "kind": lambda draw: vesica.Kind.ELLIPSE,
-    "array": lambda draw: rows(draw, draw.choice([5, 6])),
+    "array": lambda draw: rows(draw, draw.choice([4, 5, 6])),
     "xy": lambda draw: rows(draw, 2),
     **dict.fromkeys(
         ("vertices", "points"), lambda draw: draw.choice([[rows(draw, 2)] * 3, rows(draw, 2), numpy.zeros((2, 4, 2))])
@@ -85,8 +85,9 @@ FITTING = {
     "ends": lambda draw: rows(draw, 4),
     "corners": lambda draw: vesica.corners(vesica.rects(rows(draw, 5))),
     "rect": lambda draw: vesica.rects(rows(draw, 5)),
-    "means": lambda draw: rows(draw, 2),
-    "covariances": lambda draw: numpy.array([numpy.eye(2), numpy.diag([4, 1])]),
+    **dict.fromkeys(("means", "centres"), lambda draw: rows(draw, 2)),
+    **dict.fromkeys(("covariances", "matrices"), lambda draw: numpy.array([numpy.eye(2), numpy.diag([4, 1])])),
+    "polygon": lambda draw: vesica.polygons(rows(draw, 2) + [[draw.randrange(5), -1.0]]),
 }
 
 # The same where a name means something else.

@@ -15,14 +15,22 @@ are used where they lie, whatever their strides; float64 and float32 are equals.
 during every call, and more than 100,000 answers are divided among threads (`threads=1`: not). An invalid shape is a VesicaError, whose `result` has the
 answers of all others. `vesica.c` is the C library itself, and help(vesica.c.vesica_nearest_f64) has its text.
 """
-from ._library import VesicaError
+from ._library import VesicaError, isa_name
 from ._library import library as c
+from .construct import (
+    aabbs_from_corners,
+    capsules_from_angle,
+    capsules_from_width,
+    ellipses_from_matrix,
+    ellipses_from_radius_vector,
+)
 from .coverage import coverage, coverage_cells
 from .detection import assign_greedy
 from .hull import convex_hull, min_area_rects, min_perimeter_rects
 from .index import Index
 from .motion import Cast, Impact, Turn, cast, cast_first, impact_time, sweep_bounds
 from .paths import polygons, polylines
+from .polygon import Facts, PolygonBoxes, polygon_facts
 from .queries import (
     ClosestPoints,
     Crossings,
@@ -89,5 +97,5 @@ from .shapes import (
 from .topology import de9im, de9im_match, intersection
 
 __version__ = "{}.{}.{}".format(c.vesica_version_major(), c.vesica_version_minor(), c.vesica_version_patch())
-_MODULES = "detection", "hull", "queries", "index", "paths", "motion", "topology"
+_MODULES = "detection", "hull", "queries", "index", "paths", "motion", "topology", "construct", "polygon", "arrow"
 __all__ = [name for name in dir() if not name.startswith("_") and name not in _MODULES]

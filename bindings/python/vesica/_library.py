@@ -52,6 +52,11 @@ def by_scalar(name):
     return {letter: getattr(library, f"vesica_{name}_{suffix}") for letter, suffix in (("d", "f64"), ("f", "f32"))}
 
 
+def isa_name():
+    """The instruction set that is used, such as "avx512"; no answer depends on it."""
+    return library.vesica_isa_name().decode()
+
+
 ABOVE_ZERO = 5e-324  # the least number that is
 
 

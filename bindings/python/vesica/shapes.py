@@ -157,7 +157,7 @@ class Shapes:
 
 
 # The numbers that may not be negative, and those that may not be above others.
-_SIZES = {"r", "hx", "hy", "a", "b", "width", "height", "radius"}
+_SIZES = {"r", "hx", "hy", "a", "b", "width", "height", "radius", "length", "ratio"}
 _ORDERED = (("min_x", "max_x"), ("min_y", "max_y"))
 
 
@@ -172,8 +172,8 @@ def fault_of(names, numbers):
     for low, high in _ORDERED:
         if low in by_name and by_name[low] > by_name[high]:
             return f"{low} is {plainly(by_name[low])}, above {high}, {plainly(by_name[high])}"
-    for name in ("width", "height"):
-        if 2 * by_name.get("radius", 0) > by_name.get(name, math.inf):
+    for name in ("width", "height") if "radius" in by_name else ():
+        if 2 * by_name["radius"] > by_name.get(name, math.inf):
             return f"radius is {plainly(by_name['radius'])}, above half of {name}, {plainly(by_name[name])}"
     return None
 
@@ -441,7 +441,7 @@ def floats_of(array, name):
     return array.astype(array.dtype.newbyteorder("=")) if not array.dtype.isnative else array
 
 
-def _rows(array, what, *names):
+def rows_of(array, what, *names):
     """An array with a column for each of the names, and whether it is only one row."""
     named = _columns(array, what, names)
     if named is not None:
@@ -522,7 +522,7 @@ def shapes(kind, array):
     named = _columns(array, what, FIELDS[kind])
     if named is not None:
         return _shapes_of(kind, *named)
-    rows, single = _rows(array, what, *FIELDS[kind])
+    rows, single = rows_of(array, what, *FIELDS[kind])
     return _shapes_of(kind, [rows[:, i] for i in range(rows.shape[1])], single)
 
 
@@ -561,14 +561,14 @@ def rects(array, degrees=False, *, quarters=False, reverse=False, threads=None):
     with `reverse` the other way. Multiples of 90 degrees turn exactly. An invalid row is a VesicaError, whose `result`
     has NaN for it. shapes(Kind.RECT, ...) takes the library's own six numbers without a copy.
     """
-    rows, single = _rows(array, "rects", *_BOX)
+    rows, single = rows_of(array, "rects", *_BOX)
     return _from_boxes(Kind.RECT, _RECTS_FROM_BOXES, rows, single, angle_unit(degrees, quarters, reverse), _BOX, threads)
 
 
 def ellipses(array, degrees=False, *, quarters=False, reverse=False, threads=None):
     """Ellipses from (n, 5): centre x, y, half axes a, b, angle of a; else as rects."""
     names = ("x", "y", "a", "b", "angle")
-    rows, single = _rows(array, "ellipses", *names)
+    rows, single = rows_of(array, "ellipses", *names)
     unit, boxes_of_one = angle_unit(degrees, quarters, reverse), numpy.array(rows)
     sizes = boxes_of_one[:, 2:4]
     # The library halves what it gets, or the axis where that would round. Of a size of 1 it never does.
@@ -578,7 +578,7 @@ def ellipses(array, degrees=False, *, quarters=False, reverse=False, threads=Non
 
 def ellipses_in_boxes(array, degrees=False, *, quarters=False, reverse=False, threads=None):
     """Ellipses from the boxes about them, (n, 5) as of rects, whose sides they touch in the middle."""
-    rows, single = _rows(array, "ellipses_in_boxes", *_BOX)
+    rows, single = rows_of(array, "ellipses_in_boxes", *_BOX)
     return _from_boxes(Kind.ELLIPSE, _ELLIPSES_FROM_BOXES, rows, single, angle_unit(degrees, quarters, reverse), _BOX, threads)
 
 
@@ -588,7 +588,7 @@ def round_rects(array, degrees=False, *, quarters=False, reverse=False, threads=
     Width and height include the round corners. A radius of more than half of one of them is an invalid row.
     """
     names = (*_BOX, "radius")
-    rows, single = _rows(array, "round_rects", *names)
+    rows, single = rows_of(array, "round_rects", *names)
     unit, core, radius = angle_unit(degrees, quarters, reverse), numpy.array(rows[:, :5]), rows[:, 5]
     with numpy.errstate(all="ignore"):
         core[:, 2:4] -= 2 * radius[:, None]
@@ -744,21 +744,16 @@ def ellipses_from_covariance(means, covariances, k=1.0):
         i = numpy.argmax(skew)
         raise ValueError(f"covariances: row {i} is not symmetric: {plainly(upper[i])} and {plainly(lower[i])}")
     upper[unknown] = numpy.nan  # the library is given this one, and says what is wrong
-    return _constructed(
-        Kind.ELLIPSE,
-        _ELLIPSE_FROM_COVARIANCE,
-        numpy.column_stack((rows, matrices[:, 0, 0], upper, matrices[:, 1, 1], numpy.full(len(rows), k, dtype))),
-        means.ndim == 1,
-        _fault_of_covariance,
-    )
+    given = numpy.column_stack((rows, matrices[:, 0, 0], upper, matrices[:, 1, 1], numpy.full(len(rows), k, dtype)))
+
+    def fault(i):
+        finite = fault_of(("x", "y", "cxx", "cxy", "cyy", "k"), given[i])
+        return finite or f"the covariance {' '.join(map(plainly, given[i, 2:5]))} (xx xy yy) has a negative variance"
+
+    return constructed(Kind.ELLIPSE, _ELLIPSE_FROM_COVARIANCE, given, means.ndim == 1, fault)
 
 
-def _fault_of_covariance(row):
-    finite = fault_of(("x", "y", "cxx", "cxy", "cyy", "k"), row)
-    return finite or f"the covariance {' '.join(map(plainly, row[2:5]))} (xx xy yy) has a negative variance"
-
-
-def _constructed(kind, functions, rows, single, fault):
+def constructed(kind, functions, rows, single, fault):
     """Shapes that a constructor of the C library makes of a row of arguments each, one by one."""
     numbers, function, first = numpy.empty((len(rows), len(FIELDS[kind])), rows.dtype), functions[rows.dtype.char], 0
     for i, row in enumerate(rows):
@@ -766,7 +761,7 @@ def _constructed(kind, functions, rows, single, fault):
         if code < 0:
             numbers[i] = numpy.nan
             first = first or code
-    return _made(first, kind, numbers, single, lambda i: fault(rows[i]))
+    return _made(first, kind, numbers, single, fault)
 
 
 def check(shape):
