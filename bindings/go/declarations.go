@@ -811,6 +811,17 @@ func cAssignGreedy(wide bool, a *C.char, b *C.char, values *C.char, count C.int6
 	return C.go_assign_greedy_f32(a, b, values, count, countA, countB, scratch, scratchSize, chosen)
 }
 
+func cFuse(wide bool, shapes C.vesica_go_view, scores *C.char, weights *C.char, labels *C.char, threshold float64,
+	fusedScore C.int32_t, scratch *C.char, scratchSize C.int64_t, fused *C.char, fusedScores *C.char, clusters *C.char,
+	count *C.char) C.int32_t {
+	if wide {
+		return C.go_fuse_f64(shapes, scores, weights, labels, C.double(threshold), fusedScore, scratch, scratchSize, fused,
+			fusedScores, clusters, count)
+	}
+	return C.go_fuse_f32(shapes, scores, weights, labels, C.float(threshold), fusedScore, scratch, scratchSize, fused,
+		fusedScores, clusters, count)
+}
+
 func cGaussianDistance(wide bool, which C.int32_t, kindA C.int32_t, a C.vesica_go_shape, kindB C.int32_t,
 	b C.vesica_go_shape, out *C.char) C.int32_t {
 	if wide {

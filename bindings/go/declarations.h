@@ -784,6 +784,26 @@ static inline int64_t go_assign_greedy_f32(const char *a, const char *b, const c
         (void *)scratch, scratch_size, (void *)chosen);
 }
 
+static inline int32_t go_fuse_f64(vesica_go_view shapes, const char *scores, const char *weights, const char *labels,
+    double threshold, int32_t fused_score, char *scratch, int64_t scratch_size, char *fused, char *fused_scores,
+    char *clusters, char *count) {
+    vesica_shapes_f64 of_shapes;
+    memcpy(&of_shapes, &shapes, sizeof of_shapes);
+    return vesica_fuse_f64(&of_shapes, (const void *)scores, (const void *)weights, (const void *)labels, threshold,
+        fused_score, (void *)scratch, scratch_size, (void *)fused, (void *)fused_scores, (void *)clusters,
+        (void *)count);
+}
+
+static inline int32_t go_fuse_f32(vesica_go_view shapes, const char *scores, const char *weights, const char *labels,
+    float threshold, int32_t fused_score, char *scratch, int64_t scratch_size, char *fused, char *fused_scores,
+    char *clusters, char *count) {
+    vesica_shapes_f32 of_shapes;
+    memcpy(&of_shapes, &shapes, sizeof of_shapes);
+    return vesica_fuse_f32(&of_shapes, (const void *)scores, (const void *)weights, (const void *)labels, threshold,
+        fused_score, (void *)scratch, scratch_size, (void *)fused, (void *)fused_scores, (void *)clusters,
+        (void *)count);
+}
+
 static inline int32_t go_gaussian_distance_f64(int32_t which, int32_t kind_a, vesica_go_shape a, int32_t kind_b,
     vesica_go_shape b, char *out) {
     vesica_go_f64 of_a = go_read_f64(kind_a, &a);

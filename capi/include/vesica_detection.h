@@ -21,6 +21,10 @@ extern "C" {
 
 /* ---- Constants ---- */
 
+/* The score of a cluster of boxes that were fused. */
+#define VESICA_FUSED_MEAN 0 /**< the mean of its scores s with weights w: sum(w s) / sum(w) */
+#define VESICA_FUSED_MAX 1  /**< its highest score */
+
 /* Distances of two shapes as Gaussian distributions. They are not IoU, and have no such meaning as a shared area. */
 #define VESICA_GAUSSIAN_BHATTACHARYYA 0    /**< Bhattacharyya's distance, from 0 to infinity */
 #define VESICA_GAUSSIAN_HELLINGER 1        /**< Hellinger's distance, from 0 to 1; ProbIoU is 1 - this */
@@ -78,6 +82,53 @@ VESICA_API int64_t vesica_assign_greedy_scratch(int64_t count, int64_t count_a, 
 VESICA_API int64_t vesica_assign_greedy_f64(const int64_t *a, const int64_t *b, const double *values, int64_t count,
                                             int64_t count_a, int64_t count_b, void *scratch, int64_t scratch_size,
                                             int64_t *chosen);
+
+/* ---- Fusion of boxes, double ----
+ * Since: 0.1.
+ */
+
+/**
+ * How many bytes of scratch does the fusion of `count` boxes need?
+ * Returns: about 350 bytes a box, and 0.4 MiB.
+ * Errors: VESICA_E_ARGUMENT (count is negative or above 2^31 - 1).
+ */
+VESICA_API int64_t vesica_fuse_scratch(int64_t count);
+
+/**
+ * Weighted boxes fusion: boxes of one object, as several detectors or views find them, become their weighted mean.
+ *
+ * Takes boxes in the order of score times weight, the highest first, of equal ones by number. Each joins the cluster of
+ * its label whose mean it has the highest IoU with, of equal ones the first, if that IoU exceeds the threshold;
+ * otherwise it begins a cluster. A box counts in its cluster's mean by score times weight: with p = s w,
+ *
+ *     mean = sum(p x) / sum(p)
+ *
+ * for each coordinate x of a box along the axes, and for the centre and each half length of a rectangle.
+ * A rectangle is the same when it is turned by 180 degrees, or by 90 with its half lengths exchanged. Of these four
+ * forms each member has the one whose corners are nearest to those of the cluster's first member, by the sum of the
+ * squares of their distances, both about one centre. The direction of the mean is that of the sum of p times their unit
+ * directions, and is written as a unit vector. If all p of a cluster are 0, its mean is its first box; if all its
+ * weights are 0, its mean score is the first one. A cluster of one box is that box, bit for bit.
+ * Record c of fused, of the shapes' kind, and fused_scores[c] are those of cluster c; clusters[i] is that of box i. The
+ * paper then multiplies a score by min(n, m) / m, for n boxes in the cluster and m models: clusters gives n.
+ * Requires: shapes of kind VESICA_AABB or VESICA_RECT; scores from 0 to 2^480, one for each; weights in the same range,
+ * such as that of a box's model, or NULL for 1; labels, or NULL if all are the same; threshold from 0 to 1; fused_score
+ * VESICA_FUSED_MEAN or _MAX; scratch of at least vesica_fuse_scratch(count) bytes; fused with room for
+ * `count` records of vesica_aabb_f64 or vesica_rect_f64, fused_scores and clusters for as many numbers.
+ * Returns: 0, with *count set to the number of clusters.
+ * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (the threshold, fused_score, or a size is out of range).
+ * VESICA_E_SHAPE: boxes are left out, and have cluster -1, that are invalid, whose coordinates
+ * or half lengths exceed 2^1020, or whose score or weight is out of range; the result of all others is written.
+ * Accuracy: IoU is that of vesica_iou_f64 and the mean before it is rounded to the output's type. With n boxes in the
+ * cluster, a coordinate x of the mean is right to 4 u (n d + |x|) + n 2^-1074, d the largest difference from that of
+ * the first box; a score to 4 u n times the highest; a direction to 4 u n, if all are within 45 degrees of the first.
+ * The float function computes in double and rounds its results.
+ * Cost: an index of the boxes; then about 1 us a box, and vesica_iou_f64 for each mean that its bounds meet.
+ */
+VESICA_API int32_t vesica_fuse_f64(const vesica_shapes_f64 *shapes, const double *scores, const double *weights,
+                                   const int32_t *labels, double threshold, int32_t fused_score, void *scratch,
+                                   int64_t scratch_size, void *fused, double *fused_scores, int64_t *clusters,
+                                   int64_t *count);
 
 /* ---- Shapes as Gaussian distributions, double ----
  * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT, VESICA_E_RANGE.
@@ -143,6 +194,11 @@ VESICA_API int64_t vesica_join_ratio_f32(int32_t ratio, float threshold, const v
 VESICA_API int64_t vesica_assign_greedy_f32(const int64_t *a, const int64_t *b, const float *values, int64_t count,
                                             int64_t count_a, int64_t count_b, void *scratch, int64_t scratch_size,
                                             int64_t *chosen);
+/** As vesica_fuse_f64. */
+VESICA_API int32_t vesica_fuse_f32(const vesica_shapes_f32 *shapes, const float *scores, const float *weights,
+                                   const int32_t *labels, float threshold, int32_t fused_score, void *scratch,
+                                   int64_t scratch_size, void *fused, float *fused_scores, int64_t *clusters,
+                                   int64_t *count);
 
 /** As vesica_gaussian_distance_f64, rounded to float. */
 VESICA_API int32_t vesica_gaussian_distance_f32(int32_t which, int32_t kind_a, const void *a, int32_t kind_b,

@@ -415,4 +415,13 @@ bool build_step(const Kernels& kernels, const Sets& sets, int step, std::int64_t
   return builder.begun() && builder.run(step, part, parts);
 }
 
+unsigned char* build_in(const Kernels& kernels, const Sets& sets, void* scratch) noexcept {
+  const auto misplaced = static_cast<std::int64_t>(reinterpret_cast<std::uintptr_t>(scratch) % alignment);
+  unsigned char* const index = static_cast<unsigned char*>(scratch) + (alignment - misplaced) % alignment;
+  for (int step = 0; step < build_steps; ++step) {
+    build_step(kernels, sets, step, 0, 1, index, index + size_bound(sets.items));
+  }
+  return index;
+}
+
 }  // namespace vesica::index

@@ -21,4 +21,9 @@ std::int64_t scratch_bound(std::int64_t items) noexcept;
 bool build_step(const Kernels& kernels, const Sets& sets, int step, std::int64_t part, std::int64_t parts, void* index,
                 void* scratch) noexcept;
 
+/// Builds an index in the scratch of a call, which need not be aligned. Returns where it begins: size_bound bytes, then
+/// scratch_bound bytes that are free again; `alignment` bytes more are needed than for these. Not inlined: the stack of
+/// the build is free again.
+[[gnu::noinline]] unsigned char* build_in(const Kernels& kernels, const Sets& sets, void* scratch) noexcept;
+
 }  // namespace vesica::index

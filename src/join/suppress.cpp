@@ -7,9 +7,9 @@
 
 #include "index/boxes.hpp"
 #include "index/build.hpp"
-#include "index/frame.hpp"
 #include "join/decide.hpp"
 #include "join/ranked.hpp"
+#include "join/window.hpp"
 
 namespace vesica::index {
 
@@ -255,25 +255,15 @@ class Suppressor {
   template <class Visit>
   void each_block_near(const View& view, std::uint32_t at, const Visit& visit) const noexcept {
     const Extent& extent = extent_[at];
-    std::uint32_t place[block_items + 64];
     // Shapes of this block; if the list is full, there may be more.
-    if (at >= first_of_block_ && at < end_of_block_ && neighbours_ < block_list) {
-      for (std::int32_t i = 0; i < neighbours_; ++i) {
-        if (!meets(neighbour_box_[i], extent.box)) continue;
-        const Block& b = view.block(neighbour_[i]);
-        visit(place, asked_.kernels.in_window(b, to_columns(b.frame, extent.box), place));
-      }
-      return;
+    if (at < first_of_block_ || at >= end_of_block_ || neighbours_ == block_list) {
+      return each_in_window(asked_.kernels, view, extent.box, visit);
     }
-    std::int64_t block[block_list];
-    for (std::int64_t from = 0;;) {
-      const std::int32_t n = asked_.kernels.meeting_blocks(view, extent.box, from, block_list, block);
-      for (std::int32_t i = 0; i < n; ++i) {
-        const Block& b = view.block(block[i]);
-        visit(place, asked_.kernels.in_window(b, to_columns(b.frame, extent.box), place));
-      }
-      if (n < block_list) break;
-      from = block[n - 1] + 1;
+    std::uint32_t place[block_items + 64];
+    for (std::int32_t i = 0; i < neighbours_; ++i) {
+      if (!meets(neighbour_box_[i], extent.box)) continue;
+      const Block& b = view.block(neighbour_[i]);
+      visit(place, asked_.kernels.in_window(b, to_columns(b.frame, extent.box), place));
     }
   }
 
@@ -354,14 +344,6 @@ class Suppressor {
   Columns others_;
 };
 
-/// Builds the index. Not inlined: its stack is free again before the suppression begins.
-[[gnu::noinline]] void build_index(const Suppression& suppression, unsigned char* scratch) noexcept {
-  unsigned char* const room = scratch + Parts(suppression.sets.items).order;
-  for (int step = 0; step < build_steps; ++step) {
-    build_step(suppression.kernels, suppression.sets, step, 0, 1, scratch, room);
-  }
-}
-
 template <class T>
 [[gnu::noinline]] std::int64_t keep_best(const Suppression& suppression, const T* score, unsigned char* scratch,
                                          std::int64_t* keep, bool& left_out) noexcept {
@@ -378,9 +360,7 @@ std::int64_t suppression_bytes(std::int64_t items) noexcept { return Parts(items
 
 template <class T>
 std::int64_t suppress(const Suppression& suppression, const T* score, std::int64_t* keep, bool& left_out) noexcept {
-  const auto misplaced = static_cast<std::int64_t>(reinterpret_cast<std::uintptr_t>(suppression.scratch) % alignment);
-  unsigned char* const scratch = static_cast<unsigned char*>(suppression.scratch) + (alignment - misplaced) % alignment;
-  build_index(suppression, scratch);
+  unsigned char* const scratch = build_in(suppression.kernels, suppression.sets, suppression.scratch);
   return keep_best(suppression, score, scratch, keep, left_out);
 }
 

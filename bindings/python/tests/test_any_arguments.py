@@ -92,6 +92,7 @@ FITTING = {
 
 # The same where a name means something else.
 OF_NUMBERS = {
+    "fuse": {"boxes": lambda draw: draw.choice([vesica.aabbs(rows(draw, 4)), vesica.rects(rows(draw, 5))])},
     "assign_greedy": {"a": items, "b": items, "values": lambda draw: numbers(draw, 2)},
 }
 

@@ -68,5 +68,60 @@ class AssignGreedy(unittest.TestCase):
                 vesica.assign_greedy(*arguments)
 
 
+def iou_of_boxes(a, b):
+    width, height = min(a[2], b[2]) - max(a[0], b[0]), min(a[3], b[3]) - max(a[1], b[1])
+    if width <= 0 or height <= 0:
+        return 0
+    areas = [(box[2] - box[0]) * (box[3] - box[1]) for box in (a, b)]
+    return width * height / (sum(areas) - width * height)
+
+
+class Fuse(unittest.TestCase):
+    def test_is_the_definition(self):
+        generator = numpy.random.default_rng(11)
+        for count in (0, 1, 150):
+            centres, halves = generator.integers(0, 6, (count, 2)) * 1.4, generator.uniform(0.4, 1, (count, 2))
+            centres = centres + generator.uniform(-0.2, 0.2, (count, 2))
+            rows = numpy.hstack([centres - halves, centres + halves])
+            scores, weights = generator.uniform(0.1, 1, count), generator.integers(1, 4, count)
+            labels = generator.integers(0, 2, count)
+            members, means, clusters = [], [], [None] * count
+            for i in sorted(range(count), key=lambda i: -scores[i] * weights[i]):
+                fitting = [c for c in range(len(means)) if labels[members[c][0]] == labels[i]]
+                ious = [iou_of_boxes(means[c], rows[i]) for c in fitting]
+                if ious and max(ious) > 0.3:
+                    clusters[i] = fitting[ious.index(max(ious))]
+                    members[clusters[i]].append(i)
+                else:
+                    clusters[i] = len(means)
+                    members.append([i]), means.append(None)
+                own = members[clusters[i]]
+                means[clusters[i]] = numpy.average(rows[own], axis=0, weights=(scores * weights)[own])
+            found = vesica.fuse(vesica.aabbs(rows), scores, 0.3, weights=weights, labels=labels)
+            self.assertEqual(found[2].tolist(), clusters)
+            numpy.testing.assert_allclose(found[0].numbers, numpy.reshape(means, (-1, 4)), rtol=0, atol=1e-14)
+            numpy.testing.assert_allclose(found[1], [numpy.average(scores[m], weights=weights[m]) for m in members])
+            highest = vesica.fuse(vesica.aabbs(rows), scores, 0.3, weights=weights, labels=labels, score="max")
+            self.assertEqual(highest[1].tolist(), [scores[m].max() for m in members])
+
+    def test_refusals(self):
+        boxes = vesica.aabbs(numpy.array([[0, 0, 1, 1], [2, 0, 1, 1]], "f4"))
+        with self.assertRaises(vesica.VesicaError) as caught:
+            vesica.fuse(boxes, [1, 1])
+        means, scores, clusters = caught.exception.result
+        self.assertEqual((means.dtype, len(means), scores.tolist(), clusters.tolist()), ("f4", 1, [1], [0, -1]))
+        with self.assertRaises(vesica.VesicaError) as caught:
+            vesica.fuse(boxes[:1], [-1])
+        self.assertIn("row 0: the score or the weight", str(caught.exception))
+        self.assertEqual(caught.exception.result[2].tolist(), [-1])
+        for wrong in ({"threshold": 2}, {"threshold": math.nan}, {"score": "least"}, {"weights": [1]}, {"labels": [1]}):
+            with self.assertRaises(ValueError):
+                vesica.fuse(boxes[:0] if "threshold" in wrong else boxes, [] if "threshold" in wrong else [1, 1], **wrong)
+        with self.assertRaises(vesica.VesicaError):
+            vesica.fuse(vesica.circles([[0, 0, 1]]), [1])
+        with self.assertRaises(TypeError):
+            vesica.fuse(boxes, ["a", "b"])
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -1,11 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
 """What is done around detectors: assignment, fusion of boxes, average precision."""
+import ctypes
+
 import numpy
 
-from ._library import by_scalar, checked, first_rows, library
-from .shapes import plain
+from . import _declarations
+from ._library import VesicaError, by_scalar, checked, first_rows, library, real
+from .queries import as_type, finish, labels_of, scores_of
+from .shapes import first_of_rows, plain, shapes
 
-_ASSIGN = by_scalar("assign_greedy")
+_ASSIGN, _FUSE = by_scalar("assign_greedy"), by_scalar("fuse")
+_FUSED_SCORES = {"mean": _declarations.FUSED_MEAN, "max": _declarations.FUSED_MAX}
 
 
 def _numbers(values, name):
@@ -54,3 +59,39 @@ def assign_greedy(a, b, values):
         )
     )
     return first_rows(chosen, found)
+
+
+def fuse(boxes, scores, threshold=0.55, *, weights=None, labels=None, score="mean"):
+    """Weighted boxes fusion: (means, scores, clusters), the means as shapes, and for each box its cluster.
+
+    Takes boxes, aabbs or rects, in the order of score times weight, the highest first. Each joins the cluster of its
+    label whose mean it has the highest IoU with, if that exceeds the threshold, or begins one. A mean counts a box by
+    score times weight. score: "mean" of a cluster, by the weights, or "max". Rectangles are averaged in whichever of
+    their four forms has its corners nearest to the first one's; vesica.c.vesica_fuse_f64 says more. Scores, weights and
+    threshold are first rounded to the boxes' type.
+    """
+    if score not in _FUSED_SCORES:
+        raise ValueError(f"score is {score!r}, not one of {', '.join(_FUSED_SCORES)}")
+    scores = as_type(scores_of(scores, boxes), boxes.dtype)
+    weights = None if weights is None else as_type(scores_of(weights, boxes, "weights"), boxes.dtype)
+    labels = labels_of(labels, boxes)
+    threshold = real(threshold, "threshold", boxes.dtype, 0, 1)
+    scratch = _scratch(library.vesica_fuse_scratch(len(boxes)))
+    fused = numpy.empty((len(boxes), len(boxes.columns)), boxes.dtype)
+    fused_scores, clusters = numpy.empty(len(boxes), boxes.dtype), numpy.empty(len(boxes), numpy.int64)
+    count = ctypes.c_int64()
+    code = _FUSE[boxes.letter](
+        *(ctypes.byref(boxes.view), scores.ctypes.data, None if weights is None else weights.ctypes.data),
+        *(None if labels is None else labels.ctypes.data, threshold, _FUSED_SCORES[score]),
+        *(scratch.ctypes.data, scratch.nbytes, fused.ctypes.data, fused_scores.ctypes.data, clusters.ctypes.data),
+        ctypes.byref(count),
+    )
+    if code not in (0, _declarations.E_SHAPE):
+        checked(code)
+    means = shapes(boxes.kind, first_rows(fused, count.value))
+    result = means, first_rows(fused_scores, count.value), clusters
+    if code == _declarations.E_SHAPE and not len(boxes.invalid()):
+        unfit = numpy.flatnonzero(clusters < 0)
+        fault = "the score or the weight is not from 0 to 2**480, or the box is beyond 2**1020"
+        raise VesicaError(code, first_of_rows(unfit, fault), result)
+    return finish(code, result, boxes=boxes)

@@ -527,7 +527,7 @@ def nms(boxes, scores, threshold=0.5, *, labels=None, ratio=Ratio.OVER_UNION, le
     each; ratio: any but OVER_FIRST and OVER_SECOND; least_score, compared as it is: boxes below it are left out; most:
     how many are kept at most. The threshold is first rounded to the boxes' type.
     """
-    scores, labels, ratio = _scores(scores, boxes), _labels(labels, boxes), _symmetric(ratio)
+    scores, labels, ratio = scores_of(scores, boxes), labels_of(labels, boxes), _symmetric(ratio)
     threshold = real(threshold, "threshold", boxes.dtype, 0, 1)
     scores, least_score = _in_order(scores, boxes.dtype, least_score)
     room = _room(most, boxes)
@@ -557,8 +557,8 @@ def nms_soft(boxes, scores, parameter=0.5, *, decay="linear", labels=None, ratio
     above the parameter; "gaussian", times exp(-r^2 / parameter). Scores, parameter and least_score are rounded to the
     boxes' type. The rest as nms.
     """
-    scores, labels, ratio = _scores(scores, boxes), _labels(labels, boxes), _symmetric(ratio)
-    scores = _as_type(scores, boxes.dtype)
+    scores, labels, ratio = scores_of(scores, boxes), labels_of(labels, boxes), _symmetric(ratio)
+    scores = as_type(scores, boxes.dtype)
     if decay not in _DECAYS:
         raise ValueError(f"decay is {decay!r}, not one of {', '.join(_DECAYS)}")
     of_decay = (0, 1) if decay == "linear" else (2.0**-100, numpy.finfo(boxes.dtype).max)
@@ -597,16 +597,16 @@ def _one_each(name, values, boxes):
     return values
 
 
-def _scores(scores, boxes):
+def scores_of(scores, boxes, name="scores"):
     if the_shapes(boxes, "boxes").single:
         raise TypeError("boxes are an array of shapes, not a single one")
-    scores = _one_each("scores", scores, boxes)
+    scores = _one_each(name, scores, boxes)
     if scores.dtype.kind not in "iubf":
-        raise TypeError(f"scores are numbers, not {scores.dtype}")
+        raise TypeError(f"{name} are numbers, not {scores.dtype}")
     return scores
 
 
-def _as_type(scores, dtype):
+def as_type(scores, dtype):
     with numpy.errstate(over="ignore"):
         return numpy.require(scores, dtype, "CA")
 
@@ -628,10 +628,10 @@ def _in_order(scores, dtype, least):
         rank[numpy.isnan(scores)] = numpy.nan
         rank[below] = -numpy.inf
         exact, least = rank, -1.0
-    return _as_type(exact, dtype), float(least)
+    return as_type(exact, dtype), float(least)
 
 
-def _labels(labels, boxes):
+def labels_of(labels, boxes):
     """The labels as the library takes them, or others that are equal where they are; None for none."""
     if labels is None:
         return None

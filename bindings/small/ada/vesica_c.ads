@@ -48,6 +48,8 @@ package Vesica_C is
    Vesica_Angle_Degrees : constant := 1;
    Vesica_Angle_Quarters : constant := 2;
    Vesica_Angle_Reversed : constant := 4;
+   Vesica_Fused_Mean : constant := 0;
+   Vesica_Fused_Max : constant := 1;
    Vesica_Gaussian_Bhattacharyya : constant := 0;
    Vesica_Gaussian_Hellinger : constant := 1;
    Vesica_Gaussian_Kullback_Leibler : constant := 2;
@@ -1173,6 +1175,18 @@ package Vesica_C is
       Integer_64; Chosen : System.Address) return Integer_64
      with Import, Convention => C, External_Name => "vesica_assign_greedy_f64";
 
+   --  How many bytes of scratch does the fusion of `count` boxes need?
+   function Vesica_Fuse_Scratch (Count : Integer_64) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_fuse_scratch";
+
+   --  Weighted boxes fusion: boxes of one object, as several detectors or views find them, become their weighted
+   --  mean.
+   function Vesica_Fuse_F64 (Shapes : System.Address; Scores : System.Address; Weights : System.Address; Labels :
+      System.Address; Threshold : IEEE_Float_64; Fused_Score : Integer_32; Scratch : System.Address; Scratch_Size
+      : Integer_64; Fused : System.Address; Fused_Scores : System.Address; Clusters : System.Address; Count :
+      System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_fuse_f64";
+
    --  The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
    function Vesica_Gaussian_Distance_F64 (Which : Integer_32; Kind_A : Integer_32; A : System.Address; Kind_B :
       Integer_32; B : System.Address; Output : System.Address) return Integer_32
@@ -1203,6 +1217,14 @@ package Vesica_C is
       Integer_64; Count_A : Integer_64; Count_B : Integer_64; Scratch : System.Address; Scratch_Size :
       Integer_64; Chosen : System.Address) return Integer_64
      with Import, Convention => C, External_Name => "vesica_assign_greedy_f32";
+
+   --  Weighted boxes fusion: boxes of one object, as several detectors or views find them, become their weighted
+   --  mean.
+   function Vesica_Fuse_F32 (Shapes : System.Address; Scores : System.Address; Weights : System.Address; Labels :
+      System.Address; Threshold : IEEE_Float_32; Fused_Score : Integer_32; Scratch : System.Address; Scratch_Size
+      : Integer_64; Fused : System.Address; Fused_Scores : System.Address; Clusters : System.Address; Count :
+      System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_fuse_f32";
 
    --  The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
    function Vesica_Gaussian_Distance_F32 (Which : Integer_32; Kind_A : Integer_32; A : System.Address; Kind_B :

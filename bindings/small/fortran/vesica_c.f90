@@ -47,6 +47,8 @@ module vesica_c
   integer(c_int32_t), parameter :: vesica_angle_degrees = 1
   integer(c_int32_t), parameter :: vesica_angle_quarters = 2
   integer(c_int32_t), parameter :: vesica_angle_reversed = 4
+  integer(c_int32_t), parameter :: vesica_fused_mean = 0
+  integer(c_int32_t), parameter :: vesica_fused_max = 1
   integer(c_int32_t), parameter :: vesica_gaussian_bhattacharyya = 0
   integer(c_int32_t), parameter :: vesica_gaussian_hellinger = 1
   integer(c_int32_t), parameter :: vesica_gaussian_kullback_leibler = 2
@@ -1815,6 +1817,31 @@ module vesica_c
       type(c_ptr), value :: chosen
     end function
 
+    !> How many bytes of scratch does the fusion of `count` boxes need?
+    integer(c_int64_t) function vesica_fuse_scratch(count) bind(c)
+      import
+      integer(c_int64_t), value :: count
+    end function
+
+    !> Weighted boxes fusion: boxes of one object, as several detectors or views find them, become their weighted
+    !> mean.
+    integer(c_int32_t) function vesica_fuse_f64(shapes, scores, weights, labels, threshold, fused_score, scratch, &
+      scratch_size, fused, fused_scores, clusters, count) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: shapes
+      type(c_ptr), value :: scores
+      type(c_ptr), value :: weights
+      type(c_ptr), value :: labels
+      real(c_double), value :: threshold
+      integer(c_int32_t), value :: fused_score
+      type(c_ptr), value :: scratch
+      integer(c_int64_t), value :: scratch_size
+      type(c_ptr), value :: fused
+      type(c_ptr), value :: fused_scores
+      type(c_ptr), value :: clusters
+      type(c_ptr), value :: count
+    end function
+
     !> The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
     integer(c_int32_t) function vesica_gaussian_distance_f64(which, kind_a, a, kind_b, b, out) bind(c)
       import
@@ -1883,6 +1910,25 @@ module vesica_c
       type(c_ptr), value :: scratch
       integer(c_int64_t), value :: scratch_size
       type(c_ptr), value :: chosen
+    end function
+
+    !> Weighted boxes fusion: boxes of one object, as several detectors or views find them, become their weighted
+    !> mean.
+    integer(c_int32_t) function vesica_fuse_f32(shapes, scores, weights, labels, threshold, fused_score, scratch, &
+      scratch_size, fused, fused_scores, clusters, count) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: shapes
+      type(c_ptr), value :: scores
+      type(c_ptr), value :: weights
+      type(c_ptr), value :: labels
+      real(c_float), value :: threshold
+      integer(c_int32_t), value :: fused_score
+      type(c_ptr), value :: scratch
+      integer(c_int64_t), value :: scratch_size
+      type(c_ptr), value :: fused
+      type(c_ptr), value :: fused_scores
+      type(c_ptr), value :: clusters
+      type(c_ptr), value :: count
     end function
 
     !> The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.

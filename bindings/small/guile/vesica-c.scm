@@ -44,6 +44,8 @@
 (define-public VESICA_ANGLE_DEGREES 1)
 (define-public VESICA_ANGLE_QUARTERS 2)
 (define-public VESICA_ANGLE_REVERSED 4)
+(define-public VESICA_FUSED_MEAN 0)
+(define-public VESICA_FUSED_MAX 1)
 (define-public VESICA_GAUSSIAN_BHATTACHARYYA 0)
 (define-public VESICA_GAUSSIAN_HELLINGER 1)
 (define-public VESICA_GAUSSIAN_KULLBACK_LEIBLER 2)
@@ -421,6 +423,10 @@
 ;; Greedy assignment, as of tracks to detections: takes the pair with the highest value whose two items are both
 ;; free, until there is none.
 (c vesica_assign_greedy_f64 int64 '* '* '* int64 int64 int64 '* int64 '*)
+;; How many bytes of scratch does the fusion of `count` boxes need?
+(c vesica_fuse_scratch int64 int64)
+;; Weighted boxes fusion: boxes of one object, as several detectors or views find them, become their weighted mean.
+(c vesica_fuse_f64 int32 '* '* '* '* double int32 '* int64 '* '* '* '*)
 ;; The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
 (c vesica_gaussian_distance_f64 int32 int32 int32 '* int32 '* '*)
 ;; The distance of a[i] and b[i]: out[i] is the result of vesica_gaussian_distance_f64.
@@ -433,6 +439,8 @@
 ;; Greedy assignment, as of tracks to detections: takes the pair with the highest value whose two items are both
 ;; free, until there is none.
 (c vesica_assign_greedy_f32 int64 '* '* '* int64 int64 int64 '* int64 '*)
+;; Weighted boxes fusion: boxes of one object, as several detectors or views find them, become their weighted mean.
+(c vesica_fuse_f32 int32 '* '* '* '* float int32 '* int64 '* '* '* '*)
 ;; The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
 (c vesica_gaussian_distance_f32 int32 int32 int32 '* int32 '* '*)
 ;; The distance of a[i] and b[i]: out[i] is the result of vesica_gaussian_distance_f32.

@@ -48,6 +48,8 @@ const
   vesica_angle_degrees = 1;
   vesica_angle_quarters = 2;
   vesica_angle_reversed = 4;
+  vesica_fused_mean = 0;
+  vesica_fused_max = 1;
   vesica_gaussian_bhattacharyya = 0;
   vesica_gaussian_hellinger = 1;
   vesica_gaussian_kullback_leibler = 2;
@@ -874,6 +876,12 @@ function vesica_assign_greedy_scratch(count: Int64; count_a: Int64; count_b: Int
 // free, until there is none.
 function vesica_assign_greedy_f64(a: PInt64; b: PInt64; values: PDouble; count: Int64; count_a: Int64; count_b:
   Int64; scratch: Pointer; scratch_size: Int64; chosen: PInt64): Int64; cdecl; external vesica_library;
+// How many bytes of scratch does the fusion of `count` boxes need?
+function vesica_fuse_scratch(count: Int64): Int64; cdecl; external vesica_library;
+// Weighted boxes fusion: boxes of one object, as several detectors or views find them, become their weighted mean.
+function vesica_fuse_f64(shapes: PVesicaShapesF64; scores: PDouble; weights: PDouble; labels: PInt32; threshold:
+  Double; fused_score: Int32; scratch: Pointer; scratch_size: Int64; fused: Pointer; fused_scores: PDouble;
+  clusters: PInt64; count: PInt64): Int32; cdecl; external vesica_library;
 // The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
 function vesica_gaussian_distance_f64(which: Int32; kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output:
   PDouble): Int32; cdecl; external vesica_library;
@@ -893,6 +901,10 @@ function vesica_join_ratio_f32(ratio: Int32; threshold: Single; index_a: Pointer
 // free, until there is none.
 function vesica_assign_greedy_f32(a: PInt64; b: PInt64; values: PSingle; count: Int64; count_a: Int64; count_b:
   Int64; scratch: Pointer; scratch_size: Int64; chosen: PInt64): Int64; cdecl; external vesica_library;
+// Weighted boxes fusion: boxes of one object, as several detectors or views find them, become their weighted mean.
+function vesica_fuse_f32(shapes: PVesicaShapesF32; scores: PSingle; weights: PSingle; labels: PInt32; threshold:
+  Single; fused_score: Int32; scratch: Pointer; scratch_size: Int64; fused: Pointer; fused_scores: PSingle;
+  clusters: PInt64; count: PInt64): Int32; cdecl; external vesica_library;
 // The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
 function vesica_gaussian_distance_f32(which: Int32; kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output:
   PSingle): Int32; cdecl; external vesica_library;

@@ -47,6 +47,8 @@ our %CONSTANTS = (
     ANGLE_DEGREES => 1,
     ANGLE_QUARTERS => 2,
     ANGLE_REVERSED => 4,
+    FUSED_MEAN => 0,
+    FUSED_MAX => 1,
     GAUSSIAN_BHATTACHARYYA => 0,
     GAUSSIAN_HELLINGER => 1,
     GAUSSIAN_KULLBACK_LEIBLER => 2,
@@ -423,6 +425,12 @@ our @FUNCTIONS = (
     # free, until there is none.
     [vesica_assign_greedy_f64 => ['opaque', 'opaque', 'opaque', 'sint64', 'sint64', 'sint64', 'opaque', 'sint64',
         'opaque'] => 'sint64'],
+    # How many bytes of scratch does the fusion of `count` boxes need?
+    [vesica_fuse_scratch => ['sint64'] => 'sint64'],
+    # Weighted boxes fusion: boxes of one object, as several detectors or views find them, become their weighted
+    # mean.
+    [vesica_fuse_f64 => ['opaque', 'opaque', 'opaque', 'opaque', 'double', 'sint32', 'opaque', 'sint64', 'opaque',
+        'opaque', 'opaque', 'opaque'] => 'sint32'],
     # The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
     [vesica_gaussian_distance_f64 => ['sint32', 'sint32', 'double[]', 'sint32', 'double[]', 'opaque'] => 'sint32'],
     # The distance of a[i] and b[i]: out[i] is the result of vesica_gaussian_distance_f64.
@@ -437,6 +445,10 @@ our @FUNCTIONS = (
     # free, until there is none.
     [vesica_assign_greedy_f32 => ['opaque', 'opaque', 'opaque', 'sint64', 'sint64', 'sint64', 'opaque', 'sint64',
         'opaque'] => 'sint64'],
+    # Weighted boxes fusion: boxes of one object, as several detectors or views find them, become their weighted
+    # mean.
+    [vesica_fuse_f32 => ['opaque', 'opaque', 'opaque', 'opaque', 'float', 'sint32', 'opaque', 'sint64', 'opaque',
+        'opaque', 'opaque', 'opaque'] => 'sint32'],
     # The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
     [vesica_gaussian_distance_f32 => ['sint32', 'sint32', 'float[]', 'sint32', 'float[]', 'opaque'] => 'sint32'],
     # The distance of a[i] and b[i]: out[i] is the result of vesica_gaussian_distance_f32.

@@ -44,6 +44,8 @@ module Vesica
   ANGLE_DEGREES = 1
   ANGLE_QUARTERS = 2
   ANGLE_REVERSED = 4
+  FUSED_MEAN = 0
+  FUSED_MAX = 1
   GAUSSIAN_BHATTACHARYYA = 0
   GAUSSIAN_HELLINGER = 1
   GAUSSIAN_KULLBACK_LEIBLER = 2
@@ -414,6 +416,11 @@ module Vesica
     # Greedy assignment, as of tracks to detections: takes the pair with the highest value whose two items are both
     # free, until there is none.
     'int64_t vesica_assign_greedy_f64(void *, void *, void *, int64_t, int64_t, int64_t, void *, int64_t, void *)',
+    # How many bytes of scratch does the fusion of `count` boxes need?
+    'int64_t vesica_fuse_scratch(int64_t)',
+    # Weighted boxes fusion: boxes of one object, as several detectors or views find them, become their weighted
+    # mean.
+    'int vesica_fuse_f64(void *, void *, void *, void *, double, int, void *, int64_t, void *, void *, void *, void *)',
     # The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
     'int vesica_gaussian_distance_f64(int, int, void *, int, void *, void *)',
     # The distance of a[i] and b[i]: out[i] is the result of vesica_gaussian_distance_f64.
@@ -427,6 +434,9 @@ module Vesica
     # Greedy assignment, as of tracks to detections: takes the pair with the highest value whose two items are both
     # free, until there is none.
     'int64_t vesica_assign_greedy_f32(void *, void *, void *, int64_t, int64_t, int64_t, void *, int64_t, void *)',
+    # Weighted boxes fusion: boxes of one object, as several detectors or views find them, become their weighted
+    # mean.
+    'int vesica_fuse_f32(void *, void *, void *, void *, float, int, void *, int64_t, void *, void *, void *, void *)',
     # The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
     'int vesica_gaussian_distance_f32(int, int, void *, int, void *, void *)',
     # The distance of a[i] and b[i]: out[i] is the result of vesica_gaussian_distance_f32.

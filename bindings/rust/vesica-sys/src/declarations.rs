@@ -75,6 +75,10 @@ pub const VESICA_ANGLE_DEGREES: i32 = 1;
 pub const VESICA_ANGLE_QUARTERS: i32 = 2;
 /// added to a unit: angles turn the other way, from +x towards -y
 pub const VESICA_ANGLE_REVERSED: i32 = 4;
+/// the mean of its scores s with weights w: sum(w s) / sum(w)
+pub const VESICA_FUSED_MEAN: i32 = 0;
+/// its highest score
+pub const VESICA_FUSED_MAX: i32 = 1;
 /// Bhattacharyya's distance, from 0 to infinity
 pub const VESICA_GAUSSIAN_BHATTACHARYYA: i32 = 0;
 /// Hellinger's distance, from 0 to 1; ProbIoU is 1 - this
@@ -3189,6 +3193,57 @@ extern "C" {
     /// Since: 0.1.
     pub fn vesica_assign_greedy_f64(a: *const i64, b: *const i64, values: *const f64, count: i64, count_a: i64,
         count_b: i64, scratch: *mut c_void, scratch_size: i64, chosen: *mut i64) -> i64;
+    /// How many bytes of scratch does the fusion of `count` boxes need?
+    ///
+    /// Returns: about 350 bytes a box, and 0.4 MiB.
+    ///
+    /// Errors: VESICA_E_ARGUMENT (count is negative or above 2^31 - 1).
+    ///
+    /// Since: 0.1.
+    pub fn vesica_fuse_scratch(count: i64) -> i64;
+    /// Weighted boxes fusion: boxes of one object, as several detectors or views find them, become their weighted mean.
+    ///
+    /// Takes boxes in the order of score times weight, the highest first, of equal ones by number. Each joins the
+    /// cluster of its label whose mean it has the highest IoU with, of equal ones the first, if that IoU exceeds the
+    /// threshold; otherwise it begins a cluster. A box counts in its cluster's mean by score times weight: with p = s
+    /// w,
+    ///
+    ///     mean = sum(p x) / sum(p)
+    ///
+    /// for each coordinate x of a box along the axes, and for the centre and each half length of a rectangle. A
+    /// rectangle is the same when it is turned by 180 degrees, or by 90 with its half lengths exchanged. Of these four
+    /// forms each member has the one whose corners are nearest to those of the cluster's first member, by the sum of
+    /// the squares of their distances, both about one centre. The direction of the mean is that of the sum of p times
+    /// their unit directions, and is written as a unit vector. If all p of a cluster are 0, its mean is its first box;
+    /// if all its weights are 0, its mean score is the first one. A cluster of one box is that box, bit for bit. Record
+    /// c of fused, of the shapes' kind, and fused_scores\[c\] are those of cluster c; clusters\[i\] is that of box i.
+    /// The paper then multiplies a score by min(n, m) / m, for n boxes in the cluster and m models: clusters gives n.
+    ///
+    /// Requires: shapes of kind VESICA_AABB or VESICA_RECT; scores from 0 to 2^480, one for each; weights in the same
+    /// range, such as that of a box's model, or NULL for 1; labels, or NULL if all are the same; threshold from 0 to 1;
+    /// fused_score VESICA_FUSED_MEAN or _MAX; scratch of at least vesica_fuse_scratch(count) bytes; fused with room for
+    /// `count` records of vesica_aabb_f64 or vesica_rect_f64, fused_scores and clusters for as many numbers.
+    ///
+    /// Returns: 0, with \*count set to the number of clusters.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (the threshold, fused_score, or a size is out of range).
+    /// VESICA_E_SHAPE: boxes are left out, and have cluster -1, that are invalid, whose coordinates
+    /// or half lengths exceed 2^1020, or whose score or weight is out of range; the result of all others is written.
+    ///
+    /// Accuracy: IoU is that of vesica_iou_f64 and the mean before it is rounded to the output's type. With n boxes in
+    /// the cluster, a coordinate x of the mean is right to 4 u (n d + |x|) + n 2^-1074, d the largest difference from
+    /// that of the first box; a score to 4 u n times the highest; a direction to 4 u n, if all are within 45 degrees of
+    /// the first. The float function computes in double and rounds its results. In bounds on errors u is 2^-53, half a
+    /// unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and
+    /// of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is
+    /// longer over shorter size.
+    ///
+    /// Cost: an index of the boxes; then about 1 us a box, and vesica_iou_f64 for each mean that its bounds meet.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_fuse_f64(shapes: *const Shapes<f64>, scores: *const f64, weights: *const f64, labels: *const i32,
+        threshold: f64, fused_score: i32, scratch: *mut c_void, scratch_size: i64, fused: *mut c_void,
+        fused_scores: *mut f64, clusters: *mut i64, count: *mut i64) -> i32;
     /// The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
     ///
     /// A shape's Gaussian has the mean m and the covariance S of its points: the variance along a side of a rectangle
@@ -3298,6 +3353,49 @@ extern "C" {
     /// Since: 0.1.
     pub fn vesica_assign_greedy_f32(a: *const i64, b: *const i64, values: *const f32, count: i64, count_a: i64,
         count_b: i64, scratch: *mut c_void, scratch_size: i64, chosen: *mut i64) -> i64;
+    /// Weighted boxes fusion: boxes of one object, as several detectors or views find them, become their weighted mean.
+    ///
+    /// Takes boxes in the order of score times weight, the highest first, of equal ones by number. Each joins the
+    /// cluster of its label whose mean it has the highest IoU with, of equal ones the first, if that IoU exceeds the
+    /// threshold; otherwise it begins a cluster. A box counts in its cluster's mean by score times weight: with p = s
+    /// w,
+    ///
+    ///     mean = sum(p x) / sum(p)
+    ///
+    /// for each coordinate x of a box along the axes, and for the centre and each half length of a rectangle. A
+    /// rectangle is the same when it is turned by 180 degrees, or by 90 with its half lengths exchanged. Of these four
+    /// forms each member has the one whose corners are nearest to those of the cluster's first member, by the sum of
+    /// the squares of their distances, both about one centre. The direction of the mean is that of the sum of p times
+    /// their unit directions, and is written as a unit vector. If all p of a cluster are 0, its mean is its first box;
+    /// if all its weights are 0, its mean score is the first one. A cluster of one box is that box, bit for bit. Record
+    /// c of fused, of the shapes' kind, and fused_scores\[c\] are those of cluster c; clusters\[i\] is that of box i.
+    /// The paper then multiplies a score by min(n, m) / m, for n boxes in the cluster and m models: clusters gives n.
+    ///
+    /// Requires: shapes of kind VESICA_AABB or VESICA_RECT; scores from 0 to 2^480, one for each; weights in the same
+    /// range, such as that of a box's model, or NULL for 1; labels, or NULL if all are the same; threshold from 0 to 1;
+    /// fused_score VESICA_FUSED_MEAN or _MAX; scratch of at least vesica_fuse_scratch(count) bytes; fused with room for
+    /// `count` records of vesica_aabb_f32 or vesica_rect_f32, fused_scores and clusters for as many numbers.
+    ///
+    /// Returns: 0, with \*count set to the number of clusters.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (the threshold, fused_score, or a size is out of range).
+    /// VESICA_E_SHAPE: boxes are left out, and have cluster -1, that are invalid, whose coordinates
+    /// or half lengths exceed 2^1020, or whose score or weight is out of range; the result of all others is written.
+    ///
+    /// Accuracy: IoU is that of vesica_iou_f32 and the mean before it is rounded to the output's type. With n boxes in
+    /// the cluster, a coordinate x of the mean is right to 4 u (n d + |x|) + n 2^-1074, d the largest difference from
+    /// that of the first box; a score to 4 u n times the highest; a direction to 4 u n, if all are within 45 degrees of
+    /// the first. The float function computes in double and rounds its results. In bounds on errors u is 2^-53, half a
+    /// unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and
+    /// of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is
+    /// longer over shorter size.
+    ///
+    /// Cost: an index of the boxes; then about 1 us a box, and vesica_iou_f32 for each mean that its bounds meet.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_fuse_f32(shapes: *const Shapes<f32>, scores: *const f32, weights: *const f32, labels: *const i32,
+        threshold: f32, fused_score: i32, scratch: *mut c_void, scratch_size: i64, fused: *mut c_void,
+        fused_scores: *mut f32, clusters: *mut i64, count: *mut i64) -> i32;
     /// The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
     ///
     /// A shape's Gaussian has the mean m and the covariance S of its points: the variance along a side of a rectangle
@@ -5272,6 +5370,9 @@ pub unsafe trait Scalar: Copy + Default + PartialEq + PartialOrd + core::fmt::De
         state: *mut i64) -> i64;
     unsafe fn assign_greedy(a: *const i64, b: *const i64, values: *const Self, count: i64, count_a: i64, count_b: i64,
         scratch: *mut c_void, scratch_size: i64, chosen: *mut i64) -> i64;
+    unsafe fn fuse(shapes: *const Shapes<Self>, scores: *const Self, weights: *const Self, labels: *const i32,
+        threshold: Self, fused_score: i32, scratch: *mut c_void, scratch_size: i64, fused: *mut c_void,
+        fused_scores: *mut Self, clusters: *mut i64, count: *mut i64) -> i32;
     unsafe fn gaussian_distance(which: i32, kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
         out: *mut Self) -> i32;
     unsafe fn gaussian_distance_many(which: i32, a: *const Shapes<Self>, b: *const Shapes<Self>, out: *mut Self) -> i64;
@@ -5702,6 +5803,13 @@ unsafe impl Scalar for f64 {
     unsafe fn assign_greedy(a: *const i64, b: *const i64, values: *const f64, count: i64, count_a: i64, count_b: i64,
         scratch: *mut c_void, scratch_size: i64, chosen: *mut i64) -> i64 {
         vesica_assign_greedy_f64(a, b, values, count, count_a, count_b, scratch, scratch_size, chosen)
+    }
+    #[inline]
+    unsafe fn fuse(shapes: *const Shapes<f64>, scores: *const f64, weights: *const f64, labels: *const i32,
+        threshold: f64, fused_score: i32, scratch: *mut c_void, scratch_size: i64, fused: *mut c_void,
+        fused_scores: *mut f64, clusters: *mut i64, count: *mut i64) -> i32 {
+        vesica_fuse_f64(shapes, scores, weights, labels, threshold, fused_score, scratch, scratch_size, fused,
+            fused_scores, clusters, count)
     }
     #[inline]
     unsafe fn gaussian_distance(which: i32, kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
@@ -6279,6 +6387,13 @@ unsafe impl Scalar for f32 {
     unsafe fn assign_greedy(a: *const i64, b: *const i64, values: *const f32, count: i64, count_a: i64, count_b: i64,
         scratch: *mut c_void, scratch_size: i64, chosen: *mut i64) -> i64 {
         vesica_assign_greedy_f32(a, b, values, count, count_a, count_b, scratch, scratch_size, chosen)
+    }
+    #[inline]
+    unsafe fn fuse(shapes: *const Shapes<f32>, scores: *const f32, weights: *const f32, labels: *const i32,
+        threshold: f32, fused_score: i32, scratch: *mut c_void, scratch_size: i64, fused: *mut c_void,
+        fused_scores: *mut f32, clusters: *mut i64, count: *mut i64) -> i32 {
+        vesica_fuse_f32(shapes, scores, weights, labels, threshold, fused_score, scratch, scratch_size, fused,
+            fused_scores, clusters, count)
     }
     #[inline]
     unsafe fn gaussian_distance(which: i32, kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
