@@ -5,4 +5,4 @@ set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 cp -r "$here/tests" "$1"
 cp "$here/README.md" "$here/../vectors/vectors.txt" "$here/../calls/calls.txt" \
-  "$here"/../../docs/{detection,planning}.md "$1"
+  "$here"/../../docs/{cookbook,detection,planning}.md "$1"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# readme_test.sh MOVED WORK: the programs that README.md, docs/guide.md and docs/recipes.md print compile, and answer as
+# readme_test.sh MOVED WORK: the programs of README.md, docs/guide.md, recipes.md and cookbook.md compile, and answer as
 # they say. README.md is a first page: at most 120 lines, and no link leads nowhere.
 . "$(dirname "${BASH_SOURCE[0]}")/prefix.sh"
 root=$here/../..
@@ -54,20 +54,21 @@ block "$guide" cpp 3 >"$work/constant.cpp"
 grep -q static_assert "$work/constant.cpp"
 "$CXX" -std=c++20 -Wall -Wextra -Werror -fsyntax-only "$work/constant.cpp" "${flags[@]}"
 
-# Each recipe is a block of its own; what it prints is in the line below it. So are the polygons of the other two pages.
+# Each recipe is a block of its own; what it prints is in the line below it. So are those of the cookbook, and the
+# polygons of the other two pages.
 fragments() {
   printf '#include <stdio.h>\n#include <vesica.h>\nint main(void) {\n'
   cat
   printf 'return 0;\n}\n'
 }
-recipes=$root/docs/recipes.md
+recipes=("$root/docs/recipes.md" "$root/docs/cookbook.md")
 {
-  awk '$0 == "```c" { inside = 1; print "{"; next } $0 == "```" { if (inside) print "}"; inside = 0 } inside' "$recipes"
+  awk '$0 == "```c" { inside = 1; print "{"; next } $0 == "```" { if (inside) print "}"; inside = 0 } inside' "${recipes[@]}"
   printf '{\n%s\n}\n{\n%s\n}\n' "$(block "$readme" c 2)" "$(block "$guide" c)"
 } | fragments >"$work/recipes.c"
 "$CC" -std=c11 -Wall -Wextra -Wpedantic -Werror -o "$work/recipes" "$work/recipes.c" "${flags[@]}"
 {
-  grep -h '^It prints' "$recipes"
+  grep -h '^It prints' "${recipes[@]}"
   grep '^It prints' "$readme" | tail -n 1
   grep '^It prints' "$guide"
 } | grep -o '`[^`]*`' | tr -d '`' >"$work/recipes.expected"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The programs of docs/detection.md and docs/planning.md run, and print what the pages say."""
+"""The programs of docs/cookbook.md, detection.md and planning.md run, and print what the pages say."""
 import doctest
 import pathlib
 import re
@@ -8,7 +8,7 @@ import unittest
 
 class Pages(unittest.TestCase):
     def test_programs(self):
-        for name in ("detection.md", "planning.md"):
+        for name in ("cookbook.md", "detection.md", "planning.md"):
             text = pathlib.Path(__file__).with_name(name).read_text()
             code = "\n".join(re.findall(r"```python\n(.*?)```", text, re.DOTALL))
             page = doctest.DocTestParser().get_doctest(code, {}, name, name, 0)
