@@ -20,6 +20,7 @@ PAGES = [
     ("index", HERE / "index.html", "exact overlap queries between plain 2D shapes"),
     ("functions", HERE / "functions.html", "which function do I want?"),
     ("guide", ROOT / "docs/guide.md", "guide"),
+    ("cookbook", ROOT / "docs/cookbook.md", "cookbook"),
     ("recipes", ROOT / "docs/recipes.md", "recipes"),
     ("detection", ROOT / "docs/detection.md", "detection and tracking"),
     ("planning", ROOT / "docs/planning.md", "planning"),
@@ -33,7 +34,8 @@ PAGES = [
     ("abi", ROOT / "capi/ABI.md", "what may change, and when"),
 ]
 NAVIGATION = [
-    ("playground/", "Playground"), ("functions.html", "Functions"), ("guide.html", "Guide"), ("recipes.html", "Recipes"),
+    ("playground/", "Playground"), ("functions.html", "Functions"), ("guide.html", "Guide"),
+    ("cookbook.html", "Cookbook"), ("recipes.html", "Recipes"),
     ("detection.html", "Detection"), ("planning.html", "Planning"),
     ("reference/index.html", "Reference"), ("methods.html", "Methods"), ("benchmarks.html", "Speed"), ("join.html", "Join"), ("motion.html", "Motion"),
     ("cuda.html", "CUDA"), ("hosts.html", "Languages"), ("platforms.html", "Platforms"), ("abi.html", "ABI"),

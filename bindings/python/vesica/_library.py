@@ -68,8 +68,7 @@ def real(value, name, dtype=numpy.float64, least=-math.inf, most=math.inf):
         number = float(value)
     except (TypeError, ValueError):
         raise TypeError(f"{name} is of the type {type(value).__name__}, not a number") from None
-    with numpy.errstate(all="ignore"):
-        rounded = float(numpy.dtype(dtype).type(number))
+    rounded = number if dtype == numpy.float64 else ctypes.c_float(number).value
     if not least <= rounded <= most:
         raise VesicaError(_declarations.E_ARGUMENT, f"{name} is {plainly(number)}{_range(least, most)}")
     return rounded

@@ -64,11 +64,10 @@ def finite(given, name, form, dtype):
         raise TypeError(f"{name} is {form}: numbers, not {numbers.dtype}")
     if numbers.shape != (form.count(",") + 1,):
         raise ValueError(f"{name} is {form}, not an array of shape {numbers.shape}")
-    with numpy.errstate(over="ignore"):
-        finite = numpy.isfinite(numbers.astype(dtype)).all()
-    if not finite:
+    floats = [real(number, name, dtype) if number == number else number for number in map(float, numbers.tolist())]
+    if not all(map(math.isfinite, floats)):
         raise VesicaError(_declarations.E_ARGUMENT, f"{name} is ({', '.join(map(plainly, numbers))}), not finite")
-    return numbers.astype(numpy.float64).tolist()
+    return floats
 
 
 def motion(velocity, t_end, dtype):

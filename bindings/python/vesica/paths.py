@@ -7,7 +7,7 @@ import numpy
 
 from . import _declarations
 from .arrow import is_arrow, of_geoarrow
-from .shapes import VIEWS, Kind, Shapes, floats_of, new_shapes, not_finite
+from .shapes import MADE, VIEWS, Kind, Shapes, floats_of, new_shapes, not_finite
 
 # The C struct of a polygon, as numbers of the size of a pointer: x, y, stride, rings, count.
 _STRUCT = numpy.dtype(
@@ -103,6 +103,9 @@ class Paths(Shapes):
             if wrong:
                 return wrong
         return "it has no vertex"
+
+
+MADE.add(Paths)
 
 
 def _paths_of(kind, dtype, structs, kept, single=False):

@@ -224,11 +224,11 @@ class _Query:
         function = self.one[letter]
         if self.convert is not None:
             code = function(a.kind, a.record, b.kind, b.record, *self.last)
-            finish(code, None, a=a, b=b)
-            return self.convert(code)
+            return self.convert(code if code >= 0 else finish(code, None, a=a, b=b))
         record = self.record[letter]()
         code = function(*self.first, a.kind, a.record, b.kind, b.record, ctypes.byref(record))
-        finish(code, None, self.undefined, a=a, b=b)
+        if code < 0:
+            finish(code, None, self.undefined, a=a, b=b)
         if self.result is None:
             return record.value
         return self.result(*(getattr(record, field) for field in self.result._fields))

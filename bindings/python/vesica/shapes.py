@@ -273,6 +273,7 @@ def the_shapes(value, name):
     )
 
 
+MADE = {Shapes}  # and what is derived from it
 _TOGETHER = "make one array of them, as by vesica.shapes(kind, [shape.numbers for shape in ...])"
 
 
@@ -311,11 +312,11 @@ def plain(values, name):
     """Values as an array that has them all. Those that a mask hides would come to light, so there may be none."""
     if isinstance(values, Shapes):
         raise TypeError(f"{name} are {values.kind.name.lower()} shapes already, not an array of numbers")
-    if _has_shapes(values):
-        raise TypeError(f"{name} are shapes already: {_TOGETHER}")
     if hasattr(values, "__dlpack__") and not isinstance(values, numpy.ndarray):
         values = _of_dlpack(values, name)
     kinds, masked = _elements(values) if isinstance(values, (list, tuple)) else (set(), numpy.ma.is_masked(values))
+    if not kinds.isdisjoint(MADE):
+        raise TypeError(f"{name} are shapes already: {_TOGETHER}")
     if masked:
         raise ValueError(f"{name}: some of the numbers are masked, and masks are not looked at; take the others alone")
     array = _as_array(values, name)
@@ -324,12 +325,20 @@ def plain(values, name):
     return array
 
 
+# numpy before 1.24 makes objects of ragged rows, and warns.
+_WARNS = tuple(map(int, numpy.__version__.split(".")[:2])) < (1, 24)
+
+
+def _as_objects(values):
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        return numpy.asarray(values)
+
+
 def _as_array(values, name):
     """Values as numpy takes them, if these are numbers; an error that says which is none if not."""
     try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # numpy before 1.24 makes ragged rows objects, and warns
-            array = numpy.asarray(values)
+        array = _as_objects(values) if _WARNS else numpy.asarray(values)
     except ValueError:
         raise _no_numbers(values, name) from None
     objects = array.dtype.kind == "O" and not (array.ndim and all(isinstance(each, Number) for each in array.flat))
@@ -447,6 +456,10 @@ def rows_of(array, what, *names):
     if named is not None:
         columns, single = named
         return numpy.stack(columns, axis=-1), single
+    return _rows(array, what, names)
+
+
+def _rows(array, what, names):
     array = floats_of(array, what)
     if array.ndim == 2 and array.shape[1] == len(names):
         return array, False
@@ -522,8 +535,8 @@ def shapes(kind, array):
     named = _columns(array, what, FIELDS[kind])
     if named is not None:
         return _shapes_of(kind, *named)
-    rows, single = rows_of(array, what, *FIELDS[kind])
-    return _shapes_of(kind, [rows[:, i] for i in range(rows.shape[1])], single)
+    rows, single = _rows(array, what, FIELDS[kind])
+    return _shapes_of(kind, list(rows.T), single)
 
 
 _BOX = ("x", "y", "width", "height", "angle")
@@ -651,7 +664,7 @@ def _from_rows(functions, rows, out, threads, *more):
 
 def _made(code, kind, numbers, single, fault):
     """Shapes of rows that the library made, or its error with them. fault(i): what is wrong with row i, in words."""
-    made = shapes(kind, numbers[0] if single else numbers)
+    made = _shapes_of(kind, list(numbers.T), single)
     if code >= 0:
         return made
     wrong = made.invalid()
