@@ -33,8 +33,8 @@ int32_t gaussian_of(int32_t kind, const double* numbers, Gaussian& out) noexcept
 }
 
 template <class T>
-int32_t of_two(int32_t which, int32_t kind_a, const void* a, int32_t kind_b, const void* b, T* out) noexcept {
-  VESICA_DEFAULT_ENVIRONMENT(of_two<T>, which, kind_a, a, kind_b, b, out);
+int32_t gaussian_of_two(int32_t which, int32_t kind_a, const void* a, int32_t kind_b, const void* b, T* out) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT(gaussian_of_two<T>, which, kind_a, a, kind_b, b, out);
   if (a == nullptr || b == nullptr || out == nullptr) return VESICA_E_NULL;
   if (!has_gaussian(kind_a) || !has_gaussian(kind_b)) return VESICA_E_KIND;
   if (!vesica::is_gaussian_distance(which)) return VESICA_E_ARGUMENT;
@@ -87,8 +87,8 @@ struct Answers {
 };
 
 template <class T>
-int64_t in_step(int32_t which, const CShapesOf<T>* a, const CShapesOf<T>* b, T* out) noexcept {
-  VESICA_DEFAULT_ENVIRONMENT(in_step<T>, which, a, b, out);
+int64_t gaussians_in_step(int32_t which, const CShapesOf<T>* a, const CShapesOf<T>* b, T* out) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT(gaussians_in_step<T>, which, a, b, out);
   const int32_t error = check_call(a, b, out, anything(a, b), has_gaussian);
   if (error != 0) return error;
   const int64_t n = pairs_in_step(*a, *b);
@@ -105,8 +105,9 @@ int64_t in_step(int32_t which, const CShapesOf<T>* a, const CShapesOf<T>* b, T* 
 }
 
 template <class T>
-int64_t of_all(int32_t which, const CShapesOf<T>* a, const CShapesOf<T>* b, T* out, ptrdiff_t row_stride) noexcept {
-  VESICA_DEFAULT_ENVIRONMENT(of_all<T>, which, a, b, out, row_stride);
+int64_t gaussians_of_all(int32_t which, const CShapesOf<T>* a, const CShapesOf<T>* b, T* out,
+                         ptrdiff_t row_stride) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT(gaussians_of_all<T>, which, a, b, out, row_stride);
   const int32_t error = check_call(a, b, out, anything(a, b), has_gaussian);
   if (error != 0) return error;
   const bool apart = rows_apart(a->count, b->count, row_stride, sizeof(T));
@@ -131,15 +132,15 @@ int64_t of_all(int32_t which, const CShapesOf<T>* a, const CShapesOf<T>* b, T* o
 #define VESICA_GAUSSIAN(scalar, T)                                                                                  \
   int32_t vesica_gaussian_distance_##scalar(int32_t which, int32_t kind_a, const void* a, int32_t kind_b,           \
                                             const void* b, T* out) {                                                \
-    return of_two(which, kind_a, a, kind_b, b, out);                                                                \
+    return gaussian_of_two(which, kind_a, a, kind_b, b, out);                                                       \
   }                                                                                                                 \
   int64_t vesica_gaussian_distance_many_##scalar(int32_t which, const vesica_shapes_##scalar* a,                    \
                                                  const vesica_shapes_##scalar* b, T* out) {                         \
-    return in_step(which, a, b, out);                                                                               \
+    return gaussians_in_step(which, a, b, out);                                                                     \
   }                                                                                                                 \
   int64_t vesica_gaussian_distance_matrix_##scalar(int32_t which, const vesica_shapes_##scalar* a,                  \
                                                    const vesica_shapes_##scalar* b, T* out, ptrdiff_t row_stride) { \
-    return of_all(which, a, b, out, row_stride);                                                                    \
+    return gaussians_of_all(which, a, b, out, row_stride);                                                          \
   }
 
 VESICA_GAUSSIAN(f64, double)

@@ -347,6 +347,12 @@ type Penetration[T Float] struct {
 	Y     T
 }
 
+// Span: All heights from low to high; low <= high, both finite.
+type Span[T Float] struct {
+	Low  T
+	High T
+}
+
 // Grid: A grid of cells, such as the pixels of a picture.
 //
 // Cell (i, j) of column i and row j is the box from (x + i dx, y + j dy) to (x + (i + 1) dx, y + (j + 1) dy).
@@ -820,6 +826,30 @@ func cFuse(wide bool, shapes C.vesica_go_view, scores *C.char, weights *C.char, 
 	}
 	return C.go_fuse_f32(shapes, scores, weights, labels, C.float(threshold), fusedScore, scratch, scratchSize, fused,
 		fusedScores, clusters, count)
+}
+
+func cVolumeRatio(wide bool, ratio C.int32_t, kindA C.int32_t, a C.vesica_go_shape, spanA *C.char, kindB C.int32_t,
+	b C.vesica_go_shape, spanB *C.char, out *C.char) C.int32_t {
+	if wide {
+		return C.go_volume_ratio_f64(ratio, kindA, a, spanA, kindB, b, spanB, out)
+	}
+	return C.go_volume_ratio_f32(ratio, kindA, a, spanA, kindB, b, spanB, out)
+}
+
+func cVolumeRatioMany(wide bool, ratio C.int32_t, a C.vesica_go_view, spansA *C.char, b C.vesica_go_view,
+	spansB *C.char, out *C.char) C.int64_t {
+	if wide {
+		return C.go_volume_ratio_many_f64(ratio, a, spansA, b, spansB, out)
+	}
+	return C.go_volume_ratio_many_f32(ratio, a, spansA, b, spansB, out)
+}
+
+func cVolumeRatioMatrix(wide bool, ratio C.int32_t, a C.vesica_go_view, spansA *C.char, b C.vesica_go_view,
+	spansB *C.char, out *C.char, rowStride C.ptrdiff_t) C.int64_t {
+	if wide {
+		return C.go_volume_ratio_matrix_f64(ratio, a, spansA, b, spansB, out, rowStride)
+	}
+	return C.go_volume_ratio_matrix_f32(ratio, a, spansA, b, spansB, out, rowStride)
 }
 
 func cGaussianDistance(wide bool, which C.int32_t, kindA C.int32_t, a C.vesica_go_shape, kindB C.int32_t,

@@ -804,6 +804,60 @@ static inline int32_t go_fuse_f32(vesica_go_view shapes, const char *scores, con
         (void *)count);
 }
 
+static inline int32_t go_volume_ratio_f64(int32_t ratio, int32_t kind_a, vesica_go_shape a, const char *span_a,
+    int32_t kind_b, vesica_go_shape b, const char *span_b, char *out) {
+    vesica_go_f64 of_a = go_read_f64(kind_a, &a);
+    vesica_go_f64 of_b = go_read_f64(kind_b, &b);
+    return vesica_volume_ratio_f64(ratio, kind_a, &of_a, (const void *)span_a, kind_b, &of_b, (const void *)span_b,
+        (void *)out);
+}
+
+static inline int32_t go_volume_ratio_f32(int32_t ratio, int32_t kind_a, vesica_go_shape a, const char *span_a,
+    int32_t kind_b, vesica_go_shape b, const char *span_b, char *out) {
+    vesica_go_f32 of_a = go_read_f32(kind_a, &a);
+    vesica_go_f32 of_b = go_read_f32(kind_b, &b);
+    return vesica_volume_ratio_f32(ratio, kind_a, &of_a, (const void *)span_a, kind_b, &of_b, (const void *)span_b,
+        (void *)out);
+}
+
+static inline int64_t go_volume_ratio_many_f64(int32_t ratio, vesica_go_view a, const char *spans_a, vesica_go_view b,
+    const char *spans_b, char *out) {
+    vesica_shapes_f64 of_a;
+    memcpy(&of_a, &a, sizeof of_a);
+    vesica_shapes_f64 of_b;
+    memcpy(&of_b, &b, sizeof of_b);
+    return vesica_volume_ratio_many_f64(ratio, &of_a, (const void *)spans_a, &of_b, (const void *)spans_b, (void *)out);
+}
+
+static inline int64_t go_volume_ratio_many_f32(int32_t ratio, vesica_go_view a, const char *spans_a, vesica_go_view b,
+    const char *spans_b, char *out) {
+    vesica_shapes_f32 of_a;
+    memcpy(&of_a, &a, sizeof of_a);
+    vesica_shapes_f32 of_b;
+    memcpy(&of_b, &b, sizeof of_b);
+    return vesica_volume_ratio_many_f32(ratio, &of_a, (const void *)spans_a, &of_b, (const void *)spans_b, (void *)out);
+}
+
+static inline int64_t go_volume_ratio_matrix_f64(int32_t ratio, vesica_go_view a, const char *spans_a, vesica_go_view b,
+    const char *spans_b, char *out, ptrdiff_t row_stride) {
+    vesica_shapes_f64 of_a;
+    memcpy(&of_a, &a, sizeof of_a);
+    vesica_shapes_f64 of_b;
+    memcpy(&of_b, &b, sizeof of_b);
+    return vesica_volume_ratio_matrix_f64(ratio, &of_a, (const void *)spans_a, &of_b, (const void *)spans_b,
+        (void *)out, row_stride);
+}
+
+static inline int64_t go_volume_ratio_matrix_f32(int32_t ratio, vesica_go_view a, const char *spans_a, vesica_go_view b,
+    const char *spans_b, char *out, ptrdiff_t row_stride) {
+    vesica_shapes_f32 of_a;
+    memcpy(&of_a, &a, sizeof of_a);
+    vesica_shapes_f32 of_b;
+    memcpy(&of_b, &b, sizeof of_b);
+    return vesica_volume_ratio_matrix_f32(ratio, &of_a, (const void *)spans_a, &of_b, (const void *)spans_b,
+        (void *)out, row_stride);
+}
+
 static inline int32_t go_gaussian_distance_f64(int32_t which, int32_t kind_a, vesica_go_shape a, int32_t kind_b,
     vesica_go_shape b, char *out) {
     vesica_go_f64 of_a = go_read_f64(kind_a, &a);

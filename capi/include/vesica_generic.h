@@ -57,6 +57,10 @@
 #define vesica_gaussian_distance(which, a, b, out) \
     VESICA_QUERY_(vesica_gaussian_distance, VESICA_SIZE_(a) & VESICA_SIZE_(b) & VESICA_SIZE_(out)) \
     (which, VESICA_SHAPE_(a), VESICA_SHAPE_(b), out)
+#define vesica_volume_ratio(ratio, a, span_a, b, span_b, out) \
+    VESICA_QUERY_(vesica_volume_ratio, VESICA_SIZE_(a) & VESICA_SIZE_(span_a) & VESICA_SIZE_(b) & VESICA_SIZE_(span_b) \
+        & VESICA_SIZE_(out)) \
+    (ratio, VESICA_SHAPE_(a), span_a, VESICA_SHAPE_(b), span_b, out)
 #define vesica_signed_distance(a, b, out) VESICA_TWO_OUT_(vesica_signed_distance, a, b, out)
 #define vesica_within(a, b, distance) \
     VESICA_QUERY_(vesica_within, VESICA_SIZE_(a) & VESICA_SIZE_(b))(VESICA_SHAPE_(a), VESICA_SHAPE_(b), distance)
@@ -101,10 +105,12 @@
         vesica_rect_f64: 8, vesica_ellipse_f64: 8, vesica_capsule_f64: 8, vesica_round_rect_f64: 8, \
         vesica_polygon_f64: 8, vesica_polyline_f64: 8, vesica_facts_f64: 8, vesica_closest_points_f64: 8, \
         vesica_grid_f64: 8, vesica_penetration_f64: 8, vesica_impact_f64: 8, vesica_turn_f64: 8, \
+        vesica_span_f64: 8, \
         float: 4, vesica_point_f32: 4, vesica_segment_f32: 4, vesica_circle_f32: 4, vesica_aabb_f32: 4, \
         vesica_rect_f32: 4, vesica_ellipse_f32: 4, vesica_capsule_f32: 4, vesica_round_rect_f32: 4, \
         vesica_polygon_f32: 4, vesica_polyline_f32: 4, vesica_facts_f32: 4, vesica_closest_points_f32: 4, \
-        vesica_grid_f32: 4, vesica_penetration_f32: 4, vesica_impact_f32: 4, vesica_turn_f32: 4)
+        vesica_grid_f32: 4, vesica_penetration_f32: 4, vesica_impact_f32: 4, vesica_turn_f32: 4, \
+        vesica_span_f32: 4)
 
 /* Chooses by a constant size. Sizes of several arguments are joined by &: 8 & 4 is 0, which matches nothing. */
 #define VESICA_PICK_(size, of_double, of_float) \

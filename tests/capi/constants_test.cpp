@@ -65,6 +65,8 @@ TEST(CapiConstants, StructSizes) {
     EXPECT_EQ(sizeof(vesica_facts_f64), 48u);
     EXPECT_EQ(sizeof(vesica_facts_f32), 48u);
     EXPECT_EQ(sizeof(vesica_grid_f64), 48u);
+    EXPECT_EQ(sizeof(vesica_span_f64), 16u);
+    EXPECT_EQ(sizeof(vesica_span_f32), 8u);
     EXPECT_EQ(sizeof(vesica_grid_f32), 32u);
   }
 }

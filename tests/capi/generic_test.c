@@ -243,6 +243,7 @@ TEST_EVERY_QUERY(f32, float)
 static void test_results(void) {
   const vesica_circle_f64 disc = {0, 0, 2};
   const vesica_aabb_f32 box = {0, 0, 2, 1}, other = {1, 0, 4, 1};
+  const vesica_span_f32 span = {0, 1};
   const vesica_point_f64 point = {5, 0};
   vesica_closest_points_f64 closest;
   vesica_point_f32 places[8];
@@ -268,6 +269,8 @@ static void test_results(void) {
   EXPECT(vesica_iou(&box, &other, &number), 0);
   EXPECT(number == 0.25f, 1);
   EXPECT(vesica_ratio(VESICA_RATIO_OVER_FIRST, &box, &other, &number), 0);
+  EXPECT(number == 0.5f, 1);
+  EXPECT(vesica_volume_ratio(VESICA_RATIO_OVER_FIRST, &box, &span, &other, &span, &number), 0);
   EXPECT(number == 0.5f, 1);
   EXPECT(vesica_gaussian_distance(VESICA_GAUSSIAN_HELLINGER, &box, &box, &number), 0);
   EXPECT(number == 0, 1);

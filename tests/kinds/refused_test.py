@@ -24,7 +24,7 @@ OF_PATHS = ("vesica_field_count", "vesica_kind_name", "vesica_check", "vesica_sh
             "vesica_within_", "vesica_cast_f", "vesica_depth_", "vesica_cast_many_", "vesica_sweep_bounds_",
             "vesica_index_build_", "vesica_index_step_", "vesica_index_select_", "vesica_index_nearest_", "vesica_index_cast_", "vesica_index_impact_time_",
             "vesica_join_f", "vesica_join_within_", "vesica_join_ratio_", "vesica_join_nearest_", "vesica_shape_area_", "vesica_area_", "vesica_iou_",
-            "vesica_ratio_", "vesica_nms_", "vesica_suppress_", "vesica_polygon_boxes_", "vesica_crossings_",
+            "vesica_ratio_", "vesica_volume_ratio_", "vesica_nms_", "vesica_suppress_", "vesica_polygon_boxes_", "vesica_crossings_",
             "vesica_de9im_f", "vesica_min_area_rect_many_", "vesica_min_perimeter_rect_many_",
             "vesica_intersection_", "vesica_coverage_", "vesica_impact_time_")
 # These know a kind before any query does; overlap is the first query.

@@ -68,6 +68,7 @@ FITTING = {
     **dict.fromkeys(("t_end", "tolerance", "distance"), lambda draw: draw.choice([0, 1e-6, 0.5, 2, math.inf])),
     "velocity": lambda draw: numbers(draw, 2),
     "which": lambda draw: draw.choice(list(vesica.Ratio)),
+    **dict.fromkeys(("spans_a", "spans_b"), lambda draw: draw.choice([[0, 1], rows(draw, 2)])),
     "scores": lambda draw: numbers(draw, 2),
     "matrix": lambda draw: draw.choice(["FF2F11212", "212F11FF2"]),
     "pattern": lambda draw: draw.choice(["T*F**FFF*", "FF*FF****", "012******", "T*"]),

@@ -95,7 +95,8 @@ from .shapes import (
     shapes,
 )
 from .topology import de9im, de9im_match, intersection
+from .volume import volume_ratio, volume_ratio_matrix
 
 __version__ = "{}.{}.{}".format(c.vesica_version_major(), c.vesica_version_minor(), c.vesica_version_patch())
-_MODULES = "detection", "hull", "queries", "index", "paths", "motion", "topology", "construct", "polygon", "arrow"
+_MODULES = "detection", "hull", "queries", "index", "paths", "motion", "topology", "volume", "construct", "polygon", "arrow"
 __all__ = [name for name in dir() if not name.startswith("_") and name not in _MODULES]

@@ -337,6 +337,18 @@ package Vesica_C is
       Each : Integer_64;
    end record with Convention => C;
 
+   --  All heights from low to high; low <= high, both finite.
+   type Vesica_Span_F64 is record
+      Low : IEEE_Float_64;
+      High : IEEE_Float_64;
+   end record with Convention => C;
+
+   --  All heights from low to high; low <= high, both finite.
+   type Vesica_Span_F32 is record
+      Low : IEEE_Float_32;
+      High : IEEE_Float_32;
+   end record with Convention => C;
+
    --  A grid of cells, such as the pixels of a picture.
    type Vesica_Grid_F64 is record
       X : IEEE_Float_64;
@@ -1187,6 +1199,23 @@ package Vesica_C is
       System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_fuse_f64";
 
+   --  A ratio of shared volume: IoU and its relatives of two upright prisms.
+   function Vesica_Volume_Ratio_F64 (Ratio : Integer_32; Kind_A : Integer_32; A : System.Address; Span_A :
+      System.Address; Kind_B : Integer_32; B : System.Address; Span_B : System.Address; Output : System.Address)
+      return Integer_32
+     with Import, Convention => C, External_Name => "vesica_volume_ratio_f64";
+
+   --  A ratio of shared volume of the prisms a[i] from spans_a[i] and b[i] from spans_b[i].
+   function Vesica_Volume_Ratio_Many_F64 (Ratio : Integer_32; A : System.Address; Spans_A : System.Address; B :
+      System.Address; Spans_B : System.Address; Output : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_volume_ratio_many_f64";
+
+   --  A ratio of shared volume of every a[i] and b[j], in out[i * row_stride + j].
+   function Vesica_Volume_Ratio_Matrix_F64 (Ratio : Integer_32; A : System.Address; Spans_A : System.Address; B :
+      System.Address; Spans_B : System.Address; Output : System.Address; Row_Stride : ptrdiff_t) return
+      Integer_64
+     with Import, Convention => C, External_Name => "vesica_volume_ratio_matrix_f64";
+
    --  The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
    function Vesica_Gaussian_Distance_F64 (Which : Integer_32; Kind_A : Integer_32; A : System.Address; Kind_B :
       Integer_32; B : System.Address; Output : System.Address) return Integer_32
@@ -1225,6 +1254,23 @@ package Vesica_C is
       : Integer_64; Fused : System.Address; Fused_Scores : System.Address; Clusters : System.Address; Count :
       System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_fuse_f32";
+
+   --  A ratio of shared volume: IoU and its relatives of two upright prisms.
+   function Vesica_Volume_Ratio_F32 (Ratio : Integer_32; Kind_A : Integer_32; A : System.Address; Span_A :
+      System.Address; Kind_B : Integer_32; B : System.Address; Span_B : System.Address; Output : System.Address)
+      return Integer_32
+     with Import, Convention => C, External_Name => "vesica_volume_ratio_f32";
+
+   --  A ratio of shared volume of the prisms a[i] from spans_a[i] and b[i] from spans_b[i].
+   function Vesica_Volume_Ratio_Many_F32 (Ratio : Integer_32; A : System.Address; Spans_A : System.Address; B :
+      System.Address; Spans_B : System.Address; Output : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_volume_ratio_many_f32";
+
+   --  A ratio of shared volume of every a[i] and b[j], in out[i * row_stride + j].
+   function Vesica_Volume_Ratio_Matrix_F32 (Ratio : Integer_32; A : System.Address; Spans_A : System.Address; B :
+      System.Address; Spans_B : System.Address; Output : System.Address; Row_Stride : ptrdiff_t) return
+      Integer_64
+     with Import, Convention => C, External_Name => "vesica_volume_ratio_matrix_f32";
 
    --  The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
    function Vesica_Gaussian_Distance_F32 (Which : Integer_32; Kind_A : Integer_32; A : System.Address; Kind_B :

@@ -332,6 +332,18 @@ module vesica_c
     integer(c_int64_t) :: each
   end type
 
+  !> All heights from low to high; low <= high, both finite.
+  type, bind(c) :: vesica_span_f64
+    real(c_double) :: low
+    real(c_double) :: high
+  end type
+
+  !> All heights from low to high; low <= high, both finite.
+  type, bind(c) :: vesica_span_f32
+    real(c_float) :: low
+    real(c_float) :: high
+  end type
+
   !> A grid of cells, such as the pixels of a picture.
   type, bind(c) :: vesica_grid_f64
     real(c_double) :: x
@@ -1842,6 +1854,43 @@ module vesica_c
       type(c_ptr), value :: count
     end function
 
+    !> A ratio of shared volume: IoU and its relatives of two upright prisms.
+    integer(c_int32_t) function vesica_volume_ratio_f64(ratio, kind_a, a, span_a, kind_b, b, span_b, out) bind(c)
+      import
+      integer(c_int32_t), value :: ratio
+      integer(c_int32_t), value :: kind_a
+      real(c_double), intent(in) :: a(*)
+      type(vesica_span_f64), intent(in) :: span_a
+      integer(c_int32_t), value :: kind_b
+      real(c_double), intent(in) :: b(*)
+      type(vesica_span_f64), intent(in) :: span_b
+      type(c_ptr), value :: out
+    end function
+
+    !> A ratio of shared volume of the prisms a[i] from spans_a[i] and b[i] from spans_b[i].
+    integer(c_int64_t) function vesica_volume_ratio_many_f64(ratio, a, spans_a, b, spans_b, out) bind(c)
+      import
+      integer(c_int32_t), value :: ratio
+      type(vesica_shapes_f64), intent(in) :: a
+      type(vesica_span_f64), intent(in) :: spans_a
+      type(vesica_shapes_f64), intent(in) :: b
+      type(vesica_span_f64), intent(in) :: spans_b
+      type(c_ptr), value :: out
+    end function
+
+    !> A ratio of shared volume of every a[i] and b[j], in out[i * row_stride + j].
+    integer(c_int64_t) function vesica_volume_ratio_matrix_f64(ratio, a, spans_a, b, spans_b, out, row_stride) &
+      bind(c)
+      import
+      integer(c_int32_t), value :: ratio
+      type(vesica_shapes_f64), intent(in) :: a
+      type(vesica_span_f64), intent(in) :: spans_a
+      type(vesica_shapes_f64), intent(in) :: b
+      type(vesica_span_f64), intent(in) :: spans_b
+      type(c_ptr), value :: out
+      integer(c_ptrdiff_t), value :: row_stride
+    end function
+
     !> The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
     integer(c_int32_t) function vesica_gaussian_distance_f64(which, kind_a, a, kind_b, b, out) bind(c)
       import
@@ -1929,6 +1978,43 @@ module vesica_c
       type(c_ptr), value :: fused_scores
       type(c_ptr), value :: clusters
       type(c_ptr), value :: count
+    end function
+
+    !> A ratio of shared volume: IoU and its relatives of two upright prisms.
+    integer(c_int32_t) function vesica_volume_ratio_f32(ratio, kind_a, a, span_a, kind_b, b, span_b, out) bind(c)
+      import
+      integer(c_int32_t), value :: ratio
+      integer(c_int32_t), value :: kind_a
+      real(c_float), intent(in) :: a(*)
+      type(vesica_span_f32), intent(in) :: span_a
+      integer(c_int32_t), value :: kind_b
+      real(c_float), intent(in) :: b(*)
+      type(vesica_span_f32), intent(in) :: span_b
+      type(c_ptr), value :: out
+    end function
+
+    !> A ratio of shared volume of the prisms a[i] from spans_a[i] and b[i] from spans_b[i].
+    integer(c_int64_t) function vesica_volume_ratio_many_f32(ratio, a, spans_a, b, spans_b, out) bind(c)
+      import
+      integer(c_int32_t), value :: ratio
+      type(vesica_shapes_f32), intent(in) :: a
+      type(vesica_span_f32), intent(in) :: spans_a
+      type(vesica_shapes_f32), intent(in) :: b
+      type(vesica_span_f32), intent(in) :: spans_b
+      type(c_ptr), value :: out
+    end function
+
+    !> A ratio of shared volume of every a[i] and b[j], in out[i * row_stride + j].
+    integer(c_int64_t) function vesica_volume_ratio_matrix_f32(ratio, a, spans_a, b, spans_b, out, row_stride) &
+      bind(c)
+      import
+      integer(c_int32_t), value :: ratio
+      type(vesica_shapes_f32), intent(in) :: a
+      type(vesica_span_f32), intent(in) :: spans_a
+      type(vesica_shapes_f32), intent(in) :: b
+      type(vesica_span_f32), intent(in) :: spans_b
+      type(c_ptr), value :: out
+      integer(c_ptrdiff_t), value :: row_stride
     end function
 
     !> The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.

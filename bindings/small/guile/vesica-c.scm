@@ -427,6 +427,12 @@
 (c vesica_fuse_scratch int64 int64)
 ;; Weighted boxes fusion: boxes of one object, as several detectors or views find them, become their weighted mean.
 (c vesica_fuse_f64 int32 '* '* '* '* double int32 '* int64 '* '* '* '*)
+;; A ratio of shared volume: IoU and its relatives of two upright prisms.
+(c vesica_volume_ratio_f64 int32 int32 int32 '* '* int32 '* '* '*)
+;; A ratio of shared volume of the prisms a[i] from spans_a[i] and b[i] from spans_b[i].
+(c vesica_volume_ratio_many_f64 int64 int32 '* '* '* '* '*)
+;; A ratio of shared volume of every a[i] and b[j], in out[i * row_stride + j].
+(c vesica_volume_ratio_matrix_f64 int64 int32 '* '* '* '* '* ptrdiff_t)
 ;; The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
 (c vesica_gaussian_distance_f64 int32 int32 int32 '* int32 '* '*)
 ;; The distance of a[i] and b[i]: out[i] is the result of vesica_gaussian_distance_f64.
@@ -441,6 +447,12 @@
 (c vesica_assign_greedy_f32 int64 '* '* '* int64 int64 int64 '* int64 '*)
 ;; Weighted boxes fusion: boxes of one object, as several detectors or views find them, become their weighted mean.
 (c vesica_fuse_f32 int32 '* '* '* '* float int32 '* int64 '* '* '* '*)
+;; A ratio of shared volume: IoU and its relatives of two upright prisms.
+(c vesica_volume_ratio_f32 int32 int32 int32 '* '* int32 '* '* '*)
+;; A ratio of shared volume of the prisms a[i] from spans_a[i] and b[i] from spans_b[i].
+(c vesica_volume_ratio_many_f32 int64 int32 '* '* '* '* '*)
+;; A ratio of shared volume of every a[i] and b[j], in out[i * row_stride + j].
+(c vesica_volume_ratio_matrix_f32 int64 int32 '* '* '* '* '* ptrdiff_t)
 ;; The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
 (c vesica_gaussian_distance_f32 int32 int32 int32 '* int32 '* '*)
 ;; The distance of a[i] and b[i]: out[i] is the result of vesica_gaussian_distance_f32.

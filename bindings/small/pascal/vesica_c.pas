@@ -334,6 +334,18 @@ type
     each: Int64;
   end;
   PVesicaShapesF32 = ^TVesicaShapesF32;
+  // All heights from low to high; low <= high, both finite.
+  TVesicaSpanF64 = record
+    low: Double;
+    high: Double;
+  end;
+  PVesicaSpanF64 = ^TVesicaSpanF64;
+  // All heights from low to high; low <= high, both finite.
+  TVesicaSpanF32 = record
+    low: Single;
+    high: Single;
+  end;
+  PVesicaSpanF32 = ^TVesicaSpanF32;
   // A grid of cells, such as the pixels of a picture.
   TVesicaGridF64 = record
     x: Double;
@@ -882,6 +894,16 @@ function vesica_fuse_scratch(count: Int64): Int64; cdecl; external vesica_librar
 function vesica_fuse_f64(shapes: PVesicaShapesF64; scores: PDouble; weights: PDouble; labels: PInt32; threshold:
   Double; fused_score: Int32; scratch: Pointer; scratch_size: Int64; fused: Pointer; fused_scores: PDouble;
   clusters: PInt64; count: PInt64): Int32; cdecl; external vesica_library;
+// A ratio of shared volume: IoU and its relatives of two upright prisms.
+function vesica_volume_ratio_f64(ratio: Int32; kind_a: Int32; a: Pointer; span_a: PVesicaSpanF64; kind_b: Int32; b:
+  Pointer; span_b: PVesicaSpanF64; output: PDouble): Int32; cdecl; external vesica_library;
+// A ratio of shared volume of the prisms a[i] from spans_a[i] and b[i] from spans_b[i].
+function vesica_volume_ratio_many_f64(ratio: Int32; a: PVesicaShapesF64; spans_a: PVesicaSpanF64; b:
+  PVesicaShapesF64; spans_b: PVesicaSpanF64; output: PDouble): Int64; cdecl; external vesica_library;
+// A ratio of shared volume of every a[i] and b[j], in out[i * row_stride + j].
+function vesica_volume_ratio_matrix_f64(ratio: Int32; a: PVesicaShapesF64; spans_a: PVesicaSpanF64; b:
+  PVesicaShapesF64; spans_b: PVesicaSpanF64; output: PDouble; row_stride: PtrInt): Int64; cdecl; external
+  vesica_library;
 // The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
 function vesica_gaussian_distance_f64(which: Int32; kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output:
   PDouble): Int32; cdecl; external vesica_library;
@@ -905,6 +927,16 @@ function vesica_assign_greedy_f32(a: PInt64; b: PInt64; values: PSingle; count: 
 function vesica_fuse_f32(shapes: PVesicaShapesF32; scores: PSingle; weights: PSingle; labels: PInt32; threshold:
   Single; fused_score: Int32; scratch: Pointer; scratch_size: Int64; fused: Pointer; fused_scores: PSingle;
   clusters: PInt64; count: PInt64): Int32; cdecl; external vesica_library;
+// A ratio of shared volume: IoU and its relatives of two upright prisms.
+function vesica_volume_ratio_f32(ratio: Int32; kind_a: Int32; a: Pointer; span_a: PVesicaSpanF32; kind_b: Int32; b:
+  Pointer; span_b: PVesicaSpanF32; output: PSingle): Int32; cdecl; external vesica_library;
+// A ratio of shared volume of the prisms a[i] from spans_a[i] and b[i] from spans_b[i].
+function vesica_volume_ratio_many_f32(ratio: Int32; a: PVesicaShapesF32; spans_a: PVesicaSpanF32; b:
+  PVesicaShapesF32; spans_b: PVesicaSpanF32; output: PSingle): Int64; cdecl; external vesica_library;
+// A ratio of shared volume of every a[i] and b[j], in out[i * row_stride + j].
+function vesica_volume_ratio_matrix_f32(ratio: Int32; a: PVesicaShapesF32; spans_a: PVesicaSpanF32; b:
+  PVesicaShapesF32; spans_b: PVesicaSpanF32; output: PSingle; row_stride: PtrInt): Int64; cdecl; external
+  vesica_library;
 // The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
 function vesica_gaussian_distance_f32(which: Int32; kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output:
   PSingle): Int32; cdecl; external vesica_library;

@@ -431,6 +431,14 @@ our @FUNCTIONS = (
     # mean.
     [vesica_fuse_f64 => ['opaque', 'opaque', 'opaque', 'opaque', 'double', 'sint32', 'opaque', 'sint64', 'opaque',
         'opaque', 'opaque', 'opaque'] => 'sint32'],
+    # A ratio of shared volume: IoU and its relatives of two upright prisms.
+    [vesica_volume_ratio_f64 => ['sint32', 'sint32', 'double[]', 'opaque', 'sint32', 'double[]', 'opaque',
+        'opaque'] => 'sint32'],
+    # A ratio of shared volume of the prisms a[i] from spans_a[i] and b[i] from spans_b[i].
+    [vesica_volume_ratio_many_f64 => ['sint32', 'opaque', 'opaque', 'opaque', 'opaque', 'opaque'] => 'sint64'],
+    # A ratio of shared volume of every a[i] and b[j], in out[i * row_stride + j].
+    [vesica_volume_ratio_matrix_f64 => ['sint32', 'opaque', 'opaque', 'opaque', 'opaque', 'opaque',
+        'sint64'] => 'sint64'],
     # The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
     [vesica_gaussian_distance_f64 => ['sint32', 'sint32', 'double[]', 'sint32', 'double[]', 'opaque'] => 'sint32'],
     # The distance of a[i] and b[i]: out[i] is the result of vesica_gaussian_distance_f64.
@@ -449,6 +457,14 @@ our @FUNCTIONS = (
     # mean.
     [vesica_fuse_f32 => ['opaque', 'opaque', 'opaque', 'opaque', 'float', 'sint32', 'opaque', 'sint64', 'opaque',
         'opaque', 'opaque', 'opaque'] => 'sint32'],
+    # A ratio of shared volume: IoU and its relatives of two upright prisms.
+    [vesica_volume_ratio_f32 => ['sint32', 'sint32', 'float[]', 'opaque', 'sint32', 'float[]', 'opaque',
+        'opaque'] => 'sint32'],
+    # A ratio of shared volume of the prisms a[i] from spans_a[i] and b[i] from spans_b[i].
+    [vesica_volume_ratio_many_f32 => ['sint32', 'opaque', 'opaque', 'opaque', 'opaque', 'opaque'] => 'sint64'],
+    # A ratio of shared volume of every a[i] and b[j], in out[i * row_stride + j].
+    [vesica_volume_ratio_matrix_f32 => ['sint32', 'opaque', 'opaque', 'opaque', 'opaque', 'opaque',
+        'sint64'] => 'sint64'],
     # The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
     [vesica_gaussian_distance_f32 => ['sint32', 'sint32', 'float[]', 'sint32', 'float[]', 'opaque'] => 'sint32'],
     # The distance of a[i] and b[i]: out[i] is the result of vesica_gaussian_distance_f32.

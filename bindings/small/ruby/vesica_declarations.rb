@@ -421,6 +421,12 @@ module Vesica
     # Weighted boxes fusion: boxes of one object, as several detectors or views find them, become their weighted
     # mean.
     'int vesica_fuse_f64(void *, void *, void *, void *, double, int, void *, int64_t, void *, void *, void *, void *)',
+    # A ratio of shared volume: IoU and its relatives of two upright prisms.
+    'int vesica_volume_ratio_f64(int, int, void *, void *, int, void *, void *, void *)',
+    # A ratio of shared volume of the prisms a[i] from spans_a[i] and b[i] from spans_b[i].
+    'int64_t vesica_volume_ratio_many_f64(int, void *, void *, void *, void *, void *)',
+    # A ratio of shared volume of every a[i] and b[j], in out[i * row_stride + j].
+    'int64_t vesica_volume_ratio_matrix_f64(int, void *, void *, void *, void *, void *, ptrdiff_t)',
     # The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
     'int vesica_gaussian_distance_f64(int, int, void *, int, void *, void *)',
     # The distance of a[i] and b[i]: out[i] is the result of vesica_gaussian_distance_f64.
@@ -437,6 +443,12 @@ module Vesica
     # Weighted boxes fusion: boxes of one object, as several detectors or views find them, become their weighted
     # mean.
     'int vesica_fuse_f32(void *, void *, void *, void *, float, int, void *, int64_t, void *, void *, void *, void *)',
+    # A ratio of shared volume: IoU and its relatives of two upright prisms.
+    'int vesica_volume_ratio_f32(int, int, void *, void *, int, void *, void *, void *)',
+    # A ratio of shared volume of the prisms a[i] from spans_a[i] and b[i] from spans_b[i].
+    'int64_t vesica_volume_ratio_many_f32(int, void *, void *, void *, void *, void *)',
+    # A ratio of shared volume of every a[i] and b[j], in out[i * row_stride + j].
+    'int64_t vesica_volume_ratio_matrix_f32(int, void *, void *, void *, void *, void *, ptrdiff_t)',
     # The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
     'int vesica_gaussian_distance_f32(int, int, void *, int, void *, void *)',
     # The distance of a[i] and b[i]: out[i] is the result of vesica_gaussian_distance_f32.

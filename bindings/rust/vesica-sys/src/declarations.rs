@@ -386,6 +386,19 @@ pub type vesica_shapes_f64 = Shapes<f64>;
 /// [`Shapes`] of f32.
 pub type vesica_shapes_f32 = Shapes<f32>;
 
+/// All heights from low to high; low \<= high, both finite.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[allow(missing_docs)]
+pub struct Span<T> {
+    pub low: T,
+    pub high: T,
+}
+/// [`Span`] of f64.
+pub type vesica_span_f64 = Span<f64>;
+/// [`Span`] of f32.
+pub type vesica_span_f32 = Span<f32>;
+
 /// A grid of cells, such as the pixels of a picture.
 ///
 /// Cell (i, j) of column i and row j is the box from (x + i dx, y + j dy) to (x + (i + 1) dx, y + (j + 1) dy).
@@ -3244,6 +3257,60 @@ extern "C" {
     pub fn vesica_fuse_f64(shapes: *const Shapes<f64>, scores: *const f64, weights: *const f64, labels: *const i32,
         threshold: f64, fused_score: i32, scratch: *mut c_void, scratch_size: i64, fused: *mut c_void,
         fused_scores: *mut f64, clusters: *mut i64, count: *mut i64) -> i32;
+    /// A ratio of shared volume: IoU and its relatives of two upright prisms.
+    ///
+    /// A prism is what lies above a shape, its base, from span's low to its high. The shared volume is the shared area
+    /// of the bases times the shared height. Ratios are from 0 to 1; prisms that only touch share nothing.
+    ///
+    /// Requires: ratio, one of VESICA_RATIO_OVER_UNION, _OVER_FIRST, _OVER_SECOND, _OVER_SMALLER.
+    ///
+    /// Returns: 0.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE (or low above high, or a height that is not finite),
+    /// VESICA_E_ARGUMENT (another ratio, or the volume to divide by is 0), VESICA_E_RANGE (an area overflows).
+    ///
+    /// Accuracy: computed from the result of vesica_ratio_f64 for the bases, over the first or the second, and from
+    /// vesica_shape_area_f64, with at most 8 u of further error, for areas and heights from 2^-500 to 2^500. The float
+    /// function takes both as floats. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of
+    /// two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
+    /// means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
+    ///
+    /// Cost: as vesica_ratio_f64, and the two areas.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_volume_ratio_f64(ratio: i32, kind_a: i32, a: *const c_void, span_a: *const Span<f64>, kind_b: i32,
+        b: *const c_void, span_b: *const Span<f64>, out: *mut f64) -> i32;
+    /// A ratio of shared volume of the prisms a\[i\] from spans_a\[i\] and b\[i\] from spans_b\[i\].
+    ///
+    /// Arrays are those of vesica_iou_many_f64. If a pair has an error, out\[i\] is NaN, and the call returns
+    /// VESICA_E_SHAPE if a shape or a span is invalid, else VESICA_E_ARGUMENT if a volume is 0, else VESICA_E_RANGE.
+    ///
+    /// Requires: spans, as many as there are shapes beside them.
+    ///
+    /// Returns: how many are \> 0.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT, VESICA_E_RANGE.
+    ///
+    /// Accuracy: every result has the same bits as vesica_volume_ratio_f64.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_volume_ratio_many_f64(ratio: i32, a: *const Shapes<f64>, spans_a: *const Span<f64>,
+        b: *const Shapes<f64>, spans_b: *const Span<f64>, out: *mut f64) -> i64;
+    /// A ratio of shared volume of every a\[i\] and b\[j\], in out\[i \* row_stride + j\].
+    ///
+    /// Arrays and row_stride are those of vesica_iou_matrix_f64, errors those of vesica_volume_ratio_many_f64.
+    ///
+    /// Requires: spans, as many as there are shapes beside them.
+    ///
+    /// Returns: how many are \> 0.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT, VESICA_E_RANGE.
+    ///
+    /// Accuracy: every result has the same bits as vesica_volume_ratio_f64.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_volume_ratio_matrix_f64(ratio: i32, a: *const Shapes<f64>, spans_a: *const Span<f64>,
+        b: *const Shapes<f64>, spans_b: *const Span<f64>, out: *mut f64, row_stride: isize) -> i64;
     /// The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
     ///
     /// A shape's Gaussian has the mean m and the covariance S of its points: the variance along a side of a rectangle
@@ -3396,6 +3463,63 @@ extern "C" {
     pub fn vesica_fuse_f32(shapes: *const Shapes<f32>, scores: *const f32, weights: *const f32, labels: *const i32,
         threshold: f32, fused_score: i32, scratch: *mut c_void, scratch_size: i64, fused: *mut c_void,
         fused_scores: *mut f32, clusters: *mut i64, count: *mut i64) -> i32;
+    /// A ratio of shared volume: IoU and its relatives of two upright prisms.
+    ///
+    /// A prism is what lies above a shape, its base, from span's low to its high. The shared volume is the shared area
+    /// of the bases times the shared height. Ratios are from 0 to 1; prisms that only touch share nothing.
+    ///
+    /// Requires: ratio, one of VESICA_RATIO_OVER_UNION, _OVER_FIRST, _OVER_SECOND, _OVER_SMALLER.
+    ///
+    /// Returns: 0.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE (or low above high, or a height that is not finite),
+    /// VESICA_E_ARGUMENT (another ratio, or the volume to divide by is 0), VESICA_E_RANGE (an area overflows).
+    ///
+    /// Accuracy: computed from the result of vesica_ratio_f32 for the bases, over the first or the second, and from
+    /// vesica_shape_area_f32, with at most 8 u of further error, for areas and heights from 2^-500 to 2^500. The float
+    /// function takes both as floats. Each number is computed in double, within these bounds, and then rounded to float
+    /// once. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest
+    /// of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at most
+    /// 4 u times the scale. An aspect ratio is longer over shorter size.
+    ///
+    /// Cost: as vesica_ratio_f32, and the two areas.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_volume_ratio_f32(ratio: i32, kind_a: i32, a: *const c_void, span_a: *const Span<f32>, kind_b: i32,
+        b: *const c_void, span_b: *const Span<f32>, out: *mut f32) -> i32;
+    /// A ratio of shared volume of the prisms a\[i\] from spans_a\[i\] and b\[i\] from spans_b\[i\].
+    ///
+    /// Arrays are those of vesica_iou_many_f32. If a pair has an error, out\[i\] is NaN, and the call returns
+    /// VESICA_E_SHAPE if a shape or a span is invalid, else VESICA_E_ARGUMENT if a volume is 0, else VESICA_E_RANGE.
+    ///
+    /// Requires: spans, as many as there are shapes beside them.
+    ///
+    /// Returns: how many are \> 0.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT, VESICA_E_RANGE.
+    ///
+    /// Accuracy: every result has the same bits as vesica_volume_ratio_f32.
+    /// Each number is computed in double, within these bounds, and then rounded to float once.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_volume_ratio_many_f32(ratio: i32, a: *const Shapes<f32>, spans_a: *const Span<f32>,
+        b: *const Shapes<f32>, spans_b: *const Span<f32>, out: *mut f32) -> i64;
+    /// A ratio of shared volume of every a\[i\] and b\[j\], in out\[i \* row_stride + j\].
+    ///
+    /// Arrays and row_stride are those of vesica_iou_matrix_f32, errors those of vesica_volume_ratio_many_f32.
+    ///
+    /// Requires: spans, as many as there are shapes beside them.
+    ///
+    /// Returns: how many are \> 0.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT, VESICA_E_RANGE.
+    ///
+    /// Accuracy: every result has the same bits as vesica_volume_ratio_f32.
+    /// Each number is computed in double, within these bounds, and then rounded to float once.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_volume_ratio_matrix_f32(ratio: i32, a: *const Shapes<f32>, spans_a: *const Span<f32>,
+        b: *const Shapes<f32>, spans_b: *const Span<f32>, out: *mut f32, row_stride: isize) -> i64;
     /// The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
     ///
     /// A shape's Gaussian has the mean m and the covariance S of its points: the variance along a side of a rectangle
@@ -5373,6 +5497,12 @@ pub unsafe trait Scalar: Copy + Default + PartialEq + PartialOrd + core::fmt::De
     unsafe fn fuse(shapes: *const Shapes<Self>, scores: *const Self, weights: *const Self, labels: *const i32,
         threshold: Self, fused_score: i32, scratch: *mut c_void, scratch_size: i64, fused: *mut c_void,
         fused_scores: *mut Self, clusters: *mut i64, count: *mut i64) -> i32;
+    unsafe fn volume_ratio(ratio: i32, kind_a: i32, a: *const c_void, span_a: *const Span<Self>, kind_b: i32,
+        b: *const c_void, span_b: *const Span<Self>, out: *mut Self) -> i32;
+    unsafe fn volume_ratio_many(ratio: i32, a: *const Shapes<Self>, spans_a: *const Span<Self>, b: *const Shapes<Self>,
+        spans_b: *const Span<Self>, out: *mut Self) -> i64;
+    unsafe fn volume_ratio_matrix(ratio: i32, a: *const Shapes<Self>, spans_a: *const Span<Self>,
+        b: *const Shapes<Self>, spans_b: *const Span<Self>, out: *mut Self, row_stride: isize) -> i64;
     unsafe fn gaussian_distance(which: i32, kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
         out: *mut Self) -> i32;
     unsafe fn gaussian_distance_many(which: i32, a: *const Shapes<Self>, b: *const Shapes<Self>, out: *mut Self) -> i64;
@@ -5810,6 +5940,21 @@ unsafe impl Scalar for f64 {
         fused_scores: *mut f64, clusters: *mut i64, count: *mut i64) -> i32 {
         vesica_fuse_f64(shapes, scores, weights, labels, threshold, fused_score, scratch, scratch_size, fused,
             fused_scores, clusters, count)
+    }
+    #[inline]
+    unsafe fn volume_ratio(ratio: i32, kind_a: i32, a: *const c_void, span_a: *const Span<f64>, kind_b: i32,
+        b: *const c_void, span_b: *const Span<f64>, out: *mut f64) -> i32 {
+        vesica_volume_ratio_f64(ratio, kind_a, a, span_a, kind_b, b, span_b, out)
+    }
+    #[inline]
+    unsafe fn volume_ratio_many(ratio: i32, a: *const Shapes<f64>, spans_a: *const Span<f64>, b: *const Shapes<f64>,
+        spans_b: *const Span<f64>, out: *mut f64) -> i64 {
+        vesica_volume_ratio_many_f64(ratio, a, spans_a, b, spans_b, out)
+    }
+    #[inline]
+    unsafe fn volume_ratio_matrix(ratio: i32, a: *const Shapes<f64>, spans_a: *const Span<f64>, b: *const Shapes<f64>,
+        spans_b: *const Span<f64>, out: *mut f64, row_stride: isize) -> i64 {
+        vesica_volume_ratio_matrix_f64(ratio, a, spans_a, b, spans_b, out, row_stride)
     }
     #[inline]
     unsafe fn gaussian_distance(which: i32, kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
@@ -6394,6 +6539,21 @@ unsafe impl Scalar for f32 {
         fused_scores: *mut f32, clusters: *mut i64, count: *mut i64) -> i32 {
         vesica_fuse_f32(shapes, scores, weights, labels, threshold, fused_score, scratch, scratch_size, fused,
             fused_scores, clusters, count)
+    }
+    #[inline]
+    unsafe fn volume_ratio(ratio: i32, kind_a: i32, a: *const c_void, span_a: *const Span<f32>, kind_b: i32,
+        b: *const c_void, span_b: *const Span<f32>, out: *mut f32) -> i32 {
+        vesica_volume_ratio_f32(ratio, kind_a, a, span_a, kind_b, b, span_b, out)
+    }
+    #[inline]
+    unsafe fn volume_ratio_many(ratio: i32, a: *const Shapes<f32>, spans_a: *const Span<f32>, b: *const Shapes<f32>,
+        spans_b: *const Span<f32>, out: *mut f32) -> i64 {
+        vesica_volume_ratio_many_f32(ratio, a, spans_a, b, spans_b, out)
+    }
+    #[inline]
+    unsafe fn volume_ratio_matrix(ratio: i32, a: *const Shapes<f32>, spans_a: *const Span<f32>, b: *const Shapes<f32>,
+        spans_b: *const Span<f32>, out: *mut f32, row_stride: isize) -> i64 {
+        vesica_volume_ratio_matrix_f32(ratio, a, spans_a, b, spans_b, out, row_stride)
     }
     #[inline]
     unsafe fn gaussian_distance(which: i32, kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
