@@ -9,7 +9,7 @@
 
 #include "by_kind.hpp"
 #include "number_columns.hpp"
-#include "polygon/arrays.hpp"
+#include "polygon/area_blocks.hpp"
 #include "stored.hpp"
 
 namespace vesica::batch {
@@ -199,6 +199,9 @@ std::int64_t count(const Query& query, const Out* numbers, std::int32_t n) noexc
 template <class T, class Out>
 QueryTally query_many(const Query& query, const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b,
                       std::int64_t n, Out* const* columns) noexcept {
+  if constexpr (std::is_same_v<T, Out>) {
+    if (asks_areas(query, *kernels.queries, a, b)) return areas_in_step(query, *kernels.queries, a, b, n, columns[0]);
+  }
   if (has_path(a, b)) return query_paths(query, a, b, n, columns);
   Engine engine(query, kernels);
   Pairs pairs;
@@ -221,6 +224,9 @@ QueryTally query_many(const Query& query, const KernelTable& kernels, const Shap
 template <class T, class Out>
 QueryTally query_matrix(const Query& query, const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b,
                         Out* out, std::ptrdiff_t row_stride) noexcept {
+  if constexpr (std::is_same_v<T, Out>) {
+    if (asks_areas(query, *kernels.queries, a, b)) return area_matrix(query, *kernels.queries, a, b, out, row_stride);
+  }
   if (has_path(a, b)) return query_paths_matrix(query, a, b, out, row_stride);
   Engine engine(query, kernels);
   Pairs pairs;

@@ -34,6 +34,10 @@ struct Query {
   Reversal reversal;
   /// With a polygon or a polyline; null if the query does not take them.
   PathFunction paths = nullptr;
+  /// For two polygons from their areas; null where these say nothing.
+  SharesFunction of_shares = nullptr;
+  /// That gives 0 for two polygons with area that share none.
+  bool is_none_of_none = false;
   /// Which kinds it takes together, one of which is a path; null for all.
   bool (*takes_path)(std::int32_t kind_a, std::int32_t kind_b) noexcept = nullptr;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Times of the areas that two polygons share, beside the overlays of Boost and GEOS, and how far apart the areas are;
-/// and of overlap and relation for the same pairs.
+/// and of overlap and relation for the same pairs. Then of arrays.
 /// New pairs in each pass; who goes first takes turns. `near` is the distance of the centres at most, of polygons of
 /// radius 1: it decides how many pairs share an area.
 #include <vesica.h>
@@ -162,10 +162,70 @@ void row(int n, bool convex, double near) {
   std::printf("\n");
 }
 
+template <class T>
+struct Arrays;
+template <>
+struct Arrays<double> {
+  using Shapes = vesica_shapes_f64;
+  static constexpr auto iou_matrix = vesica_iou_matrix_f64;
+  static constexpr auto iou_many = vesica_iou_many_f64;
+};
+template <>
+struct Arrays<float> {
+  using Shapes = vesica_shapes_f32;
+  static constexpr auto iou_matrix = vesica_iou_matrix_f32;
+  static constexpr auto iou_many = vesica_iou_many_f32;
+};
+
+template <class T>
+typename Arrays<T>::Shapes shapes(const std::vector<T>& xy, int n, std::size_t count) {
+  typename Arrays<T>::Shapes s{};
+  s.kind = VESICA_POLYGON;
+  s.field[0] = xy.data();
+  s.field[1] = xy.data() + 1;
+  s.stride = 2 * sizeof(T);
+  s.each = n;
+  s.count = static_cast<std::int64_t>(count);
+  return s;
+}
+
+/// IoU of arrays of polygons of radius 1 in a square of side 2 `near`, a pair: all pairs, and pairs in step.
+template <class T>
+void arrays_row(int n, double near) {
+  constexpr std::size_t count = 256;
+  Random random(8);
+  std::vector<double> matrix_times, step_times;
+  std::vector<T> out(count * count);
+  std::int64_t positive = 0, drawn = 0;
+  for (int pass = 0; pass < 20; ++pass) {
+    std::vector<T> a, b;
+    for (std::size_t i = 0; i < count; ++i) {
+      for (const double z : draw(n, true, near, random)) a.push_back(static_cast<T>(z));
+      for (const double z : draw(n, true, near, random)) b.push_back(static_cast<T>(z));
+    }
+    const auto first = shapes(a, n, count), second = shapes(b, n, count);
+    auto begin = Clock::now();
+    positive += Arrays<T>::iou_matrix(&first, &second, out.data(), count);
+    const std::chrono::duration<double, std::nano> of_matrix = Clock::now() - begin;
+    begin = Clock::now();
+    Arrays<T>::iou_many(&first, &second, out.data());
+    const std::chrono::duration<double, std::nano> of_step = Clock::now() - begin;
+    drawn += static_cast<std::int64_t>(count * count);
+    matrix_times.push_back(of_matrix.count() / static_cast<double>(count * count));
+    step_times.push_back(of_step.count() / static_cast<double>(count));
+  }
+  std::printf("%4d vertices, %s, %5.1f %% share an area:  iou matrix %.1f ns a pair, in step %.0f ns\n", n,
+              sizeof(T) == 8 ? "double" : "float ", 100.0 * static_cast<double>(positive) / static_cast<double>(drawn),
+              median(matrix_times), median(step_times));
+}
+
 }  // namespace
 }  // namespace vesica::bench
 
 int main() {
+  for (const double near : {0.3, 1.0, 3.0, 10.0, 30.0}) vesica::bench::arrays_row<double>(4, near);
+  for (const double near : {0.3, 1.0, 3.0, 10.0, 30.0}) vesica::bench::arrays_row<float>(4, near);
+  for (const int n : {3, 6, 8}) vesica::bench::arrays_row<double>(n, 3);
   for (const double near : {0.3, 1.0, 3.0}) vesica::bench::row(4, true, near);
   for (const int n : {8, 16, 64, 256, 1024}) vesica::bench::row(n, true, 0.7);
   for (const int n : {8, 16, 64, 256, 1024}) vesica::bench::row(n, false, 0.7);

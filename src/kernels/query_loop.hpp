@@ -10,6 +10,7 @@
 
 #include "kernels/outline_cores.hpp"
 #include "kernels/query_cores.hpp"
+#include "kernels/ring_areas.hpp"
 #include "lanes/two_vectors.hpp"
 #if defined(__AVX__)
 #include "kernels/cast_table.hpp"
@@ -190,6 +191,9 @@ consteval QueryTable make_query_table() noexcept {
   fill<DepthCore, Ellipse, Ellipse>(table.depth);
   fill<AreaCore, Rect, Rect>(table.area);
   fill<IouCore, Rect, Rect>(table.iou);
+  table.ring_facts = find_ring_facts;
+  table.ring_areas[0] = ring_areas<false>;
+  table.ring_areas[1] = ring_areas<true>;
   table.cast = casts;
   table.boxes = boxes;
   return table;

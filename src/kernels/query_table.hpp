@@ -44,6 +44,27 @@ using QueryKernel = bool (*)(const QueryColumns& columns, std::int32_t n, double
 /// shapes' first two numbers must be their centres.
 using ApartKernel = void (*)(const QueryColumns& columns, std::int32_t n, std::uint8_t* out) noexcept;
 
+/// Polygons in columns, number k of polygon i at [k * length + i].
+struct RingColumn {
+  static constexpr int sides = 8, length = 64;  // the most sides, and polygons
+  static constexpr int min_x = 0, min_y = 1, max_x = 2, max_y = 3;
+  /// Positive, or NaN: kernels leave others open.
+  static constexpr int area = 4;
+  /// 0, or NaN where only the box and the area are known: kernels leave pairs open whose boxes share area.
+  static constexpr int open = 5;
+  /// Coordinates of the vertices, then of the first again and again.
+  static constexpr int x = 6, y = x + sides + 1;
+  /// Of the sides that begin at the vertices, 0 of an upright one.
+  static constexpr int slope = y + sides + 1;
+  static constexpr int count = slope + sides;
+};
+
+/// From the vertices of n polygons of one ring, not necessarily finite, finds the rest of their columns. n is a
+/// multiple of the vector's width. No polygon has more sides than `sides`.
+using RingFacts = void (*)(double* columns, int sides, std::int32_t n) noexcept;
+/// Writes the shared areas of n pairs; NaN where the scalar function must be asked.
+using RingAreas = void (*)(const double* a, const double* b, int sides, std::int32_t n, double* out) noexcept;
+
 /// By the two kinds in the order of shapes; null where the scalar function does it all.
 using QueryKernels = QueryKernel[kind_count][kind_count];
 
@@ -94,6 +115,8 @@ struct QueryTable {
   QueryKernels area;
   QueryKernels iou;
   ApartKernel apart;
+  RingFacts ring_facts;     // null where one lane gains nothing
+  RingAreas ring_areas[2];  // likewise; in step, and one against many
   const CastTable* cast;    // null where there are no kernels
   const BoxKernels* boxes;  // likewise
 };

@@ -8,7 +8,8 @@ namespace vesica {
 
 namespace detail::polygon {
 class KeptBoxes;
-}
+struct PathShares;
+}  // namespace detail::polygon
 
 /// A shape of any kind: a pointer to its struct, of doubles or floats.
 struct Operand {
@@ -21,6 +22,9 @@ struct Operand {
 
 /// Answers as PairFunction does; at least one operand is a path.
 using PathFunction = std::int32_t (*)(const Operand& a, const Operand& b, void* out) noexcept;
+
+/// The same for queries of areas, once these are known.
+using SharesFunction = std::int32_t (*)(const detail::polygon::PathShares& shares, bool is_float, void* out) noexcept;
 
 namespace polygon {
 

@@ -89,6 +89,11 @@ class PathQuery {
     void* const out = query_.numbers == 0 ? nullptr : result;
     const std::int32_t code = query_.paths(a.operand(), b.operand(), out);
     if (query_.numbers == 0) result[0] = static_cast<Out>(code < 0 ? 0 : code);
+    put(code, result, column, columns, at);
+  }
+
+  /// Writes a result, or NaN in place of an error's.
+  void put(std::int32_t code, Out (&result)[max_results], Out* const* column, int columns, std::int64_t at) noexcept {
     if (code < 0) {
       for (int k = 0; k < query_.columns(); ++k) result[k] = std::numeric_limits<Out>::quiet_NaN();
       if (tally_.error != error_shape) tally_.error = code;

@@ -36,6 +36,8 @@ constinit const Query area{
     .floats = pair_table<AreaOfPair, float>(),
     .reversal = AreaOfPair::reversal,
     .paths = polygon::area,
+    .of_shares = polygon::area_of_shares,
+    .is_none_of_none = true,
     .numbers = 1,
     .kernels = &QueryTable::area,
     .known = Known::radius,

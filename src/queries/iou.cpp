@@ -34,6 +34,8 @@ constinit const Query iou{
     .floats = pair_table<IouOfPair, float>(),
     .reversal = IouOfPair::reversal,
     .paths = polygon::ratio<Ratio::over_union>,
+    .of_shares = polygon::ratio_of_shares<Ratio::over_union>,
+    .is_none_of_none = true,
     .numbers = 1,
     .kernels = &QueryTable::iou,
     .known = Known::radius,

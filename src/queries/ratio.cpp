@@ -63,6 +63,8 @@ consteval Query derived(const Query& from) noexcept {
           .floats = {},
           .reversal = Reversal::none,
           .paths = polygon::ratio<which>,
+          .of_shares = polygon::ratio_of_shares<which>,
+          .is_none_of_none = detail::ratio::is_of_area(which),
           .numbers = 1,
           .shape_area = area_as_of_iou,
           .asked_instead = &from,

@@ -15,6 +15,7 @@
 
 #include <optional>
 #include <vesica/area.hpp>
+#include <vesica/polygon/line.hpp>
 #include <vesica/polygon/own_area.hpp>
 #include <vesica/polygon/relation.hpp>
 
@@ -39,35 +40,27 @@ Measure settled(const Estimate& e, const Measure& a, const Measure& b, const Fin
 
 // ---- Two polygons.
 
-/// An edge as a function of x, y = y0 + slope (x - x0), and its sign: as times the sense of its ring, 1 if it goes to
-/// the right.
-struct Line {
-  double x0, x1, y0, slope, sign;
-
-  /// Heights are counted from a level.
-  VESICA_INLINE Line(const Edge& e, double level) noexcept {
-    const bool right = e.x0 < e.x1;
-    x0 = right ? e.x0 : e.x1;
-    x1 = right ? e.x1 : e.x0;
-    y0 = (right ? e.y0 : e.y1) - level;
-    slope = (e.y1 - e.y0) / (e.x1 - e.x0);
-    sign = right ? 1 : -1;
-  }
-};
+/// Heights are counted from a level. An edge that is_wide() does not find wide gets a line that adds nothing.
+VESICA_INLINE Line<double> line(const Edge& e, double level, bool is_wide) noexcept {
+  if (!is_wide) return {0, 0, 0, 0, 0};
+  const bool right = e.x0 < e.x1;
+  return {right ? e.x0 : e.x1, right ? e.x1 : e.x0, (right ? e.y0 : e.y1) - level, (e.y1 - e.y0) / (e.x1 - e.x0),
+          right ? 1.0 : -1.0};
+}
 
 /// Lines side by side, for loops that compilers turn into vectors.
 struct Lines {
   int count = 0;
   double x0[few_edges + 2], x1[few_edges + 2], y0[few_edges + 2], slope[few_edges + 2], sign[few_edges + 2];
 
-  VESICA_INLINE void add(const Line& l, double sense) noexcept {
-    x0[count] = l.x0;
-    x1[count] = l.x1;
-    y0[count] = l.y0;
-    slope[count] = l.slope;
-    sign[count] = l.sign * sense;
-    ++count;
+  VESICA_INLINE void set(int i, const Line<double>& l, double sense) noexcept {
+    x0[i] = l.x0;
+    x1[i] = l.x1;
+    y0[i] = l.y0;
+    slope[i] = l.slope;
+    sign[i] = l.sign * sense;
   }
+  VESICA_INLINE Line<double> operator[](int i) const noexcept { return {x0[i], x1[i], y0[i], slope[i], sign[i]}; }
 };
 
 /// The terms of pairs of edges, for walk().
@@ -107,15 +100,13 @@ class SharedArea {
       Lines lines;
       all.sense_b_.for_edges(range_b, [&](const Edge& stored, double sense) {
         const Edge f = all.scale_(stored);
-        if (all.is_wide(f)) lines.add(Line(f, all.level_), sense);
+        lines.set(lines.count++, line(f, all.level_, all.is_wide(f)), sense);
       });
-      // An odd one gets a line of no width beside it.
-      lines.x0[lines.count] = lines.x1[lines.count] = lines.y0[lines.count] = lines.slope[lines.count] =
-          lines.sign[lines.count] = 0;
+      lines.set(lines.count, {0, 0, 0, 0, 0}, 1);  // beside an odd one
       all.sense_a_.for_edges(range_a, [&](const Edge& stored, double sense) {
         if (!keeps(box_of(stored), box_b)) return;
         const Edge e = all.scale_(stored);
-        if (all.is_wide(e)) all.add(Line(e, all.level_), sense, lines);
+        if (all.is_wide(e)) all.add(line(e, all.level_, true), sense, lines);
       });
       return false;
     }
@@ -123,19 +114,13 @@ class SharedArea {
 
   bool is_wide(const Edge& e) const noexcept { return lane::abs(e.x1 - e.x0) > least_width_; }
 
-  /// The integral of min(d, 0) over 0 to 1 for a linear d from p to q is -n^2 / (2 (|p| + |q|)), n the sum of what is
-  /// negative of p and q.
-  VESICA_INLINE void add(const Line& e, double sense, const Lines& f) noexcept {
+  VESICA_INLINE void add(const Line<double>& e, double sense, const Lines& f) noexcept {
     double sum[2] = {0, 0}, widths[2] = {0, 0};
     for (int k = 0; k < f.count; k += 2) {
       for (int lane = 0; lane < 2; ++lane) {
-        const int i = k + lane;
-        const double from = greater(e.x0, f.x0[i]), to = lesser(e.x1, f.x1[i]), width = greater(to - from, 0.0);
-        const double p = (e.y0 + e.slope * (from - e.x0)) - (f.y0[i] + f.slope[i] * (from - f.x0[i]));
-        const double q = p + (e.slope - f.slope[i]) * width;
-        const double n = lesser(p, 0.0) + lesser(q, 0.0), all = (lane::abs(p) + lane::abs(q)) + 0x1p-1000;
-        sum[lane] += (f.sign[i] * width) * (n * (n / all));
-        widths[lane] += width;
+        const Term<double> t = term(e, f[k + lane]);
+        sum[lane] += t.area;
+        widths[lane] += t.width;
       }
     }
     sum_ += 0.5 * (e.sign * sense) * (sum[0] + sum[1]);

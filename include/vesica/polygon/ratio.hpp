@@ -31,8 +31,20 @@ noexcept {
 /// iou_of() without a change of units where all have one.
 inline double over_union(const PathShares& s) noexcept {
   const double a = s.a.value, b = s.b.value, shared = s.shared.value;
+  if (shared == 0) return 0;
   const bool same = s.a.exponent == s.b.exponent && s.a.exponent == s.shared.exponent && shared >= 0x1p-500;
   return same ? shared / (greater(a, b) + (lesser(a, b) - shared)) : iou_of(s.shared, s.a, s.b);
+}
+
+/// From the areas; the facts of both are functions, since IoU needs none. Returns 0 or error_argument.
+template <class FactsOfA, class FactsOfB>
+std::int32_t ratio_of_shares(Ratio which, const PathShares& s, const FactsOfA& a, const FactsOfB& b,
+                             double& out) noexcept {
+  if (ratio::is_of_area(which)) return ratio::over_area(s.shared, which, a(), b(), out);
+  if (s.a.value == 0 && s.b.value == 0) return error_argument;
+  out = over_union(s);
+  if (which != Ratio::over_union) out = ratio::less_than_union(out, which, a(), b());
+  return 0;
 }
 
 /// reversed: the ratio is b's with a.
@@ -40,17 +52,9 @@ template <class T, class Other>
 std::int32_t ratio_or_error(Ratio which, const Edges<T>& a, const Other& b, bool reversed, double& out) noexcept {
   PathShares found;
   if (shares(a, b, found) != 0) return error_shape;
-  if (ratio::is_of_area(which)) {
-    const ratio::Facts p = facts(found.box_a, found.a), q = other_facts(b, found);
-    return reversed ? ratio::over_area(found.shared, which, q, p, out)
-                    : ratio::over_area(found.shared, which, p, q, out);
-  }
-  if (found.a.value == 0 && found.b.value == 0) return error_argument;
-  const double iou = over_union(found);
-  out = which == Ratio::over_union
-            ? iou
-            : ratio::less_than_union(iou, which, facts(found.box_a, found.a), other_facts(b, found));
-  return 0;
+  const auto p = [&] { return facts(found.box_a, found.a); };
+  const auto q = [&] { return other_facts(b, found); };
+  return reversed ? ratio_of_shares(which, found, q, p, out) : ratio_of_shares(which, found, p, q, out);
 }
 
 }  // namespace detail::polygon
