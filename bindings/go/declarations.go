@@ -852,6 +852,25 @@ func cVolumeRatioMatrix(wide bool, ratio C.int32_t, a C.vesica_go_view, spansA *
 	return C.go_volume_ratio_matrix_f32(ratio, a, spansA, b, spansB, out, rowStride)
 }
 
+func cMatchTruths(wide bool, rule C.int32_t, a *C.char, b *C.char, values *C.char, count C.int64_t, scores *C.char,
+	detections C.int64_t, flags *C.char, truths C.int64_t, thresholds *C.char, thresholdCount C.int64_t, scratch *C.char,
+	scratchSize C.int64_t, outcomes *C.char, taken *C.char) C.int32_t {
+	if wide {
+		return C.go_match_truths_f64(rule, a, b, values, count, scores, detections, flags, truths, thresholds, thresholdCount,
+			scratch, scratchSize, outcomes, taken)
+	}
+	return C.go_match_truths_f32(rule, a, b, values, count, scores, detections, flags, truths, thresholds, thresholdCount,
+		scratch, scratchSize, outcomes, taken)
+}
+
+func cAveragePrecision(wide bool, rule C.int32_t, scores *C.char, outcomes *C.char, count C.int64_t, truths C.int64_t,
+	scratch *C.char, scratchSize C.int64_t, out *C.char) C.int32_t {
+	if wide {
+		return C.go_average_precision_f64(rule, scores, outcomes, count, truths, scratch, scratchSize, out)
+	}
+	return C.go_average_precision_f32(rule, scores, outcomes, count, truths, scratch, scratchSize, out)
+}
+
 func cGaussianDistance(wide bool, which C.int32_t, kindA C.int32_t, a C.vesica_go_shape, kindB C.int32_t,
 	b C.vesica_go_shape, out *C.char) C.int32_t {
 	if wide {

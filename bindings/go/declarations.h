@@ -858,6 +858,34 @@ static inline int64_t go_volume_ratio_matrix_f32(int32_t ratio, vesica_go_view a
         (void *)out, row_stride);
 }
 
+static inline int32_t go_match_truths_f64(int32_t rule, const char *a, const char *b, const char *values, int64_t count,
+    const char *scores, int64_t detections, const char *flags, int64_t truths, const char *thresholds,
+    int64_t threshold_count, char *scratch, int64_t scratch_size, char *outcomes, char *taken) {
+    return vesica_match_truths_f64(rule, (const void *)a, (const void *)b, (const void *)values, count,
+        (const void *)scores, detections, (const void *)flags, truths, (const void *)thresholds, threshold_count,
+        (void *)scratch, scratch_size, (void *)outcomes, (void *)taken);
+}
+
+static inline int32_t go_match_truths_f32(int32_t rule, const char *a, const char *b, const char *values, int64_t count,
+    const char *scores, int64_t detections, const char *flags, int64_t truths, const char *thresholds,
+    int64_t threshold_count, char *scratch, int64_t scratch_size, char *outcomes, char *taken) {
+    return vesica_match_truths_f32(rule, (const void *)a, (const void *)b, (const void *)values, count,
+        (const void *)scores, detections, (const void *)flags, truths, (const void *)thresholds, threshold_count,
+        (void *)scratch, scratch_size, (void *)outcomes, (void *)taken);
+}
+
+static inline int32_t go_average_precision_f64(int32_t rule, const char *scores, const char *outcomes, int64_t count,
+    int64_t truths, char *scratch, int64_t scratch_size, char *out) {
+    return vesica_average_precision_f64(rule, (const void *)scores, (const void *)outcomes, count, truths,
+        (void *)scratch, scratch_size, (void *)out);
+}
+
+static inline int32_t go_average_precision_f32(int32_t rule, const char *scores, const char *outcomes, int64_t count,
+    int64_t truths, char *scratch, int64_t scratch_size, char *out) {
+    return vesica_average_precision_f32(rule, (const void *)scores, (const void *)outcomes, count, truths,
+        (void *)scratch, scratch_size, (void *)out);
+}
+
 static inline int32_t go_gaussian_distance_f64(int32_t which, int32_t kind_a, vesica_go_shape a, int32_t kind_b,
     vesica_go_shape b, char *out) {
     vesica_go_f64 of_a = go_read_f64(kind_a, &a);

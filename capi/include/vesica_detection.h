@@ -25,6 +25,25 @@ extern "C" {
 #define VESICA_FUSED_MEAN 0 /**< the mean of its scores s with weights w: sum(w s) / sum(w) */
 #define VESICA_FUSED_MAX 1  /**< its highest score */
 
+/* Which truth a detection takes, of those whose value, such as IoU, is at least the threshold. */
+#define VESICA_MATCH_VOC 0  /**< the one of the highest value, taken or not: if it is taken, the detection is a miss */
+#define VESICA_MATCH_COCO 1 /**< the one of the highest value among those that are free */
+
+/* The part of a truth in the result. */
+#define VESICA_TRUTH_COUNTS 0  /**< it counts, and one detection may take it */
+#define VESICA_TRUTH_CROWD 1   /**< it does not count, any number may take it: "difficult" (VOC), "iscrowd" (COCO) */
+#define VESICA_TRUTH_IGNORED 2 /**< it does not count, and one may take it: COCO's truths outside a range of areas */
+
+/* The outcome of a detection. */
+#define VESICA_OUTCOME_MISS 0    /**< it took no truth: a false positive */
+#define VESICA_OUTCOME_HIT 1     /**< it took one that counts: a true positive */
+#define VESICA_OUTCOME_IGNORED 2 /**< it took one that does not count, and is neither */
+
+/* How precision is averaged over recall. */
+#define VESICA_PRECISION_VOC_2007 0 /**< at 11 recalls, 0, 0.1 ... 1 */
+#define VESICA_PRECISION_VOC_2010 1 /**< at every truth: the area under the curve, of VOC from 2010 on */
+#define VESICA_PRECISION_COCO 2     /**< at 101 recalls, 0, 0.01 ... 1 */
+
 /* Distances of two shapes as Gaussian distributions. They are not IoU, and have no such meaning as a shared area. */
 #define VESICA_GAUSSIAN_BHATTACHARYYA 0    /**< Bhattacharyya's distance, from 0 to infinity */
 #define VESICA_GAUSSIAN_HELLINGER 1        /**< Hellinger's distance, from 0 to 1; ProbIoU is 1 - this */
@@ -182,6 +201,79 @@ VESICA_API int64_t vesica_volume_ratio_matrix_f64(int32_t ratio, const vesica_sh
                                                   const vesica_span_f64 *spans_a, const vesica_shapes_f64 *b,
                                                   const vesica_span_f64 *spans_b, double *out, ptrdiff_t row_stride);
 
+/* ---- Average precision, double ----
+ * Since: 0.1.
+ */
+
+/**
+ * How many bytes of scratch does matching by `count` pairs need?
+ * Returns: 32 bytes a pair, 36 a detection, 1 a truth, and 4.
+ * Errors: VESICA_E_ARGUMENT (a number is negative or above 2^31 - 1).
+ */
+VESICA_API int64_t vesica_match_truths_scratch(int64_t count, int64_t detections, int64_t truths);
+
+/**
+ * Which detections hit a truth, at each of some thresholds?
+ *
+ * Pair k is detection a[k] and truth b[k] with values[k], as vesica_join_ratio_f64 writes them at the lowest threshold
+ * or below; detections and truths of many pictures are numbered through. A pair whose value is NaN is none. COCO takes
+ * the shared area over the detection's (VESICA_RATIO_OVER_FIRST) for crowds in place of IoU.
+ * At each threshold detections take truths in the order of their scores, the highest first, of equal ones by number:
+ *
+ *   - VESICA_MATCH_VOC: the truth with the highest value, of equal ones the first. If it counts and is taken, or its
+ *     value is below the threshold, the detection is a miss.
+ *   - VESICA_MATCH_COCO: of the free truths with at least the threshold, or 1 - 1e-10 if that is less, the one with the
+ *     highest value, of equal ones the last. Those that do not count are asked only if there is none that does.
+ *
+ * outcomes[t * detections + i] is VESICA_OUTCOME_... of detection i at threshold t, and taken[...] the truth it takes,
+ * or -1. As COCO, leave out all but the 100 best detections of a picture beforehand; and as for its ranges of areas,
+ * call a miss whose own area is out of the range VESICA_OUTCOME_IGNORED afterwards.
+ * Requires: rule, VESICA_MATCH_VOC or _COCO; 0 <= a[k] < detections and 0 <= b[k] < truths; scores, one for each
+ * detection; flags, VESICA_TRUTH_... of each truth, or NULL if all count; scratch of at least
+ * vesica_match_truths_scratch(count, detections, truths) bytes, aligned to 8; outcomes, and taken if it is not NULL,
+ * with room for detections times threshold_count numbers. Pointers to nothing may be NULL.
+ * Returns: 0.
+ * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (an unknown rule or flag, an item or a size out of range, a score or a
+ * threshold that is NaN, a scratch that is not aligned). Nothing is written.
+ * Accuracy: exact.
+ * Cost: a sort; then for each threshold a walk over all pairs.
+ */
+VESICA_API int32_t vesica_match_truths_f64(int32_t rule, const int64_t *a, const int64_t *b, const double *values,
+                                           int64_t count, const double *scores, int64_t detections,
+                                           const uint8_t *flags, int64_t truths, const double *thresholds,
+                                           int64_t threshold_count, void *scratch, int64_t scratch_size,
+                                           uint8_t *outcomes, int64_t *taken);
+
+/**
+ * How many bytes of scratch does the average precision of `count` detections need?
+ * Returns: 32 bytes a detection.
+ * Errors: VESICA_E_ARGUMENT (count is negative or above 2^31 - 1).
+ */
+VESICA_API int64_t vesica_average_precision_scratch(int64_t count);
+
+/**
+ * Average precision (AP) of detections of one class.
+ *
+ * With the detections in the order of their scores, the highest first, of equal ones by number, and without those that
+ * are ignored: after each, precision is hits / detections so far, and recall hits so far / truths. The best precision
+ * at a recall is the highest one after any detection whose recall is at least that, or 0 if there is none. AP is the
+ * mean of the best precision at the recalls of `rule`.
+ * Recalls are compared in double, as the programs of the challenges do: 0.1 i and 0.01 i are rounded, and so are hits /
+ * truths. COCO's mean AP is the mean over its thresholds, 0.50, 0.55 ... 0.95, and classes.
+ * Requires: rule, one of VESICA_PRECISION_VOC_2007 to _COCO; scores and outcomes (VESICA_OUTCOME_...), one for each
+ * detection; truths, how many of them count; scratch of at least vesica_average_precision_scratch(count) bytes, aligned
+ * to 8.
+ * Returns: 0; *out is from 0 to 1, or NaN without truths.
+ * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (an unknown rule or outcome, a score that is NaN, more hits than truths, a
+ * size out of range, a scratch that is not aligned).
+ * Accuracy: u times the number of hits plus 2, for VESICA_PRECISION_COCO 103 u at most. COCO's own program has up to
+ * 2 u less, since it adds 2 u to each divisor.
+ * Cost: a sort.
+ */
+VESICA_API int32_t vesica_average_precision_f64(int32_t rule, const double *scores, const uint8_t *outcomes,
+                                                int64_t count, int64_t truths, void *scratch, int64_t scratch_size,
+                                                double *out);
+
 /* ---- Shapes as Gaussian distributions, double ----
  * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT, VESICA_E_RANGE.
  * Since: 0.1.
@@ -251,6 +343,16 @@ VESICA_API int32_t vesica_fuse_f32(const vesica_shapes_f32 *shapes, const float 
                                    const int32_t *labels, float threshold, int32_t fused_score, void *scratch,
                                    int64_t scratch_size, void *fused, float *fused_scores, int64_t *clusters,
                                    int64_t *count);
+/** As vesica_match_truths_f64. */
+VESICA_API int32_t vesica_match_truths_f32(int32_t rule, const int64_t *a, const int64_t *b, const float *values,
+                                           int64_t count, const float *scores, int64_t detections,
+                                           const uint8_t *flags, int64_t truths, const float *thresholds,
+                                           int64_t threshold_count, void *scratch, int64_t scratch_size,
+                                           uint8_t *outcomes, int64_t *taken);
+/** As vesica_average_precision_f64, rounded to float. */
+VESICA_API int32_t vesica_average_precision_f32(int32_t rule, const float *scores, const uint8_t *outcomes,
+                                                int64_t count, int64_t truths, void *scratch, int64_t scratch_size,
+                                                float *out);
 
 /** As vesica_span_f64. */
 typedef struct {

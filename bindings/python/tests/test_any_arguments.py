@@ -94,6 +94,8 @@ FITTING = {
 # The same where a name means something else.
 OF_NUMBERS = {
     "fuse": {"boxes": lambda draw: draw.choice([vesica.aabbs(rows(draw, 4)), vesica.rects(rows(draw, 5))])},
+    "match_truths": {"a": items, "b": items, "values": lambda draw: numbers(draw, 2), "truths": lambda draw: 3},
+    "average_precision": {"outcomes": items, "truths": lambda draw: 2},
     "assign_greedy": {"a": items, "b": items, "values": lambda draw: numbers(draw, 2)},
 }
 

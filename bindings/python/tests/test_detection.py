@@ -114,13 +114,191 @@ class Fuse(unittest.TestCase):
             vesica.fuse(boxes[:1], [-1])
         self.assertIn("row 0: the score or the weight", str(caught.exception))
         self.assertEqual(caught.exception.result[2].tolist(), [-1])
-        for wrong in ({"threshold": 2}, {"threshold": math.nan}, {"score": "least"}, {"weights": [1]}, {"labels": [1]}):
+        for wrong in ({"threshold": 2}, {"threshold": math.nan}, {"score": "least"}, {"weights": []}, {"labels": [1, 1]}):
             with self.assertRaises(ValueError):
-                vesica.fuse(boxes[:0] if "threshold" in wrong else boxes, [] if "threshold" in wrong else [1, 1], **wrong)
+                vesica.fuse(boxes[:1], [1], **wrong)
         with self.assertRaises(vesica.VesicaError):
             vesica.fuse(vesica.circles([[0, 0, 1]]), [1])
         with self.assertRaises(TypeError):
             vesica.fuse(boxes, ["a", "b"])
+
+
+class Picture:
+    """Boxes found and true, with integer corners so that many IoUs are equal or 1/2."""
+
+    def __init__(self, generator):
+        found, true = generator.integers(0, 30), generator.integers(0, 10)
+        corner = generator.integers(0, 15, (true, 2))
+        self.true = numpy.hstack([corner, corner + generator.integers(2, 7, corner.shape)])
+        near = self.true[generator.integers(0, true, found)] if true else generator.integers(0, 9, (found, 4))
+        near = near + generator.integers(-1, 2, near.shape)
+        self.found = numpy.hstack([near[:, :2], numpy.maximum(near[:, :2] + 1, near[:, 2:])])
+        self.scores = generator.integers(0, 20, found) / 16
+        self.crowd = generator.random(true) < 0.2
+        overlap = [vesica.Index(vesica.aabbs(self.found)), vesica.Index(vesica.aabbs(self.true))]
+        self.pairs = [overlap[0].join_ratio(overlap[1], ratio) for ratio in (0, 1)]
+        self.iou = numpy.zeros((found, true))
+        for crowd, (i, j, value) in enumerate(self.pairs):
+            own = self.crowd[j] == crowd
+            self.iou[i[own], j[own]] = value[own]
+
+
+def areas(boxes):
+    return (boxes[:, 2] - boxes[:, 0]) * (boxes[:, 3] - boxes[:, 1])
+
+
+def coco_by_rows(pictures, threshold, most, least_area, most_area):
+    """AP at one threshold, as COCO's program finds it: picture by picture, over dense matrices."""
+    rows, count = [], 0
+    for picture in pictures:
+        order = numpy.argsort(-picture.scores, kind="stable")[:most]
+        outside = (areas(picture.true) < least_area) | (areas(picture.true) > most_area)
+        ignored = picture.crowd | outside
+        count += numpy.count_nonzero(~ignored)
+        by_class = sorted(range(len(picture.true)), key=lambda t: bool(ignored[t]))
+        free = [True] * len(picture.true)
+        for d in order:
+            best, at_least = None, min(threshold, 1 - 1e-10)
+            for t in by_class:
+                if not free[t] and not picture.crowd[t]:
+                    continue
+                if best is not None and not ignored[best] and ignored[t]:
+                    break
+                if picture.iou[d, t] >= at_least:
+                    best, at_least = t, picture.iou[d, t]
+            box_area = areas(picture.found[d : d + 1])[0]
+            if best is None:
+                rows.append((picture.scores[d], False, not least_area <= box_area <= most_area))
+            else:
+                free[best] = False
+                rows.append((picture.scores[d], True, bool(ignored[best])))
+    if count == 0:
+        return math.nan
+    if not rows:
+        return 0.0
+    score, matched, ignored = (numpy.array(column) for column in zip(*rows))
+    order = numpy.argsort(-score, kind="mergesort")
+    hits = numpy.cumsum((matched & ~ignored)[order]).astype(float)
+    misses = numpy.cumsum((~matched & ~ignored)[order]).astype(float)
+    recall, precision = hits / count, hits / (hits + misses + numpy.spacing(1))
+    precision = numpy.maximum.accumulate(precision[::-1])[::-1]
+    places = numpy.searchsorted(recall, numpy.linspace(0, 1, 101), side="left")
+    return numpy.mean([precision[place] if place < len(precision) else 0 for place in places])
+
+
+def voc_by_rows(pictures, threshold, points):
+    """AP as VOC's program does it: one detection after the other, over all pictures."""
+    rows = [(s, p, d) for p, picture in enumerate(pictures) for d, s in enumerate(picture.scores)]
+    rows.sort(key=lambda row: -row[0])
+    taken, true, false = set(), [], []
+    for _, p, d in rows:
+        ious, hit, miss = pictures[p].iou[d], 0, 0
+        best = int(numpy.argmax(ious)) if len(ious) else None
+        if best is None or ious[best] < threshold:
+            miss = 1
+        elif not pictures[p].crowd[best]:
+            hit, miss = ((p, best) not in taken, (p, best) in taken)
+            taken.add((p, best))
+        true.append(hit), false.append(miss)
+    count = sum(numpy.count_nonzero(~picture.crowd) for picture in pictures)
+    if count == 0:
+        return math.nan
+    true, false = numpy.cumsum(true).astype(float), numpy.cumsum(false).astype(float)
+    with numpy.errstate(invalid="ignore"):
+        recall, precision = true / count, numpy.nan_to_num(true / (true + false))
+    if points == 11:
+        return sum(max(precision[recall >= t], default=0) / 11 for t in numpy.arange(0, 1.1, 0.1))
+    recall, precision = numpy.r_[0, recall, 1], numpy.r_[0, precision, 0]
+    for k in range(len(precision) - 2, -1, -1):
+        precision[k] = max(precision[k], precision[k + 1])
+    rises = numpy.flatnonzero(recall[1:] != recall[:-1])
+    return sum((recall[rises + 1] - recall[rises]) * precision[rises + 1])
+
+
+def numbered_through(pictures, most=None):
+    """(a, b, values), scores, areas found, crowd and areas true, of all pictures."""
+    columns, found, true = [], 0, 0
+    kept = [numpy.sort(numpy.argsort(-picture.scores, kind="stable")[:most]) for picture in pictures]
+    for picture, own in zip(pictures, kept):
+        place = numpy.full(len(picture.scores), -1)
+        place[own] = numpy.arange(len(own))
+        for crowd, (i, j, value) in enumerate(picture.pairs):
+            use = (picture.crowd[j] == crowd) & (place[i] >= 0)
+            columns.append((place[i[use]] + found, j[use] + true, value[use]))
+        found, true = found + len(own), true + len(picture.true)
+    return (
+        [numpy.concatenate(column) for column in zip(*columns)],
+        numpy.concatenate([picture.scores[own] for picture, own in zip(pictures, kept)]),
+        numpy.concatenate([areas(picture.found[own]) for picture, own in zip(pictures, kept)]),
+        numpy.concatenate([picture.crowd for picture in pictures]),
+        numpy.concatenate([areas(picture.true) for picture in pictures]),
+    )
+
+
+class AveragePrecision(unittest.TestCase):
+    def test_by_hand(self):
+        # Hit, miss, hit, ignored, miss, of three truths: precision 1 at recall 1/3, 2/3 at 2/3.
+        scores, outcomes = [0.5, 0.9, 0.8, 0.6, 0.7], [0, 1, 0, 2, 1]
+        for rule, expected in (("voc2010", 5 / 9), ("voc2007", 6 / 11), ("coco", 56 / 101)):
+            self.assertAlmostEqual(vesica.average_precision(scores, outcomes, 3, rule=rule), expected, 14)
+        self.assertTrue(math.isnan(vesica.average_precision([], [], 0)))
+
+    def test_is_that_of_coco(self):
+        generator, seen = numpy.random.default_rng(17), []
+        thresholds = numpy.linspace(0.5, 0.95, 10)
+        for _ in range(25):
+            pictures = [Picture(generator) for _ in range(generator.integers(1, 5))]
+            for most, least_area, most_area in ((100, 0, 1e10), (100, 4, 16), (5, 0, 1e10)):
+                pairs, scores, found_areas, crowd, true_areas = numbered_through(pictures, most)
+                outside = (true_areas < least_area) | (true_areas > most_area)
+                flags = numpy.where(crowd, vesica.Truth.CROWD, numpy.where(outside, vesica.Truth.IGNORED, 0))
+                # A crowd outside is a crowd still.
+                outcomes, _ = vesica.match_truths(*pairs, scores, len(flags), thresholds, flags=flags)
+                foreign = (found_areas < least_area) | (found_areas > most_area)
+                outcomes[(outcomes == vesica.Outcome.MISS) & foreign] = vesica.Outcome.IGNORED
+                count = numpy.count_nonzero(flags == 0)
+                result = vesica.average_precision(scores, outcomes, count)
+                expected = [coco_by_rows(pictures, t, most, least_area, most_area) for t in thresholds]
+                numpy.testing.assert_allclose(result, expected, rtol=0, atol=1e-13)
+                seen += [x for x in expected if 0 < x < 1]
+        self.assertGreater(len(seen), 300)
+
+    def test_is_that_of_voc(self):
+        generator, seen = numpy.random.default_rng(19), []
+        for _ in range(60):
+            pictures = [Picture(generator) for _ in range(generator.integers(1, 5))]
+            for picture in pictures:
+                # VOC has IoU for difficult truths too.
+                picture.pairs[1] = picture.pairs[0]
+                picture.iou[:] = 0
+                picture.iou[picture.pairs[0][0], picture.pairs[0][1]] = picture.pairs[0][2]
+            pairs, scores, _, crowd, _ = numbered_through(pictures)
+            outcomes, _ = vesica.match_truths(*pairs, scores, len(crowd), 0.5, rule="voc", flags=crowd)
+            for points, rule in ((11, "voc2007"), (None, "voc2010")):
+                result = vesica.average_precision(scores, outcomes, numpy.count_nonzero(~crowd), rule=rule)
+                expected = voc_by_rows(pictures, 0.5, points)
+                numpy.testing.assert_allclose(result, expected, rtol=0, atol=1e-13)
+                seen += [expected] if 0 < expected < 1 else []
+        self.assertGreater(len(seen), 60)
+
+    def test_refusals(self):
+        pair = [0], [0], [1.0]
+        for wrong in (
+            lambda: vesica.match_truths(*pair, [1], 1, rule="pascal"),
+            lambda: vesica.match_truths(*pair, [1], 0),
+            lambda: vesica.match_truths(*pair, [math.nan], 1),
+            lambda: vesica.match_truths(*pair, [1], 1, math.nan),
+            lambda: vesica.match_truths(*pair, [1], 1, flags=[3]),
+            lambda: vesica.match_truths(*pair, [1], 1, flags=[0, 0]),
+            lambda: vesica.match_truths(*pair, [1], -1),
+            lambda: vesica.average_precision([1], [1], 0),
+            lambda: vesica.average_precision([1], [1, 0], 2),
+            lambda: vesica.average_precision([1], [-1], 2),
+            lambda: vesica.average_precision([1], [1], 2, rule="voc"),
+        ):
+            self.assertRaises(ValueError, wrong)
+        self.assertRaises(TypeError, vesica.average_precision, [1], [0.5], 2)
+        self.assertEqual(vesica.match_truths(*pair, [1], 1)[0].tolist(), [vesica.Outcome.HIT])
 
 
 if __name__ == "__main__":

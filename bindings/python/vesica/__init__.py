@@ -25,7 +25,7 @@ from .construct import (
     ellipses_from_radius_vector,
 )
 from .coverage import coverage, coverage_cells
-from .detection import assign_greedy, fuse
+from .detection import Outcome, Truth, assign_greedy, average_precision, fuse, match_truths
 from .hull import convex_hull, min_area_rects, min_perimeter_rects
 from .index import Index
 from .motion import Cast, Impact, Turn, cast, cast_first, impact_time, sweep_bounds

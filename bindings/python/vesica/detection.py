@@ -1,16 +1,44 @@
 # SPDX-License-Identifier: Apache-2.0
 """What is done around detectors: assignment, fusion of boxes, average precision."""
 import ctypes
+import enum
 
 import numpy
 
 from . import _declarations
-from ._library import VesicaError, by_scalar, checked, first_rows, library, real
+from ._library import VesicaError, by_scalar, checked, first_rows, library, real, whole
 from .queries import as_type, finish, labels_of, scores_of
 from .shapes import first_of_rows, plain, shapes
 
 _ASSIGN, _FUSE = by_scalar("assign_greedy"), by_scalar("fuse")
+_MATCH, _PRECISION = by_scalar("match_truths"), by_scalar("average_precision")
+_MATCH_RULES = {"voc": _declarations.MATCH_VOC, "coco": _declarations.MATCH_COCO}
+_PRECISION_RULES = {
+    "voc2007": _declarations.PRECISION_VOC_2007,
+    "voc2010": _declarations.PRECISION_VOC_2010,
+    "coco": _declarations.PRECISION_COCO,
+}
 _FUSED_SCORES = {"mean": _declarations.FUSED_MEAN, "max": _declarations.FUSED_MAX}
+
+
+class Truth(enum.IntEnum):
+    """What a truth is for average precision; the last two do not count.
+
+    Any number of detections may take a CROWD ("difficult" of VOC, "iscrowd" of COCO), one an IGNORED truth (COCO's
+    outside a range of areas).
+    """
+
+    COUNTS = _declarations.TRUTH_COUNTS
+    CROWD = _declarations.TRUTH_CROWD
+    IGNORED = _declarations.TRUTH_IGNORED
+
+
+class Outcome(enum.IntEnum):
+    """What a detection is: a false positive, a true positive, or neither, as it took a truth that does not count."""
+
+    MISS = _declarations.OUTCOME_MISS
+    HIT = _declarations.OUTCOME_HIT
+    IGNORED = _declarations.OUTCOME_IGNORED
 
 
 def _numbers(values, name):
@@ -44,8 +72,8 @@ def assign_greedy(a, b, values):
     """Greedy assignment, as of tracks to detections: which of the pairs a[k], b[k] are taken, the best value first.
 
     Takes the pair with the highest value whose two items are both free, until there is none; of equal values the one
-    with the lower a, then b. Pairs whose value is NaN are not taken. Returns the numbers k: a[k], b[k] and values[k] are
-    the matches. a, b and values: what Index.join_ratio returns. A solver of sparse assignment, such as scipy's
+    with the lower a, then b. Pairs whose value is NaN are not taken. Returns the numbers k: the matches are a[k] and b[k]
+    with values[k]. a, b and values: what Index.join_ratio returns. A solver of sparse assignment, such as scipy's
     min_weight_full_bipartite_matching, may find a larger sum.
     """
     values = _numbers(values, "values")
@@ -95,3 +123,73 @@ def fuse(boxes, scores, threshold=0.55, *, weights=None, labels=None, score="mea
         fault = "the score or the weight is not from 0 to 2**480, or the box is beyond 2**1020"
         raise VesicaError(code, first_of_rows(unfit, fault), result)
     return finish(code, result, boxes=boxes)
+
+
+def _rule(rule, rules):
+    if rule not in rules:
+        raise ValueError(f"rule is {rule!r}, not one of {', '.join(rules)}")
+    return rules[rule]
+
+
+def _codes(codes, name, shape):
+    """Codes of one byte, such as those of Outcome."""
+    codes = plain(codes, name)
+    if codes.shape != shape:
+        raise ValueError(f"{name} has the shape {codes.shape}, not {shape}")
+    if codes.dtype.kind not in "iub" and codes.size:
+        raise TypeError(f"{name} are whole numbers, not {codes.dtype}")
+    if codes.size and not 0 <= int(codes.min()) <= int(codes.max()) <= 2:
+        raise VesicaError(_declarations.E_ARGUMENT, f"{name} are 0, 1 or 2")
+    return numpy.require(codes, numpy.uint8, "CA")
+
+
+def match_truths(a, b, values, scores, truths, thresholds=0.5, *, rule="coco", flags=None):
+    """Which detections hit a truth? (outcomes, taken): for each threshold a row of Outcome and of truths, or -1.
+
+    a, b, values: pairs of a detection and a truth with their IoU, as Index.join_ratio gives at the lowest threshold.
+    Detections and truths of several pictures are numbered through; only those of one picture are pairs. scores: of each
+    detection; truths: how many there are; flags: a Truth for each, if not all count. rule: "voc", a detection takes the
+    best truth, and misses if that is taken; "coco", it takes the best one that is free. A single threshold has a single
+    row. Scores and thresholds are first rounded to the values' type.
+    """
+    rule, truths = _rule(rule, _MATCH_RULES), whole(truths, "truths")
+    values = _numbers(values, "values")
+    a, b = _items(a, "a", len(values)), _items(b, "b", len(values))
+    scores = as_type(_numbers(scores, "scores"), values.dtype)
+    rows = as_type(_numbers(numpy.atleast_1d(plain(thresholds, "thresholds")), "thresholds"), values.dtype)
+    flags = None if flags is None else _codes(flags, "flags", (truths,))
+    scratch = _scratch(library.vesica_match_truths_scratch(len(values), len(scores), truths))
+    shape = len(rows), len(scores)
+    outcomes, taken = numpy.empty(shape, numpy.uint8), numpy.empty(shape, numpy.int64)
+    checked(
+        _MATCH[values.dtype.char](
+            *(rule, a.ctypes.data, b.ctypes.data, values.ctypes.data, len(values), scores.ctypes.data, len(scores)),
+            *(None if flags is None else flags.ctypes.data, truths, rows.ctypes.data, len(rows)),
+            *(scratch.ctypes.data, scratch.nbytes, outcomes.ctypes.data, taken.ctypes.data),
+        )
+    )
+    return (outcomes[0], taken[0]) if numpy.ndim(thresholds) == 0 else (outcomes, taken)
+
+
+def average_precision(scores, outcomes, truths, *, rule="coco"):
+    """The average precision of detections of one class; of several rows of outcomes, an array.
+
+    scores and outcomes: of each detection, outcomes as match_truths gives them. truths: how many of them count. rule:
+    the recalls at which precision is averaged: "voc2007", 0, 0.1 ... 1; "voc2010", at every truth, the area under the
+    curve; "coco", 0, 0.01 ... 1. NaN if there are no truths.
+    """
+    rule, truths = _rule(rule, _PRECISION_RULES), whole(truths, "truths")
+    scores = _numbers(scores, "scores")
+    outcomes = plain(outcomes, "outcomes")
+    rows = outcomes.shape[:-1] if outcomes.ndim else ()
+    outcomes = _codes(outcomes, "outcomes", (*rows, len(scores)))
+    scratch = _scratch(library.vesica_average_precision_scratch(len(scores)))
+    out = numpy.empty(rows, scores.dtype)
+    for row in numpy.ndindex(rows):
+        checked(
+            _PRECISION[scores.dtype.char](
+                *(rule, scores.ctypes.data, outcomes[row].ctypes.data, len(scores), truths),
+                *(scratch.ctypes.data, scratch.nbytes, out[row + (...,)].ctypes.data),
+            )
+        )
+    return out if rows else out.item()

@@ -50,6 +50,17 @@ package Vesica_C is
    Vesica_Angle_Reversed : constant := 4;
    Vesica_Fused_Mean : constant := 0;
    Vesica_Fused_Max : constant := 1;
+   Vesica_Match_Voc : constant := 0;
+   Vesica_Match_Coco : constant := 1;
+   Vesica_Truth_Counts : constant := 0;
+   Vesica_Truth_Crowd : constant := 1;
+   Vesica_Truth_Ignored : constant := 2;
+   Vesica_Outcome_Miss : constant := 0;
+   Vesica_Outcome_Hit : constant := 1;
+   Vesica_Outcome_Ignored : constant := 2;
+   Vesica_Precision_Voc_2007 : constant := 0;
+   Vesica_Precision_Voc_2010 : constant := 1;
+   Vesica_Precision_Coco : constant := 2;
    Vesica_Gaussian_Bhattacharyya : constant := 0;
    Vesica_Gaussian_Hellinger : constant := 1;
    Vesica_Gaussian_Kullback_Leibler : constant := 2;
@@ -1216,6 +1227,29 @@ package Vesica_C is
       Integer_64
      with Import, Convention => C, External_Name => "vesica_volume_ratio_matrix_f64";
 
+   --  How many bytes of scratch does matching by `count` pairs need?
+   function Vesica_Match_Truths_Scratch (Count : Integer_64; Detections : Integer_64; Truths : Integer_64) return
+      Integer_64
+     with Import, Convention => C, External_Name => "vesica_match_truths_scratch";
+
+   --  Which detections hit a truth, at each of some thresholds?
+   function Vesica_Match_Truths_F64 (Rule : Integer_32; A : System.Address; B : System.Address; Values :
+      System.Address; Count : Integer_64; Scores : System.Address; Detections : Integer_64; Flags :
+      System.Address; Truths : Integer_64; Thresholds : System.Address; Threshold_Count : Integer_64; Scratch :
+      System.Address; Scratch_Size : Integer_64; Outcomes : System.Address; Taken : System.Address) return
+      Integer_32
+     with Import, Convention => C, External_Name => "vesica_match_truths_f64";
+
+   --  How many bytes of scratch does the average precision of `count` detections need?
+   function Vesica_Average_Precision_Scratch (Count : Integer_64) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_average_precision_scratch";
+
+   --  Average precision (AP) of detections of one class.
+   function Vesica_Average_Precision_F64 (Rule : Integer_32; Scores : System.Address; Outcomes : System.Address;
+      Count : Integer_64; Truths : Integer_64; Scratch : System.Address; Scratch_Size : Integer_64; Output :
+      System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_average_precision_f64";
+
    --  The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
    function Vesica_Gaussian_Distance_F64 (Which : Integer_32; Kind_A : Integer_32; A : System.Address; Kind_B :
       Integer_32; B : System.Address; Output : System.Address) return Integer_32
@@ -1254,6 +1288,20 @@ package Vesica_C is
       : Integer_64; Fused : System.Address; Fused_Scores : System.Address; Clusters : System.Address; Count :
       System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_fuse_f32";
+
+   --  Which detections hit a truth, at each of some thresholds?
+   function Vesica_Match_Truths_F32 (Rule : Integer_32; A : System.Address; B : System.Address; Values :
+      System.Address; Count : Integer_64; Scores : System.Address; Detections : Integer_64; Flags :
+      System.Address; Truths : Integer_64; Thresholds : System.Address; Threshold_Count : Integer_64; Scratch :
+      System.Address; Scratch_Size : Integer_64; Outcomes : System.Address; Taken : System.Address) return
+      Integer_32
+     with Import, Convention => C, External_Name => "vesica_match_truths_f32";
+
+   --  Average precision (AP) of detections of one class.
+   function Vesica_Average_Precision_F32 (Rule : Integer_32; Scores : System.Address; Outcomes : System.Address;
+      Count : Integer_64; Truths : Integer_64; Scratch : System.Address; Scratch_Size : Integer_64; Output :
+      System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_average_precision_f32";
 
    --  A ratio of shared volume: IoU and its relatives of two upright prisms.
    function Vesica_Volume_Ratio_F32 (Ratio : Integer_32; Kind_A : Integer_32; A : System.Address; Span_A :

@@ -49,6 +49,17 @@ module vesica_c
   integer(c_int32_t), parameter :: vesica_angle_reversed = 4
   integer(c_int32_t), parameter :: vesica_fused_mean = 0
   integer(c_int32_t), parameter :: vesica_fused_max = 1
+  integer(c_int32_t), parameter :: vesica_match_voc = 0
+  integer(c_int32_t), parameter :: vesica_match_coco = 1
+  integer(c_int32_t), parameter :: vesica_truth_counts = 0
+  integer(c_int32_t), parameter :: vesica_truth_crowd = 1
+  integer(c_int32_t), parameter :: vesica_truth_ignored = 2
+  integer(c_int32_t), parameter :: vesica_outcome_miss = 0
+  integer(c_int32_t), parameter :: vesica_outcome_hit = 1
+  integer(c_int32_t), parameter :: vesica_outcome_ignored = 2
+  integer(c_int32_t), parameter :: vesica_precision_voc_2007 = 0
+  integer(c_int32_t), parameter :: vesica_precision_voc_2010 = 1
+  integer(c_int32_t), parameter :: vesica_precision_coco = 2
   integer(c_int32_t), parameter :: vesica_gaussian_bhattacharyya = 0
   integer(c_int32_t), parameter :: vesica_gaussian_hellinger = 1
   integer(c_int32_t), parameter :: vesica_gaussian_kullback_leibler = 2
@@ -1891,6 +1902,55 @@ module vesica_c
       integer(c_ptrdiff_t), value :: row_stride
     end function
 
+    !> How many bytes of scratch does matching by `count` pairs need?
+    integer(c_int64_t) function vesica_match_truths_scratch(count, detections, truths) bind(c)
+      import
+      integer(c_int64_t), value :: count
+      integer(c_int64_t), value :: detections
+      integer(c_int64_t), value :: truths
+    end function
+
+    !> Which detections hit a truth, at each of some thresholds?
+    integer(c_int32_t) function vesica_match_truths_f64(rule, a, b, values, count, scores, detections, flags, &
+      truths, thresholds, threshold_count, scratch, scratch_size, outcomes, taken) bind(c)
+      import
+      integer(c_int32_t), value :: rule
+      type(c_ptr), value :: a
+      type(c_ptr), value :: b
+      type(c_ptr), value :: values
+      integer(c_int64_t), value :: count
+      type(c_ptr), value :: scores
+      integer(c_int64_t), value :: detections
+      type(c_ptr), value :: flags
+      integer(c_int64_t), value :: truths
+      type(c_ptr), value :: thresholds
+      integer(c_int64_t), value :: threshold_count
+      type(c_ptr), value :: scratch
+      integer(c_int64_t), value :: scratch_size
+      type(c_ptr), value :: outcomes
+      type(c_ptr), value :: taken
+    end function
+
+    !> How many bytes of scratch does the average precision of `count` detections need?
+    integer(c_int64_t) function vesica_average_precision_scratch(count) bind(c)
+      import
+      integer(c_int64_t), value :: count
+    end function
+
+    !> Average precision (AP) of detections of one class.
+    integer(c_int32_t) function vesica_average_precision_f64(rule, scores, outcomes, count, truths, scratch, &
+      scratch_size, out) bind(c)
+      import
+      integer(c_int32_t), value :: rule
+      type(c_ptr), value :: scores
+      type(c_ptr), value :: outcomes
+      integer(c_int64_t), value :: count
+      integer(c_int64_t), value :: truths
+      type(c_ptr), value :: scratch
+      integer(c_int64_t), value :: scratch_size
+      type(c_ptr), value :: out
+    end function
+
     !> The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
     integer(c_int32_t) function vesica_gaussian_distance_f64(which, kind_a, a, kind_b, b, out) bind(c)
       import
@@ -1978,6 +2038,41 @@ module vesica_c
       type(c_ptr), value :: fused_scores
       type(c_ptr), value :: clusters
       type(c_ptr), value :: count
+    end function
+
+    !> Which detections hit a truth, at each of some thresholds?
+    integer(c_int32_t) function vesica_match_truths_f32(rule, a, b, values, count, scores, detections, flags, &
+      truths, thresholds, threshold_count, scratch, scratch_size, outcomes, taken) bind(c)
+      import
+      integer(c_int32_t), value :: rule
+      type(c_ptr), value :: a
+      type(c_ptr), value :: b
+      type(c_ptr), value :: values
+      integer(c_int64_t), value :: count
+      type(c_ptr), value :: scores
+      integer(c_int64_t), value :: detections
+      type(c_ptr), value :: flags
+      integer(c_int64_t), value :: truths
+      type(c_ptr), value :: thresholds
+      integer(c_int64_t), value :: threshold_count
+      type(c_ptr), value :: scratch
+      integer(c_int64_t), value :: scratch_size
+      type(c_ptr), value :: outcomes
+      type(c_ptr), value :: taken
+    end function
+
+    !> Average precision (AP) of detections of one class.
+    integer(c_int32_t) function vesica_average_precision_f32(rule, scores, outcomes, count, truths, scratch, &
+      scratch_size, out) bind(c)
+      import
+      integer(c_int32_t), value :: rule
+      type(c_ptr), value :: scores
+      type(c_ptr), value :: outcomes
+      integer(c_int64_t), value :: count
+      integer(c_int64_t), value :: truths
+      type(c_ptr), value :: scratch
+      integer(c_int64_t), value :: scratch_size
+      type(c_ptr), value :: out
     end function
 
     !> A ratio of shared volume: IoU and its relatives of two upright prisms.

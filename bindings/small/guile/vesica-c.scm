@@ -46,6 +46,17 @@
 (define-public VESICA_ANGLE_REVERSED 4)
 (define-public VESICA_FUSED_MEAN 0)
 (define-public VESICA_FUSED_MAX 1)
+(define-public VESICA_MATCH_VOC 0)
+(define-public VESICA_MATCH_COCO 1)
+(define-public VESICA_TRUTH_COUNTS 0)
+(define-public VESICA_TRUTH_CROWD 1)
+(define-public VESICA_TRUTH_IGNORED 2)
+(define-public VESICA_OUTCOME_MISS 0)
+(define-public VESICA_OUTCOME_HIT 1)
+(define-public VESICA_OUTCOME_IGNORED 2)
+(define-public VESICA_PRECISION_VOC_2007 0)
+(define-public VESICA_PRECISION_VOC_2010 1)
+(define-public VESICA_PRECISION_COCO 2)
 (define-public VESICA_GAUSSIAN_BHATTACHARYYA 0)
 (define-public VESICA_GAUSSIAN_HELLINGER 1)
 (define-public VESICA_GAUSSIAN_KULLBACK_LEIBLER 2)
@@ -433,6 +444,14 @@
 (c vesica_volume_ratio_many_f64 int64 int32 '* '* '* '* '*)
 ;; A ratio of shared volume of every a[i] and b[j], in out[i * row_stride + j].
 (c vesica_volume_ratio_matrix_f64 int64 int32 '* '* '* '* '* ptrdiff_t)
+;; How many bytes of scratch does matching by `count` pairs need?
+(c vesica_match_truths_scratch int64 int64 int64 int64)
+;; Which detections hit a truth, at each of some thresholds?
+(c vesica_match_truths_f64 int32 int32 '* '* '* int64 '* int64 '* int64 '* int64 '* int64 '* '*)
+;; How many bytes of scratch does the average precision of `count` detections need?
+(c vesica_average_precision_scratch int64 int64)
+;; Average precision (AP) of detections of one class.
+(c vesica_average_precision_f64 int32 int32 '* '* int64 int64 '* int64 '*)
 ;; The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
 (c vesica_gaussian_distance_f64 int32 int32 int32 '* int32 '* '*)
 ;; The distance of a[i] and b[i]: out[i] is the result of vesica_gaussian_distance_f64.
@@ -447,6 +466,10 @@
 (c vesica_assign_greedy_f32 int64 '* '* '* int64 int64 int64 '* int64 '*)
 ;; Weighted boxes fusion: boxes of one object, as several detectors or views find them, become their weighted mean.
 (c vesica_fuse_f32 int32 '* '* '* '* float int32 '* int64 '* '* '* '*)
+;; Which detections hit a truth, at each of some thresholds?
+(c vesica_match_truths_f32 int32 int32 '* '* '* int64 '* int64 '* int64 '* int64 '* int64 '* '*)
+;; Average precision (AP) of detections of one class.
+(c vesica_average_precision_f32 int32 int32 '* '* int64 int64 '* int64 '*)
 ;; A ratio of shared volume: IoU and its relatives of two upright prisms.
 (c vesica_volume_ratio_f32 int32 int32 int32 '* '* int32 '* '* '*)
 ;; A ratio of shared volume of the prisms a[i] from spans_a[i] and b[i] from spans_b[i].

@@ -50,6 +50,17 @@ const
   vesica_angle_reversed = 4;
   vesica_fused_mean = 0;
   vesica_fused_max = 1;
+  vesica_match_voc = 0;
+  vesica_match_coco = 1;
+  vesica_truth_counts = 0;
+  vesica_truth_crowd = 1;
+  vesica_truth_ignored = 2;
+  vesica_outcome_miss = 0;
+  vesica_outcome_hit = 1;
+  vesica_outcome_ignored = 2;
+  vesica_precision_voc_2007 = 0;
+  vesica_precision_voc_2010 = 1;
+  vesica_precision_coco = 2;
   vesica_gaussian_bhattacharyya = 0;
   vesica_gaussian_hellinger = 1;
   vesica_gaussian_kullback_leibler = 2;
@@ -904,6 +915,18 @@ function vesica_volume_ratio_many_f64(ratio: Int32; a: PVesicaShapesF64; spans_a
 function vesica_volume_ratio_matrix_f64(ratio: Int32; a: PVesicaShapesF64; spans_a: PVesicaSpanF64; b:
   PVesicaShapesF64; spans_b: PVesicaSpanF64; output: PDouble; row_stride: PtrInt): Int64; cdecl; external
   vesica_library;
+// How many bytes of scratch does matching by `count` pairs need?
+function vesica_match_truths_scratch(count: Int64; detections: Int64; truths: Int64): Int64; cdecl; external
+  vesica_library;
+// Which detections hit a truth, at each of some thresholds?
+function vesica_match_truths_f64(rule: Int32; a: PInt64; b: PInt64; values: PDouble; count: Int64; scores: PDouble;
+  detections: Int64; flags: PByte; truths: Int64; thresholds: PDouble; threshold_count: Int64; scratch: Pointer;
+  scratch_size: Int64; outcomes: PByte; taken: PInt64): Int32; cdecl; external vesica_library;
+// How many bytes of scratch does the average precision of `count` detections need?
+function vesica_average_precision_scratch(count: Int64): Int64; cdecl; external vesica_library;
+// Average precision (AP) of detections of one class.
+function vesica_average_precision_f64(rule: Int32; scores: PDouble; outcomes: PByte; count: Int64; truths: Int64;
+  scratch: Pointer; scratch_size: Int64; output: PDouble): Int32; cdecl; external vesica_library;
 // The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
 function vesica_gaussian_distance_f64(which: Int32; kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output:
   PDouble): Int32; cdecl; external vesica_library;
@@ -927,6 +950,13 @@ function vesica_assign_greedy_f32(a: PInt64; b: PInt64; values: PSingle; count: 
 function vesica_fuse_f32(shapes: PVesicaShapesF32; scores: PSingle; weights: PSingle; labels: PInt32; threshold:
   Single; fused_score: Int32; scratch: Pointer; scratch_size: Int64; fused: Pointer; fused_scores: PSingle;
   clusters: PInt64; count: PInt64): Int32; cdecl; external vesica_library;
+// Which detections hit a truth, at each of some thresholds?
+function vesica_match_truths_f32(rule: Int32; a: PInt64; b: PInt64; values: PSingle; count: Int64; scores: PSingle;
+  detections: Int64; flags: PByte; truths: Int64; thresholds: PSingle; threshold_count: Int64; scratch: Pointer;
+  scratch_size: Int64; outcomes: PByte; taken: PInt64): Int32; cdecl; external vesica_library;
+// Average precision (AP) of detections of one class.
+function vesica_average_precision_f32(rule: Int32; scores: PSingle; outcomes: PByte; count: Int64; truths: Int64;
+  scratch: Pointer; scratch_size: Int64; output: PSingle): Int32; cdecl; external vesica_library;
 // A ratio of shared volume: IoU and its relatives of two upright prisms.
 function vesica_volume_ratio_f32(ratio: Int32; kind_a: Int32; a: Pointer; span_a: PVesicaSpanF32; kind_b: Int32; b:
   Pointer; span_b: PVesicaSpanF32; output: PSingle): Int32; cdecl; external vesica_library;

@@ -49,6 +49,17 @@ our %CONSTANTS = (
     ANGLE_REVERSED => 4,
     FUSED_MEAN => 0,
     FUSED_MAX => 1,
+    MATCH_VOC => 0,
+    MATCH_COCO => 1,
+    TRUTH_COUNTS => 0,
+    TRUTH_CROWD => 1,
+    TRUTH_IGNORED => 2,
+    OUTCOME_MISS => 0,
+    OUTCOME_HIT => 1,
+    OUTCOME_IGNORED => 2,
+    PRECISION_VOC_2007 => 0,
+    PRECISION_VOC_2010 => 1,
+    PRECISION_COCO => 2,
     GAUSSIAN_BHATTACHARYYA => 0,
     GAUSSIAN_HELLINGER => 1,
     GAUSSIAN_KULLBACK_LEIBLER => 2,
@@ -439,6 +450,16 @@ our @FUNCTIONS = (
     # A ratio of shared volume of every a[i] and b[j], in out[i * row_stride + j].
     [vesica_volume_ratio_matrix_f64 => ['sint32', 'opaque', 'opaque', 'opaque', 'opaque', 'opaque',
         'sint64'] => 'sint64'],
+    # How many bytes of scratch does matching by `count` pairs need?
+    [vesica_match_truths_scratch => ['sint64', 'sint64', 'sint64'] => 'sint64'],
+    # Which detections hit a truth, at each of some thresholds?
+    [vesica_match_truths_f64 => ['sint32', 'opaque', 'opaque', 'opaque', 'sint64', 'opaque', 'sint64', 'opaque',
+        'sint64', 'opaque', 'sint64', 'opaque', 'sint64', 'opaque', 'opaque'] => 'sint32'],
+    # How many bytes of scratch does the average precision of `count` detections need?
+    [vesica_average_precision_scratch => ['sint64'] => 'sint64'],
+    # Average precision (AP) of detections of one class.
+    [vesica_average_precision_f64 => ['sint32', 'opaque', 'opaque', 'sint64', 'sint64', 'opaque', 'sint64',
+        'opaque'] => 'sint32'],
     # The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
     [vesica_gaussian_distance_f64 => ['sint32', 'sint32', 'double[]', 'sint32', 'double[]', 'opaque'] => 'sint32'],
     # The distance of a[i] and b[i]: out[i] is the result of vesica_gaussian_distance_f64.
@@ -457,6 +478,12 @@ our @FUNCTIONS = (
     # mean.
     [vesica_fuse_f32 => ['opaque', 'opaque', 'opaque', 'opaque', 'float', 'sint32', 'opaque', 'sint64', 'opaque',
         'opaque', 'opaque', 'opaque'] => 'sint32'],
+    # Which detections hit a truth, at each of some thresholds?
+    [vesica_match_truths_f32 => ['sint32', 'opaque', 'opaque', 'opaque', 'sint64', 'opaque', 'sint64', 'opaque',
+        'sint64', 'opaque', 'sint64', 'opaque', 'sint64', 'opaque', 'opaque'] => 'sint32'],
+    # Average precision (AP) of detections of one class.
+    [vesica_average_precision_f32 => ['sint32', 'opaque', 'opaque', 'sint64', 'sint64', 'opaque', 'sint64',
+        'opaque'] => 'sint32'],
     # A ratio of shared volume: IoU and its relatives of two upright prisms.
     [vesica_volume_ratio_f32 => ['sint32', 'sint32', 'float[]', 'opaque', 'sint32', 'float[]', 'opaque',
         'opaque'] => 'sint32'],

@@ -46,6 +46,17 @@ module Vesica
   ANGLE_REVERSED = 4
   FUSED_MEAN = 0
   FUSED_MAX = 1
+  MATCH_VOC = 0
+  MATCH_COCO = 1
+  TRUTH_COUNTS = 0
+  TRUTH_CROWD = 1
+  TRUTH_IGNORED = 2
+  OUTCOME_MISS = 0
+  OUTCOME_HIT = 1
+  OUTCOME_IGNORED = 2
+  PRECISION_VOC_2007 = 0
+  PRECISION_VOC_2010 = 1
+  PRECISION_COCO = 2
   GAUSSIAN_BHATTACHARYYA = 0
   GAUSSIAN_HELLINGER = 1
   GAUSSIAN_KULLBACK_LEIBLER = 2
@@ -427,6 +438,15 @@ module Vesica
     'int64_t vesica_volume_ratio_many_f64(int, void *, void *, void *, void *, void *)',
     # A ratio of shared volume of every a[i] and b[j], in out[i * row_stride + j].
     'int64_t vesica_volume_ratio_matrix_f64(int, void *, void *, void *, void *, void *, ptrdiff_t)',
+    # How many bytes of scratch does matching by `count` pairs need?
+    'int64_t vesica_match_truths_scratch(int64_t, int64_t, int64_t)',
+    # Which detections hit a truth, at each of some thresholds?
+    'int vesica_match_truths_f64(int, void *, void *, void *, int64_t, void *, int64_t, void *, int64_t, void *,
+        int64_t, void *, int64_t, void *, void *)',
+    # How many bytes of scratch does the average precision of `count` detections need?
+    'int64_t vesica_average_precision_scratch(int64_t)',
+    # Average precision (AP) of detections of one class.
+    'int vesica_average_precision_f64(int, void *, void *, int64_t, int64_t, void *, int64_t, void *)',
     # The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
     'int vesica_gaussian_distance_f64(int, int, void *, int, void *, void *)',
     # The distance of a[i] and b[i]: out[i] is the result of vesica_gaussian_distance_f64.
@@ -443,6 +463,11 @@ module Vesica
     # Weighted boxes fusion: boxes of one object, as several detectors or views find them, become their weighted
     # mean.
     'int vesica_fuse_f32(void *, void *, void *, void *, float, int, void *, int64_t, void *, void *, void *, void *)',
+    # Which detections hit a truth, at each of some thresholds?
+    'int vesica_match_truths_f32(int, void *, void *, void *, int64_t, void *, int64_t, void *, int64_t, void *,
+        int64_t, void *, int64_t, void *, void *)',
+    # Average precision (AP) of detections of one class.
+    'int vesica_average_precision_f32(int, void *, void *, int64_t, int64_t, void *, int64_t, void *)',
     # A ratio of shared volume: IoU and its relatives of two upright prisms.
     'int vesica_volume_ratio_f32(int, int, void *, void *, int, void *, void *, void *)',
     # A ratio of shared volume of the prisms a[i] from spans_a[i] and b[i] from spans_b[i].

@@ -79,6 +79,28 @@ pub const VESICA_ANGLE_REVERSED: i32 = 4;
 pub const VESICA_FUSED_MEAN: i32 = 0;
 /// its highest score
 pub const VESICA_FUSED_MAX: i32 = 1;
+/// the one of the highest value, taken or not: if it is taken, the detection is a miss
+pub const VESICA_MATCH_VOC: i32 = 0;
+/// the one of the highest value among those that are free
+pub const VESICA_MATCH_COCO: i32 = 1;
+/// it counts, and one detection may take it
+pub const VESICA_TRUTH_COUNTS: i32 = 0;
+/// it does not count, any number may take it: "difficult" (VOC), "iscrowd" (COCO)
+pub const VESICA_TRUTH_CROWD: i32 = 1;
+/// it does not count, and one may take it: COCO's truths outside a range of areas
+pub const VESICA_TRUTH_IGNORED: i32 = 2;
+/// it took no truth: a false positive
+pub const VESICA_OUTCOME_MISS: i32 = 0;
+/// it took one that counts: a true positive
+pub const VESICA_OUTCOME_HIT: i32 = 1;
+/// it took one that does not count, and is neither
+pub const VESICA_OUTCOME_IGNORED: i32 = 2;
+/// at 11 recalls, 0, 0.1 ... 1
+pub const VESICA_PRECISION_VOC_2007: i32 = 0;
+/// at every truth: the area under the curve, of VOC from 2010 on
+pub const VESICA_PRECISION_VOC_2010: i32 = 1;
+/// at 101 recalls, 0, 0.01 ... 1
+pub const VESICA_PRECISION_COCO: i32 = 2;
 /// Bhattacharyya's distance, from 0 to infinity
 pub const VESICA_GAUSSIAN_BHATTACHARYYA: i32 = 0;
 /// Hellinger's distance, from 0 to 1; ProbIoU is 1 - this
@@ -3311,6 +3333,84 @@ extern "C" {
     /// Since: 0.1.
     pub fn vesica_volume_ratio_matrix_f64(ratio: i32, a: *const Shapes<f64>, spans_a: *const Span<f64>,
         b: *const Shapes<f64>, spans_b: *const Span<f64>, out: *mut f64, row_stride: isize) -> i64;
+    /// How many bytes of scratch does matching by `count` pairs need?
+    ///
+    /// Returns: 32 bytes a pair, 36 a detection, 1 a truth, and 4.
+    ///
+    /// Errors: VESICA_E_ARGUMENT (a number is negative or above 2^31 - 1).
+    ///
+    /// Since: 0.1.
+    pub fn vesica_match_truths_scratch(count: i64, detections: i64, truths: i64) -> i64;
+    /// Which detections hit a truth, at each of some thresholds?
+    ///
+    /// Pair k is detection a\[k\] and truth b\[k\] with values\[k\], as vesica_join_ratio_f64 writes them at the lowest
+    /// threshold or below; detections and truths of many pictures are numbered through. A pair whose value is NaN is
+    /// none. COCO takes the shared area over the detection's (VESICA_RATIO_OVER_FIRST) for crowds in place of IoU. At
+    /// each threshold detections take truths in the order of their scores, the highest first, of equal ones by number:
+    ///
+    ///   - VESICA_MATCH_VOC: the truth with the highest value, of equal ones the first. If it counts and is taken, or
+    /// its     value is below the threshold, the detection is a miss.   - VESICA_MATCH_COCO: of the free truths with at
+    /// least the threshold, or 1 - 1e-10 if that is less, the one with the     highest value, of equal ones the last.
+    /// Those that do not count are asked only if there is none that does.
+    ///
+    /// outcomes\[t \* detections + i\] is VESICA_OUTCOME_... of detection i at threshold t, and taken\[...\] the truth
+    /// it takes, or -1. As COCO, leave out all but the 100 best detections of a picture beforehand; and as for its
+    /// ranges of areas, call a miss whose own area is out of the range VESICA_OUTCOME_IGNORED afterwards.
+    ///
+    /// Requires: rule, VESICA_MATCH_VOC or _COCO; 0 \<= a\[k\] \< detections and 0 \<= b\[k\] \< truths; scores, one
+    /// for each detection; flags, VESICA_TRUTH_... of each truth, or NULL if all count; scratch of at least
+    /// vesica_match_truths_scratch(count, detections, truths) bytes, aligned to 8; outcomes, and taken if it is not
+    /// NULL, with room for detections times threshold_count numbers. Pointers to nothing may be NULL.
+    ///
+    /// Returns: 0.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (an unknown rule or flag, an item or a size out of range, a score or a
+    /// threshold that is NaN, a scratch that is not aligned). Nothing is written.
+    ///
+    /// Accuracy: exact.
+    ///
+    /// Cost: a sort; then for each threshold a walk over all pairs.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_match_truths_f64(rule: i32, a: *const i64, b: *const i64, values: *const f64, count: i64,
+        scores: *const f64, detections: i64, flags: *const u8, truths: i64, thresholds: *const f64,
+        threshold_count: i64, scratch: *mut c_void, scratch_size: i64, outcomes: *mut u8, taken: *mut i64) -> i32;
+    /// How many bytes of scratch does the average precision of `count` detections need?
+    ///
+    /// Returns: 32 bytes a detection.
+    ///
+    /// Errors: VESICA_E_ARGUMENT (count is negative or above 2^31 - 1).
+    ///
+    /// Since: 0.1.
+    pub fn vesica_average_precision_scratch(count: i64) -> i64;
+    /// Average precision (AP) of detections of one class.
+    ///
+    /// With the detections in the order of their scores, the highest first, of equal ones by number, and without those
+    /// that are ignored: after each, precision is hits / detections so far, and recall hits so far / truths. The best
+    /// precision at a recall is the highest one after any detection whose recall is at least that, or 0 if there is
+    /// none. AP is the mean of the best precision at the recalls of `rule`. Recalls are compared in double, as the
+    /// programs of the challenges do: 0.1 i and 0.01 i are rounded, and so are hits / truths. COCO's mean AP is the
+    /// mean over its thresholds, 0.50, 0.55 ... 0.95, and classes.
+    ///
+    /// Requires: rule, one of VESICA_PRECISION_VOC_2007 to _COCO; scores and outcomes (VESICA_OUTCOME_...), one for
+    /// each detection; truths, how many of them count; scratch of at least vesica_average_precision_scratch(count)
+    /// bytes, aligned to 8.
+    ///
+    /// Returns: 0; \*out is from 0 to 1, or NaN without truths.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (an unknown rule or outcome, a score that is NaN, more hits than
+    /// truths, a size out of range, a scratch that is not aligned).
+    ///
+    /// Accuracy: u times the number of hits plus 2, for VESICA_PRECISION_COCO 103 u at most. COCO's own program has up
+    /// to 2 u less, since it adds 2 u to each divisor. In bounds on errors u is 2^-53, half a unit in the last place of
+    /// 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths;
+    /// "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
+    ///
+    /// Cost: a sort.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_average_precision_f64(rule: i32, scores: *const f64, outcomes: *const u8, count: i64, truths: i64,
+        scratch: *mut c_void, scratch_size: i64, out: *mut f64) -> i32;
     /// The distance of two circles, boxes, rectangles or ellipses as Gaussian distributions.
     ///
     /// A shape's Gaussian has the mean m and the covariance S of its points: the variance along a side of a rectangle
@@ -3463,6 +3563,69 @@ extern "C" {
     pub fn vesica_fuse_f32(shapes: *const Shapes<f32>, scores: *const f32, weights: *const f32, labels: *const i32,
         threshold: f32, fused_score: i32, scratch: *mut c_void, scratch_size: i64, fused: *mut c_void,
         fused_scores: *mut f32, clusters: *mut i64, count: *mut i64) -> i32;
+    /// Which detections hit a truth, at each of some thresholds?
+    ///
+    /// Pair k is detection a\[k\] and truth b\[k\] with values\[k\], as vesica_join_ratio_f32 writes them at the lowest
+    /// threshold or below; detections and truths of many pictures are numbered through. A pair whose value is NaN is
+    /// none. COCO takes the shared area over the detection's (VESICA_RATIO_OVER_FIRST) for crowds in place of IoU. At
+    /// each threshold detections take truths in the order of their scores, the highest first, of equal ones by number:
+    ///
+    ///   - VESICA_MATCH_VOC: the truth with the highest value, of equal ones the first. If it counts and is taken, or
+    /// its     value is below the threshold, the detection is a miss.   - VESICA_MATCH_COCO: of the free truths with at
+    /// least the threshold, or 1 - 1e-10 if that is less, the one with the     highest value, of equal ones the last.
+    /// Those that do not count are asked only if there is none that does.
+    ///
+    /// outcomes\[t \* detections + i\] is VESICA_OUTCOME_... of detection i at threshold t, and taken\[...\] the truth
+    /// it takes, or -1. As COCO, leave out all but the 100 best detections of a picture beforehand; and as for its
+    /// ranges of areas, call a miss whose own area is out of the range VESICA_OUTCOME_IGNORED afterwards.
+    ///
+    /// Requires: rule, VESICA_MATCH_VOC or _COCO; 0 \<= a\[k\] \< detections and 0 \<= b\[k\] \< truths; scores, one
+    /// for each detection; flags, VESICA_TRUTH_... of each truth, or NULL if all count; scratch of at least
+    /// vesica_match_truths_scratch(count, detections, truths) bytes, aligned to 8; outcomes, and taken if it is not
+    /// NULL, with room for detections times threshold_count numbers. Pointers to nothing may be NULL.
+    ///
+    /// Returns: 0.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (an unknown rule or flag, an item or a size out of range, a score or a
+    /// threshold that is NaN, a scratch that is not aligned). Nothing is written.
+    ///
+    /// Accuracy: exact.
+    ///
+    /// Cost: a sort; then for each threshold a walk over all pairs.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_match_truths_f32(rule: i32, a: *const i64, b: *const i64, values: *const f32, count: i64,
+        scores: *const f32, detections: i64, flags: *const u8, truths: i64, thresholds: *const f32,
+        threshold_count: i64, scratch: *mut c_void, scratch_size: i64, outcomes: *mut u8, taken: *mut i64) -> i32;
+    /// Average precision (AP) of detections of one class.
+    ///
+    /// With the detections in the order of their scores, the highest first, of equal ones by number, and without those
+    /// that are ignored: after each, precision is hits / detections so far, and recall hits so far / truths. The best
+    /// precision at a recall is the highest one after any detection whose recall is at least that, or 0 if there is
+    /// none. AP is the mean of the best precision at the recalls of `rule`. Recalls are compared in double, as the
+    /// programs of the challenges do: 0.1 i and 0.01 i are rounded, and so are hits / truths. COCO's mean AP is the
+    /// mean over its thresholds, 0.50, 0.55 ... 0.95, and classes.
+    ///
+    /// Requires: rule, one of VESICA_PRECISION_VOC_2007 to _COCO; scores and outcomes (VESICA_OUTCOME_...), one for
+    /// each detection; truths, how many of them count; scratch of at least vesica_average_precision_scratch(count)
+    /// bytes, aligned to 8.
+    ///
+    /// Returns: 0; \*out is from 0 to 1, or NaN without truths.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (an unknown rule or outcome, a score that is NaN, more hits than
+    /// truths, a size out of range, a scratch that is not aligned).
+    ///
+    /// Accuracy: u times the number of hits plus 2, for VESICA_PRECISION_COCO 103 u at most. COCO's own program has up
+    /// to 2 u less, since it adds 2 u to each divisor. Each number is computed in double, within these bounds, and then
+    /// rounded to float once. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two
+    /// shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
+    /// means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
+    ///
+    /// Cost: a sort.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_average_precision_f32(rule: i32, scores: *const f32, outcomes: *const u8, count: i64, truths: i64,
+        scratch: *mut c_void, scratch_size: i64, out: *mut f32) -> i32;
     /// A ratio of shared volume: IoU and its relatives of two upright prisms.
     ///
     /// A prism is what lies above a shape, its base, from span's low to its high. The shared volume is the shared area
@@ -5503,6 +5666,11 @@ pub unsafe trait Scalar: Copy + Default + PartialEq + PartialOrd + core::fmt::De
         spans_b: *const Span<Self>, out: *mut Self) -> i64;
     unsafe fn volume_ratio_matrix(ratio: i32, a: *const Shapes<Self>, spans_a: *const Span<Self>,
         b: *const Shapes<Self>, spans_b: *const Span<Self>, out: *mut Self, row_stride: isize) -> i64;
+    unsafe fn match_truths(rule: i32, a: *const i64, b: *const i64, values: *const Self, count: i64,
+        scores: *const Self, detections: i64, flags: *const u8, truths: i64, thresholds: *const Self,
+        threshold_count: i64, scratch: *mut c_void, scratch_size: i64, outcomes: *mut u8, taken: *mut i64) -> i32;
+    unsafe fn average_precision(rule: i32, scores: *const Self, outcomes: *const u8, count: i64, truths: i64,
+        scratch: *mut c_void, scratch_size: i64, out: *mut Self) -> i32;
     unsafe fn gaussian_distance(which: i32, kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
         out: *mut Self) -> i32;
     unsafe fn gaussian_distance_many(which: i32, a: *const Shapes<Self>, b: *const Shapes<Self>, out: *mut Self) -> i64;
@@ -5955,6 +6123,18 @@ unsafe impl Scalar for f64 {
     unsafe fn volume_ratio_matrix(ratio: i32, a: *const Shapes<f64>, spans_a: *const Span<f64>, b: *const Shapes<f64>,
         spans_b: *const Span<f64>, out: *mut f64, row_stride: isize) -> i64 {
         vesica_volume_ratio_matrix_f64(ratio, a, spans_a, b, spans_b, out, row_stride)
+    }
+    #[inline]
+    unsafe fn match_truths(rule: i32, a: *const i64, b: *const i64, values: *const f64, count: i64, scores: *const f64,
+        detections: i64, flags: *const u8, truths: i64, thresholds: *const f64, threshold_count: i64,
+        scratch: *mut c_void, scratch_size: i64, outcomes: *mut u8, taken: *mut i64) -> i32 {
+        vesica_match_truths_f64(rule, a, b, values, count, scores, detections, flags, truths, thresholds,
+            threshold_count, scratch, scratch_size, outcomes, taken)
+    }
+    #[inline]
+    unsafe fn average_precision(rule: i32, scores: *const f64, outcomes: *const u8, count: i64, truths: i64,
+        scratch: *mut c_void, scratch_size: i64, out: *mut f64) -> i32 {
+        vesica_average_precision_f64(rule, scores, outcomes, count, truths, scratch, scratch_size, out)
     }
     #[inline]
     unsafe fn gaussian_distance(which: i32, kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
@@ -6554,6 +6734,18 @@ unsafe impl Scalar for f32 {
     unsafe fn volume_ratio_matrix(ratio: i32, a: *const Shapes<f32>, spans_a: *const Span<f32>, b: *const Shapes<f32>,
         spans_b: *const Span<f32>, out: *mut f32, row_stride: isize) -> i64 {
         vesica_volume_ratio_matrix_f32(ratio, a, spans_a, b, spans_b, out, row_stride)
+    }
+    #[inline]
+    unsafe fn match_truths(rule: i32, a: *const i64, b: *const i64, values: *const f32, count: i64, scores: *const f32,
+        detections: i64, flags: *const u8, truths: i64, thresholds: *const f32, threshold_count: i64,
+        scratch: *mut c_void, scratch_size: i64, outcomes: *mut u8, taken: *mut i64) -> i32 {
+        vesica_match_truths_f32(rule, a, b, values, count, scores, detections, flags, truths, thresholds,
+            threshold_count, scratch, scratch_size, outcomes, taken)
+    }
+    #[inline]
+    unsafe fn average_precision(rule: i32, scores: *const f32, outcomes: *const u8, count: i64, truths: i64,
+        scratch: *mut c_void, scratch_size: i64, out: *mut f32) -> i32 {
+        vesica_average_precision_f32(rule, scores, outcomes, count, truths, scratch, scratch_size, out)
     }
     #[inline]
     unsafe fn gaussian_distance(which: i32, kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
