@@ -39,7 +39,7 @@ def drawn(kind, count, dtype, wrong=()):
 
 class Threads(unittest.TestCase):
     def setUp(self):
-        patch = mock.patch.object(_threads, "LEAST", 1000)
+        patch = mock.patch.object(_threads, "LEAST", 500)
         patch.start()
         self.addCleanup(patch.stop)
 
@@ -147,6 +147,28 @@ class Threads(unittest.TestCase):
         self.same(lambda threads: vesica.cast(a, b[0], (1, 0), threads=threads))
         velocities[[7, 4999]] = math.inf
         self.same(lambda threads: vesica.cast(a, b, velocities, 3, threads=threads), fails=True)
+
+    def test_suppression(self):
+        draw, n = numpy.random.default_rng(9), 701
+        patch = mock.patch.object(vesica.queries, "_BOXES_A_GROUP", 100)
+        patch.start()
+        self.addCleanup(patch.stop)
+        for wrong in ((), (3, 690)):
+            for dtype in ("f8", "f4"):
+                boxes = drawn(Kind.RECT, n, dtype, wrong)
+                scores = draw.integers(0, 40, n) / 64  # many are equal
+                for labels in (draw.integers(0, 97, n), draw.integers(0, 3, n) << 20, -draw.integers(1, 9, n)):
+                    for how in ({}, {"most": 50}, {"threshold": 0.9}, {"least_score": 0.1 + 1e-13}):
+                        call = lambda threads: vesica.nms(boxes, scores, labels=labels, threads=threads, **how)
+                        self.same(call, dtype, how, fails=bool(wrong))
+                        grouped = outcome(call, 1)
+                        with mock.patch.object(vesica.queries, "_BOXES_A_GROUP", n):
+                            self.assertEqual(outcome(call, 1), grouped, (dtype, how))
+            if not wrong:
+                quads = vesica.polygons(vesica.corners(boxes))
+                self.same(lambda threads: vesica.nms(quads, scores, labels=labels, threads=threads))
+        scores[[7, 644]] = math.nan
+        self.same(lambda threads: vesica.nms(boxes, scores, labels=labels, threads=threads), fails=True)
 
     def test_indexes(self):
         for dtype in ("f8", "f4"):

@@ -11,9 +11,10 @@ import numpy
 
 from . import _declarations
 from ._library import VesicaError, by_scalar, checked, first_rows, library, one_of, real, whole
-from ._threads import count_of, cut, divided, in_order, ranges, worst
+from ._threads import count_of, cut, divided, in_order, parts_of, ranges, worst
 from .shapes import (
     BOUNDS,
+    FIELDS,
     Kind,
     all_points,
     exactly,
@@ -519,34 +520,70 @@ def numbers_of(shape, functions, numbers, threads):
     return finish(divided(functions[shape.letter], [shape.view], outputs, len(out), threads), result, shape=shape)
 
 
-def nms(boxes, scores, threshold=0.5, *, labels=None, ratio=Ratio.OVER_UNION, least_score=None, most=None):
+def nms(boxes, scores, threshold=0.5, *, labels=None, ratio=Ratio.OVER_UNION, least_score=None, most=None,
+        threads=None):
     """Greedy suppression: the indices of the boxes kept, best score first.
 
     Each box kept has a ratio of at most `threshold` with every better one that was kept, and has the same label. boxes:
     circles, aabbs, rects or ellipses; scores: a number each, which are compared as they are; labels: a whole number
     each; ratio: any but OVER_FIRST and OVER_SECOND; least_score, compared as it is: boxes below it are left out; most:
-    how many are kept at most. The threshold is first rounded to the boxes' type.
+    how many are kept at most. The threshold is first rounded to the boxes' type. Threads share the labels.
     """
     scores, labels, ratio = scores_of(scores, boxes), labels_of(labels, boxes), _symmetric(ratio)
     threshold = real(threshold, "threshold", boxes.dtype, 0, 1)
-    scores, least_score = _in_order(scores, boxes.dtype, least_score)
+    ranks, least_score = _in_order(scores, boxes.dtype, least_score)
     room = _room(most, boxes)
-    keep, kept = numpy.empty(room, numpy.int64), ctypes.c_int64()
-    scratch = numpy.empty(checked(library.vesica_nms_scratch(len(boxes))), numpy.uint8)
-    code = _SUPPRESS[boxes.letter](
-        ctypes.byref(boxes.view),
-        scores.ctypes.data,
-        None if labels is None else labels.ctypes.data,
-        ratio,
-        threshold,
-        least_score,
-        room,
-        scratch.ctypes.data,
-        len(scratch),
-        keep.ctypes.data,
-        ctypes.byref(kept),
-    )
-    return finish(code, first_rows(keep, kept.value), scores=scores, boxes=boxes)
+
+    def kept_of(boxes, ranks, labels):
+        keep, kept = numpy.empty(min(room, len(boxes)), numpy.int64), ctypes.c_int64()
+        scratch = numpy.empty(checked(library.vesica_nms_scratch(len(boxes))), numpy.uint8)
+        code = _SUPPRESS[boxes.letter](
+            *(ctypes.byref(boxes.view), ranks.ctypes.data, None if labels is None else labels.ctypes.data, ratio),
+            *(threshold, least_score, len(keep), scratch.ctypes.data, len(scratch)),
+            *(keep.ctypes.data, ctypes.byref(kept)),
+        )
+        return code, first_rows(keep, kept.value)
+
+    groups = [] if labels is None else _groups(labels)
+    if len(groups) < 2:
+        code, keep = kept_of(boxes, ranks, labels)
+        return finish(code, keep, scores=ranks, boxes=boxes)
+    rows = boxes.structs() if boxes.kind in FIELDS else None  # of one box side by side, as the library reads them
+
+    def of_group(which):
+        some = boxes[which] if rows is None else shapes(boxes.kind, rows[which])
+        code, keep = kept_of(some, ranks[which], labels[which])
+        return code, which[keep]
+
+    codes, kept = zip(*in_order(of_group, groups, count_of(threads, len(boxes))))
+    kept = numpy.concatenate(kept)
+    falling = -ranks[kept]
+    order = numpy.argsort(falling, kind="stable")  # merges groups, which are in order
+    if (numpy.diff(falling[order]) == 0).any():
+        order = numpy.lexsort((kept, falling))  # of equal scores the lower index comes first, as in the library
+    kept = kept[order]
+    return finish(worst(codes), first_rows(kept, min(room, len(kept))), scores=ranks, boxes=boxes)
+
+
+_BOXES_A_GROUP = 1024
+
+
+def _groups(labels):
+    """Where the labels of each group are, ascending; no two groups have a label in common.
+
+    The library looks at the labels of boxes that overlap, which are nearly all where labels are pictures. Groups of few
+    labels spare that.
+    """
+    groups = min(len(labels) // _BOXES_A_GROUP, 1 << 16)
+    if groups < 2:
+        return []
+    mixed = labels.astype(numpy.uint32)
+    for shift, factor in ((16, 0x85EBCA6B), (13, 0xC2B2AE35), (16, 1)):  # the end of MurmurHash3
+        mixed ^= mixed >> numpy.uint32(shift)
+        mixed *= numpy.uint32(factor)
+    group = (mixed % numpy.uint32(groups)).astype(numpy.uint16)
+    ends = numpy.cumsum(numpy.bincount(group, minlength=groups))
+    return [which for which in numpy.split(numpy.argsort(group, kind="stable"), ends[:-1]) if len(which)]
 
 
 def nms_soft(boxes, scores, parameter=0.5, *, decay="linear", labels=None, ratio=Ratio.OVER_UNION, least_score=0.0,
