@@ -67,6 +67,7 @@ struct Face<double> {
   using Penetration = vesica_penetration_f64;
   using Impact = vesica_impact_f64;
   using Turn = vesica_turn_f64;
+  using Span = vesica_span_f64;
   using Crossings = capi_tests::Crossings<double>;
   using Point = vesica_point_f64;
   using Aabb = vesica_aabb_f64;
@@ -115,6 +116,10 @@ struct Face<double> {
   static constexpr auto ratio = vesica_ratio_f64;
   static constexpr auto ratio_many = vesica_ratio_many_f64;
   static constexpr auto ratio_matrix = vesica_ratio_matrix_f64;
+  static constexpr auto gaussian_distance_many = vesica_gaussian_distance_many_f64;
+  static constexpr auto gaussian_distance_matrix = vesica_gaussian_distance_matrix_f64;
+  static constexpr auto volume_ratio_many = vesica_volume_ratio_many_f64;
+  static constexpr auto volume_ratio_matrix = vesica_volume_ratio_matrix_f64;
   static constexpr auto nearest_matrix = vesica_nearest_matrix_f64;
   static constexpr auto boundary_distance_matrix = vesica_boundary_distance_matrix_f64;
   static constexpr auto depth_matrix = vesica_depth_matrix_f64;
@@ -153,6 +158,7 @@ struct Face<float> {
   using Penetration = vesica_penetration_f32;
   using Impact = vesica_impact_f32;
   using Turn = vesica_turn_f32;
+  using Span = vesica_span_f32;
   using Crossings = capi_tests::Crossings<float>;
   using Point = vesica_point_f32;
   using Aabb = vesica_aabb_f32;
@@ -201,6 +207,10 @@ struct Face<float> {
   static constexpr auto ratio = vesica_ratio_f32;
   static constexpr auto ratio_many = vesica_ratio_many_f32;
   static constexpr auto ratio_matrix = vesica_ratio_matrix_f32;
+  static constexpr auto gaussian_distance_many = vesica_gaussian_distance_many_f32;
+  static constexpr auto gaussian_distance_matrix = vesica_gaussian_distance_matrix_f32;
+  static constexpr auto volume_ratio_many = vesica_volume_ratio_many_f32;
+  static constexpr auto volume_ratio_matrix = vesica_volume_ratio_matrix_f32;
   static constexpr auto nearest_matrix = vesica_nearest_matrix_f32;
   static constexpr auto boundary_distance_matrix = vesica_boundary_distance_matrix_f32;
   static constexpr auto depth_matrix = vesica_depth_matrix_f32;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cfenv>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -138,6 +139,22 @@ TEST(VolumeRatio, KnownAnswers) {
   const Box endless{{0, 0, 1, 1}, {-1.7e308, 1.7e308}}, upper{{0, 0, 1, 1}, {0, 1.7e308}};
   EXPECT_EQ(ratio_of(VESICA_RATIO_OVER_UNION, endless, upper), 0.5);
   EXPECT_EQ(ratio_of(VESICA_RATIO_OVER_FIRST, cube, endless), 1);
+}
+
+TEST(VolumeRatio, SameBitsInEveryRoundingMode) {
+  Random random(properties::seed());
+  for (int i = 0; i < 200; ++i) {
+    const Box a = any_box(random, 1), b = any_box(random, 1);
+    for (const std::int32_t ratio : ratios) {
+      const double expected = ratio_of(ratio, a, b);
+      for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+        std::fesetround(mode);
+        const double got = ratio_of(ratio, a, b);
+        std::fesetround(FE_TONEAREST);
+        EXPECT_EQ(got, expected);
+      }
+    }
+  }
 }
 
 /// A volume of 0 shares nothing, and cannot be divided by.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cfenv>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -286,6 +287,22 @@ TEST(GaussianDistance, EndsOfTheRange) {
   EXPECT_EQ(all(1), all(0x1p-1060));
   EXPECT_EQ(all(1), all(0x1p1000));
   EXPECT_EQ(all(1), all(0x1p1021));
+}
+
+TEST(GaussianDistance, SameBitsInEveryRoundingMode) {
+  Random random(properties::seed());
+  for (int i = 0; i < 50; ++i) {
+    const Shape a = any(VESICA_RECT, random), b = any(VESICA_ELLIPSE, random);
+    for (std::int32_t which = 0; which < 4; ++which) {
+      const double expected = distance(which, a, b);
+      for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+        std::fesetround(mode);
+        const double got = distance(which, a, b);
+        std::fesetround(FE_TONEAREST);
+        EXPECT_EQ(got, expected);
+      }
+    }
+  }
 }
 
 TEST(GaussianDistance, FloatIsDoubleRounded) {

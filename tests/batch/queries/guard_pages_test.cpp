@@ -137,6 +137,13 @@ class GuardPagesOfArrays : public testing::Test {
     fill<T, 1>("area", n, edge, [&](auto out) { return F::area_many(&a, &b, out[0]); });
     fill<T, 1>("iou", n, edge, [&](auto out) { return F::iou_many(&a, &b, out[0]); });
     fill<T, 1>("ratio", n, edge, [&](auto out) { return F::ratio_many(ratios[n % 3], &a, &b, out[0]); });
+    fill<T, 1>("gaussian_distance", n, edge,
+               [&](auto out) { return F::gaussian_distance_many(static_cast<int>(n % 4), &a, &b, out[0]); });
+    fill<T, 1>("volume_ratio", n, edge, [&](auto out) {
+      Rooms rooms(edge);
+      const auto* const spans = rooms.template room<typename F::Span>(n);
+      return F::volume_ratio_many(static_cast<int>(n % 4), &a, spans, &b, spans, out[0]);
+    });
   }
 
   /// A call that fills a matrix and leaves two elements between its rows.
@@ -172,6 +179,15 @@ class GuardPagesOfArrays : public testing::Test {
     const std::int32_t ratio = ratios[(rows + columns) % 3];
     fill_matrix<T>("ratio", rows, columns, edge,
                    [&](T* out, std::ptrdiff_t step) { return F::ratio_matrix(ratio, &a, &b, out, step); });
+    const auto which = static_cast<std::int32_t>((rows + columns) % 4);
+    fill_matrix<T>("gaussian_distance", rows, columns, edge,
+                   [&](T* out, std::ptrdiff_t step) { return F::gaussian_distance_matrix(which, &a, &b, out, step); });
+    fill_matrix<T>("volume_ratio", rows, columns, edge, [&](T* out, std::ptrdiff_t step) {
+      Rooms spans(edge);
+      const auto* const first = spans.template room<typename F::Span>(rows);
+      const auto* const second = spans.template room<typename F::Span>(columns);
+      return F::volume_ratio_matrix(which, &a, first, &b, second, out, step);
+    });
   }
 };
 
