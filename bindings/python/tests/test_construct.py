@@ -66,7 +66,7 @@ class Complete(unittest.TestCase):
     def test_that_every_c_function_has_a_form(self):
         folder = pathlib.Path(vesica.__file__).parent
         sources = "\n".join(path.read_text() for path in folder.glob("*.py") if path.name != "_declarations.py")
-        queries = set(re.findall(r'_(?:Query|Matrix)\("(\w+)"', sources))
+        queries = set(re.findall(r'(?:_Query\(|_Matrix\(|by_scalar\(f)"(\w+)', sources))
         declared = re.findall(r'^    "vesica_(\w+)": \(', (folder / "_declarations.py").read_text(), re.MULTILINE)
         names = {re.sub("_f(64|32)$", "", name) for name in declared}
         self.assertGreater(len(names), 100)

@@ -149,8 +149,8 @@ class Threads(unittest.TestCase):
         self.same(lambda threads: vesica.cast(a, b, velocities, 3, threads=threads), fails=True)
 
     def test_suppression(self):
-        draw, n = numpy.random.default_rng(9), 701
-        patch = mock.patch.object(vesica.queries, "_BOXES_A_GROUP", 100)
+        draw, n = numpy.random.default_rng(9), 1033
+        patch = mock.patch.object(vesica.queries, "_BOXES_A_GROUP", 150)
         patch.start()
         self.addCleanup(patch.stop)
         for wrong in ((), (3, 690)):
