@@ -9,6 +9,7 @@
 #   ./run bench cast         rays and casts, beside textbook rays and Box2D; rays through an index, casts of arrays
 #   ./run bench cuda         overlap of arrays on a CUDA device: [--pairs N] [PART]...; exit status 2 without nvcc, 3
 #                            without a device
+#   ./run bench detection    pairs by IoU and fusion of boxes, beside plain loops and the full matrix
 #   ./run bench engines [N]  the join of N shapes a side (1e5) by each engine of docs/engines.md
 #   ./run bench hosts        calls from the packages of other languages, beside C: [host]...
 #   ./run bench join         index and join of a million shapes a side, beside Boost.Geometry and GEOS: [n] [repeats]
@@ -87,9 +88,9 @@ case ${1:-} in
     build bench
     case ${1:-} in
       "")
-        for name in scalar start batch boxes cast join methods nearest polygon relation topology; do bench_of $name; done
+        for name in scalar start batch boxes cast detection join methods nearest polygon relation topology; do bench_of $name; done
         ;;
-      batch | boxes | cast | join | methods | nearest | polygon | relation | start | topology) bench_of "$@" ;;
+      batch | boxes | cast | detection | join | methods | nearest | polygon | relation | start | topology) bench_of "$@" ;;
       *) bench_of scalar "$@" ;;
     esac
     ;;
