@@ -7,6 +7,7 @@
 #include "polygon/depth.cpp"
 #include "polygon/distances.cpp"
 #include "polygon/intersection.cpp"
+#include "polygon/manifold.cpp"
 #include "polygon/overlap.cpp"
 #include "polygon/relation.cpp"
 #include "polygon/within.cpp"

@@ -384,6 +384,27 @@ type Turn[T Float] struct {
 	Angle T
 }
 
+// Contacts: The contacts of two overlapping convex shapes: their count, 0 to 2, and one unit normal (nx, ny) from a to
+// b.
+//
+// Contact 0 is at (x0, y0) with depth0, and numbers a0 of shape a and b0 of shape b name it; likewise contact 1. All
+// numbers of a contact that is missing are 0, and so is the normal if there is none.
+type Contacts[T Float] struct {
+	NX     T
+	NY     T
+	X0     T
+	Y0     T
+	Depth0 T
+	X1     T
+	Y1     T
+	Depth1 T
+	A0     int64
+	B0     int64
+	A1     int64
+	B1     int64
+	Count  int64
+}
+
 func cOverlap(wide bool, kindA C.int32_t, a C.vesica_go_shape, kindB C.int32_t, b C.vesica_go_shape) C.int32_t {
 	if wide {
 		return C.go_overlap_f64(kindA, a, kindB, b)
@@ -1173,6 +1194,21 @@ func cIndexImpactTime(wide bool, index *C.char, sets C.vesica_go_sets, setCount 
 		return C.go_index_impact_time_f64(index, sets, setCount, one, turn, C.double(tolerance), out, gap, answer)
 	}
 	return C.go_index_impact_time_f32(index, sets, setCount, one, turn, C.float(tolerance), out, gap, answer)
+}
+
+func cManifold(wide bool, kindA C.int32_t, a C.vesica_go_shape, kindB C.int32_t, b C.vesica_go_shape,
+	out *C.char) C.int32_t {
+	if wide {
+		return C.go_manifold_f64(kindA, a, kindB, b, out)
+	}
+	return C.go_manifold_f32(kindA, a, kindB, b, out)
+}
+
+func cManifoldMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, out *C.char) C.int64_t {
+	if wide {
+		return C.go_manifold_many_f64(a, b, out)
+	}
+	return C.go_manifold_many_f32(a, b, out)
 }
 
 func cCastPointPoint(wide bool, a *C.char, b *C.char, vx float64, vy float64, tEnd float64, out *C.char) C.int32_t {

@@ -1492,6 +1492,34 @@ static inline int64_t go_index_impact_time_f32(const char *index, vesica_go_sets
         (void *)out, (void *)gap, (void *)answer);
 }
 
+static inline int32_t go_manifold_f64(int32_t kind_a, vesica_go_shape a, int32_t kind_b, vesica_go_shape b, char *out) {
+    vesica_go_f64 of_a = go_read_f64(kind_a, &a);
+    vesica_go_f64 of_b = go_read_f64(kind_b, &b);
+    return vesica_manifold_f64(kind_a, &of_a, kind_b, &of_b, (void *)out);
+}
+
+static inline int32_t go_manifold_f32(int32_t kind_a, vesica_go_shape a, int32_t kind_b, vesica_go_shape b, char *out) {
+    vesica_go_f32 of_a = go_read_f32(kind_a, &a);
+    vesica_go_f32 of_b = go_read_f32(kind_b, &b);
+    return vesica_manifold_f32(kind_a, &of_a, kind_b, &of_b, (void *)out);
+}
+
+static inline int64_t go_manifold_many_f64(vesica_go_view a, vesica_go_view b, char *out) {
+    vesica_shapes_f64 of_a;
+    memcpy(&of_a, &a, sizeof of_a);
+    vesica_shapes_f64 of_b;
+    memcpy(&of_b, &b, sizeof of_b);
+    return vesica_manifold_many_f64(&of_a, &of_b, (void *)out);
+}
+
+static inline int64_t go_manifold_many_f32(vesica_go_view a, vesica_go_view b, char *out) {
+    vesica_shapes_f32 of_a;
+    memcpy(&of_a, &a, sizeof of_a);
+    vesica_shapes_f32 of_b;
+    memcpy(&of_b, &b, sizeof of_b);
+    return vesica_manifold_many_f32(&of_a, &of_b, (void *)out);
+}
+
 static inline int32_t go_cast_point_point_f64(const char *a, const char *b, double vx, double vy, double t_end,
     char *out) {
     return vesica_cast_point_point_f64((const void *)a, (const void *)b, vx, vy, t_end, (void *)out);

@@ -78,6 +78,7 @@
     VESICA_QUERY_(vesica_impact_time, VESICA_SIZE_(a) & VESICA_SIZE_(b) & VESICA_SIZE_(turn_a) & VESICA_SIZE_(turn_b) \
         & VESICA_SIZE_(out) & VESICA_SIZE_(gap)) \
     (VESICA_SHAPE_(a), turn_a, VESICA_SHAPE_(b), turn_b, tolerance, out, gap)
+#define vesica_manifold(a, b, out) VESICA_TWO_OUT_(vesica_manifold, a, b, out)
 #define vesica_sweep_bounds(shape, vx, vy, t_end, out) \
     VESICA_QUERY_(vesica_sweep_bounds, VESICA_SIZE_(shape) & VESICA_SIZE_(out)) \
     (VESICA_SHAPE_(shape), vx, vy, t_end, out)
@@ -105,12 +106,12 @@
         vesica_rect_f64: 8, vesica_ellipse_f64: 8, vesica_capsule_f64: 8, vesica_round_rect_f64: 8, \
         vesica_polygon_f64: 8, vesica_polyline_f64: 8, vesica_facts_f64: 8, vesica_closest_points_f64: 8, \
         vesica_grid_f64: 8, vesica_penetration_f64: 8, vesica_impact_f64: 8, vesica_turn_f64: 8, \
-        vesica_span_f64: 8, \
+        vesica_span_f64: 8, vesica_contacts_f64: 8, \
         float: 4, vesica_point_f32: 4, vesica_segment_f32: 4, vesica_circle_f32: 4, vesica_aabb_f32: 4, \
         vesica_rect_f32: 4, vesica_ellipse_f32: 4, vesica_capsule_f32: 4, vesica_round_rect_f32: 4, \
         vesica_polygon_f32: 4, vesica_polyline_f32: 4, vesica_facts_f32: 4, vesica_closest_points_f32: 4, \
         vesica_grid_f32: 4, vesica_penetration_f32: 4, vesica_impact_f32: 4, vesica_turn_f32: 4, \
-        vesica_span_f32: 4)
+        vesica_span_f32: 4, vesica_contacts_f32: 4)
 
 /* Chooses by a constant size. Sizes of several arguments are joined by &: 8 & 4 is 0, which matches nothing. */
 #define VESICA_PICK_(size, of_double, of_float) \

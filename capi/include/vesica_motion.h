@@ -1,5 +1,5 @@
 /*
- * Vesica: shapes that move. Rays, casts, and the first of many shapes that is hit.
+ * Vesica: shapes that move. Rays, casts, the first of many shapes that is hit, and contacts.
  *
  * SPDX-License-Identifier: Apache-2.0
  *
@@ -199,6 +199,72 @@ VESICA_API int64_t vesica_index_impact_time_f64(const void *index, const vesica_
                                                 const vesica_shapes_f64 *one, const vesica_turn_f64 *turn,
                                                 double tolerance, vesica_impact_f64 *out, double *gap, int32_t *answer);
 
+/* ---- Contacts of overlapping shapes, double: what a physics solver needs ----
+ * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_NOT_CONVEX, VESICA_E_RANGE (a depth or a coordinate
+ * would overflow).
+ * Since: 0.1.
+ */
+
+/**
+ * The contacts of two overlapping convex shapes: their count, 0 to 2, and one unit normal (nx, ny) from a to b.
+ *
+ * Contact 0 is at (x0, y0) with depth0, and numbers a0 of shape a and b0 of shape b name it; likewise contact 1. All
+ * numbers of a contact that is missing are 0, and so is the normal if there is none.
+ */
+typedef struct {
+    double nx, ny, x0, y0, depth0, x1, y1, depth1;
+    int64_t a0, b0, a1, b1, count;
+} vesica_contacts_f64;
+
+/**
+ * Contact manifold: where do two convex shapes press on each other, how deep, and along which normal?
+ *
+ * The normal is the direction of vesica_depth_f64, and the greatest depth is its depth. The facing edge of a is the
+ * edge whose outward normal is nearest to (nx, ny), and that of b the one whose outward normal is nearest to the
+ * opposite. Edges of capsules and rounded rectangles are those of the core, moved along the normal by the radius. Seen
+ * along the normal, both edges are intervals. The contacts are at both ends of what the intervals share, in the order
+ * of the normal turned counter-clockwise by a right angle. The depth there is how far a's edge is beyond b's along the
+ * normal, and the point is midway. If a depth is below 0, that contact is left out.
+ * There is one contact if one shape has no edge (a point, a circle, an ellipse, a shape without a size), if the
+ * intervals share no more than e, or if a depth is below -e; between that and 0 it is 0. Otherwise there are two. e is
+ * about 2^-47 scale, which is rounding.
+ * As a box tilts, its second depth falls to 0 before its contact is left out; as it slides off an edge, both contacts
+ * become one place. So no threshold decides what is parallel. Where another edge, or another normal, becomes the
+ * nearest, the normal, the numbers and the lesser contact may jump; the greatest depth never does.
+ * a0 and b0 are the numbers of the vertices at which the facing edges end on contact 0's side. So they stay while the
+ * same edges face each other, whichever is the longer. An edge beside a shape without one has the number of its first
+ * vertex counter-clockwise, and a shape without an edge 0. Vertices of polygons count as stored. Edges on one line, to
+ * e, are one edge, and a vertex that is repeated has one of its numbers. Vertices of an AABB, a rectangle and a rounded
+ * one count from (-hx, -hy) in its frame: (hx, -hy) is 1, (hx, hy) 2. A segment and a capsule begin at vertex 0. So
+ * does a polygon or polyline on one line, at its leftmost vertex. An ellipse with a half length of 0 counts as a
+ * rectangle.
+ * Exchanging the shapes reverses the normal, the numbers and the order, and changes no other bit, except for two equal
+ * shapes in one place. Moving both alike changes no depth if no coordinate is rounded.
+ * For contacts before the shapes touch, give them a radius: round_rect in place of rect. Then subtract both radii.
+ * Returns: the count; 0 for disjoint shapes.
+ * Accuracy: the normal and the greatest depth have the bits of vesica_depth_f64. The lesser depth and the points are
+ * right to 16 u scale (1 + s), where s is the slope of the steeper edge against the line across the normal, at most 1
+ * where corners have 90 degrees or more; the points also to 16 u of their coordinates and the radii. To that comes
+ * 4 e where edges were joined, or where a depth below 0 has become 0.
+ * Cost: vesica_depth_f64, and a sixth to a half of that.
+ */
+VESICA_API int32_t vesica_manifold_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b,
+                                       vesica_contacts_f64 *out);
+
+/**
+ * The contacts of a[i] and b[i].
+ * Requires: equal counts, or one count of 1, whose shape is used for all. out has room for as many manifolds as the
+ * larger count.
+ * Returns: how many pairs have a contact.
+ * Errors: also VESICA_E_ARGUMENT, as vesica_depth_many_f64. A pair with an error has that error for its count, and 0
+ * for all else; the others are written as usual. The call then returns VESICA_E_SHAPE if a shape is invalid, else the
+ * error of the last such pair.
+ * Accuracy: every result has the same bits as vesica_manifold_f64.
+ * Cost: as vesica_manifold_f64 for each pair.
+ */
+VESICA_API int64_t vesica_manifold_many_f64(const vesica_shapes_f64 *a, const vesica_shapes_f64 *b,
+                                            vesica_contacts_f64 *out);
+
 /* ---- Casts of two given kinds, double: the same bits as vesica_cast_f64, without its dispatch by kind ----
  * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
  * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
@@ -282,6 +348,24 @@ VESICA_API int32_t vesica_impact_time_f32(int32_t kind_a, const void *a, const v
 VESICA_API int64_t vesica_index_impact_time_f32(const void *index, const vesica_shapes_f32 *sets, int32_t set_count,
                                                 const vesica_shapes_f32 *one, const vesica_turn_f32 *turn,
                                                 float tolerance, vesica_impact_f32 *out, float *gap, int32_t *answer);
+
+/* ---- Contacts of overlapping shapes, float ----
+ * Errors: those of the double functions.
+ * Since: 0.1.
+ */
+
+/** As vesica_contacts_f64. */
+typedef struct {
+    float nx, ny, x0, y0, depth0, x1, y1, depth1;
+    int64_t a0, b0, a1, b1, count;
+} vesica_contacts_f32;
+
+/** As vesica_manifold_f64, rounded to float. */
+VESICA_API int32_t vesica_manifold_f32(int32_t kind_a, const void *a, int32_t kind_b, const void *b,
+                                       vesica_contacts_f32 *out);
+/** As vesica_manifold_many_f64. */
+VESICA_API int64_t vesica_manifold_many_f32(const vesica_shapes_f32 *a, const vesica_shapes_f32 *b,
+                                            vesica_contacts_f32 *out);
 
 /* ---- Casts of two given kinds, float ----
  * Errors: those of the double functions.

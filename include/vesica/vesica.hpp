@@ -24,6 +24,7 @@
 #include <vesica/impact_time.hpp>
 #include <vesica/intersection.hpp>
 #include <vesica/iou.hpp>
+#include <vesica/manifold.hpp>
 #include <vesica/nearest.hpp>
 #include <vesica/overlap.hpp>
 #include <vesica/polygon/bounds.hpp>
@@ -35,6 +36,7 @@
 #include <vesica/polygon/facts.hpp>
 #include <vesica/polygon/impact_time.hpp>
 #include <vesica/polygon/intersection.hpp>
+#include <vesica/polygon/manifold.hpp>
 #include <vesica/polygon/overlap.hpp>
 #include <vesica/polygon/ratio.hpp>
 #include <vesica/polygon/relation.hpp>

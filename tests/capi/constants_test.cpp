@@ -92,6 +92,8 @@ TEST(CapiConstants, SizesOfResults) {
   EXPECT_EQ(sizeof(vesica_penetration_f32), 12u);
   EXPECT_EQ(sizeof(vesica_impact_f64), 40u);
   EXPECT_EQ(sizeof(vesica_impact_f32), 20u);
+  EXPECT_EQ(sizeof(vesica_contacts_f64), 104u);
+  EXPECT_EQ(sizeof(vesica_contacts_f32), 72u);
   EXPECT_EQ(sizeof(vesica_turn_f64), 24u);
   EXPECT_EQ(sizeof(vesica_turn_f32), 12u);
 }

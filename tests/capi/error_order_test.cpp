@@ -124,6 +124,10 @@ TYPED_TEST(ErrorOrder, OfTwoShapes) {
     T distance;
     return F::signed_distance(c.a.kind, c.a.numbers, c.b.kind, c.b.numbers, c.out(distance));
   });
+  this->expect_order("manifold", of_shapes, 3, [](const Call<T>& c) -> std::int64_t {
+    typename F::Contacts contacts;
+    return F::manifold(c.a.kind, c.a.numbers, c.b.kind, c.b.numbers, c.out(contacts));
+  });
   this->expect_order("de9im", of_shapes, 3, [](const Call<T>& c) -> std::int64_t {
     char matrix[VESICA_DE9IM_SIZE];
     return F::de9im(c.a.kind, c.a.numbers, c.b.kind, c.b.numbers, c.out(matrix[0]));

@@ -129,6 +129,8 @@ struct Face<double> {
   static constexpr auto de9im = vesica_de9im_f64;
   static constexpr auto intersection = capi_tests::intersection<double>;
   static constexpr auto intersection_in_room = vesica_intersection_f64;
+  using Contacts = vesica_contacts_f64;
+  static constexpr auto manifold = vesica_manifold_f64;
   static constexpr auto impact_time = vesica_impact_time_f64;
   static constexpr auto index_impact_time = vesica_index_impact_time_f64;
   static constexpr auto suppress_soft = vesica_suppress_soft_f64;
@@ -220,6 +222,8 @@ struct Face<float> {
   static constexpr auto de9im = vesica_de9im_f32;
   static constexpr auto intersection = capi_tests::intersection<float>;
   static constexpr auto intersection_in_room = vesica_intersection_f32;
+  using Contacts = vesica_contacts_f32;
+  static constexpr auto manifold = vesica_manifold_f32;
   static constexpr auto impact_time = vesica_impact_time_f32;
   static constexpr auto index_impact_time = vesica_index_impact_time_f32;
   static constexpr auto suppress_soft = vesica_suppress_soft_f32;

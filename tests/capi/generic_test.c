@@ -200,6 +200,7 @@ static void test_float(void) {
     EXPECT_RESULT(vesica_nearest, scalar, T, vesica_closest_points_##scalar, a, KIND_A, b, KIND_B);           \
     EXPECT_RESULT(vesica_boundary_distance, scalar, T, vesica_closest_points_##scalar, a, KIND_A, b, KIND_B); \
     EXPECT_RESULT(vesica_depth, scalar, T, vesica_penetration_##scalar, a, KIND_A, b, KIND_B);                \
+    EXPECT_RESULT(vesica_manifold, scalar, T, vesica_contacts_##scalar, a, KIND_A, b, KIND_B);                \
     EXPECT_CAST(scalar, T, a, KIND_A, b, KIND_B);                                                             \
     EXPECT_IMPACT_TIME(scalar, T, a, KIND_A, b, KIND_B);                                                      \
     EXPECT_RESULT(vesica_area, scalar, T, T, a, KIND_A, b, KIND_B);                                           \

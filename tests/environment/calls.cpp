@@ -551,6 +551,7 @@ Bytes ask_soft(const Inputs& inputs) {
         {"shape_area", ask_one<T, T, vesica_shape_area_##s>},                                                        \
         {"cast", ask_cast<T, vesica_impact_##s, vesica_cast_##s>},                                                   \
         {"typed cast", ask_typed_cast<T, vesica_impact_##s>},                                                        \
+        {"manifold", ask_pair<T, vesica_contacts_##s, vesica_manifold_##s>},                                         \
         {"impact_time", ask_impact_time<T, vesica_turn_##s, vesica_impact_##s, vesica_impact_time_##s>},             \
         {"sweep_bounds", ask_sweep<T, vesica_aabb_##s, vesica_sweep_bounds_##s>},                                    \
         {"bounds", ask_one<T, vesica_aabb_##s, vesica_bounds_##s>},                                                  \

@@ -231,6 +231,7 @@ std::size_t used_by(PaintedStack& stack, const Shapes& s) {
                                ask<vesica_nearest_f64, Points>,
                                ask<vesica_boundary_distance_f64, Points>,
                                ask<vesica_depth_f64, vesica_penetration_f64>,
+                               ask<vesica_manifold_f64, vesica_contacts_f64>,
                                ask<vesica_signed_distance_f64, double>,
                                ratio,
                                within,

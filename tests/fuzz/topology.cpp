@@ -69,6 +69,17 @@ void call_impact_time(Bytes& bytes, Memory& memory) {
 }
 
 template <class T>
+void call_manifold(Bytes& bytes, Memory& memory) {
+  const Shape<T> a(bytes, memory.a), b(bytes, memory.b);
+  const Output<typename Face<T>::Contacts> out(memory.out, bytes.below(128) == 127);
+  const std::int32_t code = Face<T>::manifold(a.kind(), a.numbers(), b.kind(), b.numbers(), out.get());
+  demand(is_error(code) || (code >= 0 && code <= 2));
+  if (code < 0) return demand(out.untouched());
+  demand((code > 0) == (Face<T>::overlap(a.kind(), a.numbers(), b.kind(), b.numbers()) == 1));
+  demand(out.get()->count == code && out.get()->depth0 >= 0 && out.get()->depth1 >= 0);
+}
+
+template <class T>
 void call_arrays(Bytes& bytes, Memory& memory) {
   const std::int64_t count_a = bytes.below(most), count_b = bytes.below(most);
   const auto a = array<T>(bytes, memory.a, count_a);
@@ -116,9 +127,9 @@ void call_soft_suppression(Bytes& bytes, Memory& memory) {
 
 template <class T>
 void call(Bytes& bytes, Memory& memory) {
-  constexpr void (*calls[])(Bytes&, Memory&) = {call_within<T>,          call_signed_distance<T>, call_de9im<T>,
-                                                call_intersection<T>,    call_impact_time<T>,     call_arrays<T>,
-                                                call_soft_suppression<T>};
+  constexpr void (*calls[])(Bytes&, Memory&) = {call_within<T>,       call_signed_distance<T>, call_de9im<T>,
+                                                call_intersection<T>, call_impact_time<T>,     call_manifold<T>,
+                                                call_arrays<T>,       call_soft_suppression<T>};
   calls[bytes.below(static_cast<unsigned>(std::size(calls)))](bytes, memory);
 }
 

@@ -26,7 +26,7 @@ OF_PATHS = ("vesica_field_count", "vesica_kind_name", "vesica_check", "vesica_sh
             "vesica_join_f", "vesica_join_within_", "vesica_join_ratio_", "vesica_join_nearest_", "vesica_shape_area_", "vesica_area_", "vesica_iou_",
             "vesica_ratio_", "vesica_volume_ratio_", "vesica_nms_", "vesica_suppress_", "vesica_polygon_boxes_", "vesica_crossings_",
             "vesica_de9im_f", "vesica_min_area_rect_many_", "vesica_min_perimeter_rect_many_",
-            "vesica_intersection_", "vesica_coverage_", "vesica_impact_time_")
+            "vesica_intersection_", "vesica_coverage_", "vesica_impact_time_", "vesica_manifold_")
 # These know a kind before any query does; overlap is the first query.
 OF_EVERY_KIND = ("vesica_field_count", "vesica_kind_name", "vesica_check", "vesica_shapes_from_records")
 OVERLAP = [f"vesica_{name}{form}_{scalar}" for name in ("overlap", "interiors_overlap")

@@ -36,6 +36,7 @@ bench_of() {
     cast)
       "$programs/cast/vesica_bench_cast"
       "$programs/cast/vesica_bench_cast_many"
+      "$programs/manifold/vesica_bench_manifold"
       ;;
     polygon)
       "$programs/polygon/vesica_bench_polygon"

@@ -83,6 +83,24 @@ class Motion(unittest.TestCase):
         self.assertIs(near, Cast.NEAR)
         self.assertEqual(vesica.impact_time(WALL, (1, 2, 3), WALL, (3, 2, 1), 1)[::2], (Cast.START, 0))
 
+    def test_manifold(self):
+        ground = vesica.rects([0, 0, 8, 2, 0])
+        rows = numpy.array([[1, 1.875, 1, 0, 1, 1], [1, 9, 1, 0, 1, 1], [1, 1.875, 1, 0, -1, 1]])
+        boxes = vesica.shapes(vesica.Kind.RECT, rows)
+        one = vesica.manifold(ground, boxes[0])
+        self.assertEqual((one.count, one.normal.tolist(), one.depths.tolist()), (2, [0, 1], [0.125, 0.125]))
+        self.assertEqual((one.points.tolist(), one.numbers.tolist()), ([[2, 0.9375], [0, 0.9375]], [[2, 1], [3, 0]]))
+        two = vesica.manifold(boxes[:2].astype("f4"), ground.astype("f4"))
+        self.assertEqual((two.count.tolist(), two.normal.tolist()), ([2, 0], [[0, -1], [0, 0]]))
+        self.assertEqual((two.points.shape, two.depths.shape, two.numbers.shape), ((2, 2, 2), (2, 2), (2, 2, 2)))
+        self.assertEqual(two.points[0].tolist(), one.points[::-1].tolist())
+        with self.assertRaisesRegex(vesica.VesicaError, "row 2 of b") as caught:
+            vesica.manifold(ground, boxes)
+        self.assertEqual(caught.exception.result.count[:2].tolist(), [2, 0])
+        self.assertLess(caught.exception.result.count[2], 0)
+        quad = vesica.polygons([[-4, -1], [4, -1], [4, 1], [-4, 1]])
+        self.assertEqual(vesica.manifold(quad, boxes[0]).points.tolist(), one.points.tolist())
+
     def test_refused(self):
         for error, words, call in (
             (ValueError, r"\(vx, vy\)", lambda: vesica.cast(WALL, DISC, 3)),

@@ -28,7 +28,7 @@ from .coverage import coverage, coverage_cells
 from .detection import Outcome, Truth, assign_greedy, average_precision, fuse, match_truths
 from .hull import convex_hull, min_area_rects, min_perimeter_rects
 from .index import Index
-from .motion import Cast, Impact, Turn, cast, cast_first, impact_time, sweep_bounds
+from .motion import Cast, Impact, Manifold, Turn, cast, cast_first, impact_time, manifold, sweep_bounds
 from .paths import polygons, polylines
 from .polygon import Facts, PolygonBoxes, polygon_facts
 from .queries import (

@@ -145,6 +145,48 @@ def cast_first(one, many, velocity, t_end=math.inf):
     return first_of(item, count, record)
 
 
+class Manifold(NamedTuple):
+    """Contacts of two overlapping convex shapes: how many, and the unit normal from a to b; for each, in rows of which
+    the last are 0 if there are fewer, the point, the depth, and the numbers (of a, of b) that name it."""
+
+    count: numpy.ndarray
+    normal: numpy.ndarray
+    points: numpy.ndarray
+    depths: numpy.ndarray
+    numbers: numpy.ndarray
+
+
+_MANIFOLD, _MANIFOLD_MANY = by_scalar("manifold"), by_scalar("manifold_many")
+_CONTACTS = {
+    letter: numpy.dtype([("normal", letter, 2), ("contacts", letter, (2, 3)), ("numbers", "q", (2, 2)), ("count", "q")])
+    for letter in "df"
+}
+
+
+def manifold(a, b):
+    """Where do two convex shapes press on each other, how deep, and along which normal: a Manifold, for physics.
+
+    The normal and the greatest depth are those of depth(). Where edges face each other there are two contacts, at the
+    ends of what they share, named by the numbers of the vertices at which the edges end there. These stay while the
+    same edges face each other, so that a solver can begin with its last impulses (vesica.c.vesica_manifold_f64).
+    Two single shapes give a count and arrays of one pair. Arrays in step, or one shape and an array, give arrays with a
+    row for each pair; if there is an error, the count of its pair is that error, and VesicaError has the result.
+    """
+    letter = same_scalar(a, b)
+    single = a.single and b.single
+    out = numpy.zeros(1 if single else in_step(a, b), _CONTACTS[letter])
+    if single:
+        accepted(_MANIFOLD[letter](a.kind, a.record, b.kind, b.record, out.ctypes.data), a=a, b=b)
+        out = out[0]
+    result = Manifold(
+        *(out["count"], out["normal"], out["contacts"][..., :2], out["contacts"][..., 2], out["numbers"]),
+    )
+    if single:
+        return result._replace(count=int(result.count))
+    code = _MANIFOLD_MANY[letter](ctypes.byref(a.view), ctypes.byref(b.view), out.ctypes.data)
+    return finish(code, result, a=a, b=b)
+
+
 def sweep_bounds(shape, velocity, t_end):
     """A box, as aabbs, that holds a single shape throughout its motion, velocity and t_end rounded to its type."""
     if not the_shapes(shape, "shape").single:

@@ -397,6 +397,23 @@ package Vesica_C is
       Angle : IEEE_Float_64;
    end record with Convention => C;
 
+   --  The contacts of two overlapping convex shapes: their count, 0 to 2, and one unit normal (nx, ny) from a to b.
+   type Vesica_Contacts_F64 is record
+      Nx : IEEE_Float_64;
+      Ny : IEEE_Float_64;
+      X0 : IEEE_Float_64;
+      Y0 : IEEE_Float_64;
+      Depth0 : IEEE_Float_64;
+      X1 : IEEE_Float_64;
+      Y1 : IEEE_Float_64;
+      Depth1 : IEEE_Float_64;
+      A0 : Integer_64;
+      B0 : Integer_64;
+      A1 : Integer_64;
+      B1 : Integer_64;
+      Count : Integer_64;
+   end record with Convention => C;
+
    --  A first contact: its time t, its point (x, y), and the unit normal (nx, ny) there, from a to b.
    type Vesica_Impact_F32 is record
       T : IEEE_Float_32;
@@ -412,6 +429,23 @@ package Vesica_C is
       Vx : IEEE_Float_32;
       Vy : IEEE_Float_32;
       Angle : IEEE_Float_32;
+   end record with Convention => C;
+
+   --  The contacts of two overlapping convex shapes: their count, 0 to 2, and one unit normal (nx, ny) from a to b.
+   type Vesica_Contacts_F32 is record
+      Nx : IEEE_Float_32;
+      Ny : IEEE_Float_32;
+      X0 : IEEE_Float_32;
+      Y0 : IEEE_Float_32;
+      Depth0 : IEEE_Float_32;
+      X1 : IEEE_Float_32;
+      Y1 : IEEE_Float_32;
+      Depth1 : IEEE_Float_32;
+      A0 : Integer_64;
+      B0 : Integer_64;
+      A1 : Integer_64;
+      B1 : Integer_64;
+      Count : Integer_64;
    end record with Convention => C;
 
    --  Do two shapes share a point?
@@ -1715,6 +1749,16 @@ package Vesica_C is
       System.Address; Answer : System.Address) return Integer_64
      with Import, Convention => C, External_Name => "vesica_index_impact_time_f64";
 
+   --  Contact manifold: where do two convex shapes press on each other, how deep, and along which normal?
+   function Vesica_Manifold_F64 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B :
+      System.Address; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_manifold_f64";
+
+   --  The contacts of a[i] and b[i].
+   function Vesica_Manifold_Many_F64 (A : System.Address; B : System.Address; Output : System.Address) return
+      Integer_64
+     with Import, Convention => C, External_Name => "vesica_manifold_many_f64";
+
    --  A ray at a point.
    function Vesica_Cast_Point_Point_F64 (A : System.Address; B : System.Address; Vx : IEEE_Float_64; Vy :
       IEEE_Float_64; T_End : IEEE_Float_64; Output : System.Address) return Integer_32
@@ -1799,6 +1843,16 @@ package Vesica_C is
       One : System.Address; Turn : System.Address; Tolerance : IEEE_Float_32; Output : System.Address; Gap :
       System.Address; Answer : System.Address) return Integer_64
      with Import, Convention => C, External_Name => "vesica_index_impact_time_f32";
+
+   --  Contact manifold: where do two convex shapes press on each other, how deep, and along which normal?
+   function Vesica_Manifold_F32 (Kind_A : Integer_32; A : System.Address; Kind_B : Integer_32; B :
+      System.Address; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_manifold_f32";
+
+   --  The contacts of a[i] and b[i].
+   function Vesica_Manifold_Many_F32 (A : System.Address; B : System.Address; Output : System.Address) return
+      Integer_64
+     with Import, Convention => C, External_Name => "vesica_manifold_many_f32";
 
    --  A ray at a point.
    function Vesica_Cast_Point_Point_F32 (A : System.Address; B : System.Address; Vx : IEEE_Float_32; Vy :

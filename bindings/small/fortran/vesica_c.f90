@@ -392,6 +392,23 @@ module vesica_c
     real(c_double) :: angle
   end type
 
+  !> The contacts of two overlapping convex shapes: their count, 0 to 2, and one unit normal (nx, ny) from a to b.
+  type, bind(c) :: vesica_contacts_f64
+    real(c_double) :: nx
+    real(c_double) :: ny
+    real(c_double) :: x0
+    real(c_double) :: y0
+    real(c_double) :: depth0
+    real(c_double) :: x1
+    real(c_double) :: y1
+    real(c_double) :: depth1
+    integer(c_int64_t) :: a0
+    integer(c_int64_t) :: b0
+    integer(c_int64_t) :: a1
+    integer(c_int64_t) :: b1
+    integer(c_int64_t) :: count
+  end type
+
   !> A first contact: its time t, its point (x, y), and the unit normal (nx, ny) there, from a to b.
   type, bind(c) :: vesica_impact_f32
     real(c_float) :: t
@@ -407,6 +424,23 @@ module vesica_c
     real(c_float) :: vx
     real(c_float) :: vy
     real(c_float) :: angle
+  end type
+
+  !> The contacts of two overlapping convex shapes: their count, 0 to 2, and one unit normal (nx, ny) from a to b.
+  type, bind(c) :: vesica_contacts_f32
+    real(c_float) :: nx
+    real(c_float) :: ny
+    real(c_float) :: x0
+    real(c_float) :: y0
+    real(c_float) :: depth0
+    real(c_float) :: x1
+    real(c_float) :: y1
+    real(c_float) :: depth1
+    integer(c_int64_t) :: a0
+    integer(c_int64_t) :: b0
+    integer(c_int64_t) :: a1
+    integer(c_int64_t) :: b1
+    integer(c_int64_t) :: count
   end type
 
   interface
@@ -2969,6 +3003,24 @@ module vesica_c
       type(c_ptr), value :: answer
     end function
 
+    !> Contact manifold: where do two convex shapes press on each other, how deep, and along which normal?
+    integer(c_int32_t) function vesica_manifold_f64(kind_a, a, kind_b, b, out) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_double), intent(in) :: a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_double), intent(in) :: b(*)
+      type(vesica_contacts_f64), intent(out) :: out
+    end function
+
+    !> The contacts of a[i] and b[i].
+    integer(c_int64_t) function vesica_manifold_many_f64(a, b, out) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: a
+      type(vesica_shapes_f64), intent(in) :: b
+      type(vesica_contacts_f64), intent(out) :: out
+    end function
+
     !> A ray at a point.
     integer(c_int32_t) function vesica_cast_point_point_f64(a, b, vx, vy, t_end, out) bind(c)
       import
@@ -3165,6 +3217,24 @@ module vesica_c
       type(vesica_impact_f32), intent(out) :: out
       type(c_ptr), value :: gap
       type(c_ptr), value :: answer
+    end function
+
+    !> Contact manifold: where do two convex shapes press on each other, how deep, and along which normal?
+    integer(c_int32_t) function vesica_manifold_f32(kind_a, a, kind_b, b, out) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_float), intent(in) :: a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_float), intent(in) :: b(*)
+      type(vesica_contacts_f32), intent(out) :: out
+    end function
+
+    !> The contacts of a[i] and b[i].
+    integer(c_int64_t) function vesica_manifold_many_f32(a, b, out) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: a
+      type(vesica_shapes_f32), intent(in) :: b
+      type(vesica_contacts_f32), intent(out) :: out
     end function
 
     !> A ray at a point.

@@ -628,6 +628,10 @@
 (c vesica_impact_time_f64 int32 int32 '* '* int32 '* '* double '* '*)
 ;; Which item of an index does a shape that moves and turns touch first?
 (c vesica_index_impact_time_f64 int64 '* '* int32 '* '* double '* '* '*)
+;; Contact manifold: where do two convex shapes press on each other, how deep, and along which normal?
+(c vesica_manifold_f64 int32 int32 '* int32 '* '*)
+;; The contacts of a[i] and b[i].
+(c vesica_manifold_many_f64 int64 '* '* '*)
 ;; A ray at a point.
 (c vesica_cast_point_point_f64 int32 '* '* double double double '*)
 ;; A ray at a segment.
@@ -660,6 +664,10 @@
 (c vesica_impact_time_f32 int32 int32 '* '* int32 '* '* float '* '*)
 ;; Which item of an index does a shape that moves and turns touch first?
 (c vesica_index_impact_time_f32 int64 '* '* int32 '* '* float '* '* '*)
+;; Contact manifold: where do two convex shapes press on each other, how deep, and along which normal?
+(c vesica_manifold_f32 int32 int32 '* int32 '* '*)
+;; The contacts of a[i] and b[i].
+(c vesica_manifold_many_f32 int64 '* '* '*)
 ;; A ray at a point.
 (c vesica_cast_point_point_f32 int32 '* '* float float float '*)
 ;; A ray at a segment.

@@ -394,6 +394,23 @@ type
     angle: Double;
   end;
   PVesicaTurnF64 = ^TVesicaTurnF64;
+  // The contacts of two overlapping convex shapes: their count, 0 to 2, and one unit normal (nx, ny) from a to b.
+  TVesicaContactsF64 = record
+    nx: Double;
+    ny: Double;
+    x0: Double;
+    y0: Double;
+    depth0: Double;
+    x1: Double;
+    y1: Double;
+    depth1: Double;
+    a0: Int64;
+    b0: Int64;
+    a1: Int64;
+    b1: Int64;
+    count: Int64;
+  end;
+  PVesicaContactsF64 = ^TVesicaContactsF64;
   // A first contact: its time t, its point (x, y), and the unit normal (nx, ny) there, from a to b.
   TVesicaImpactF32 = record
     t: Single;
@@ -411,6 +428,23 @@ type
     angle: Single;
   end;
   PVesicaTurnF32 = ^TVesicaTurnF32;
+  // The contacts of two overlapping convex shapes: their count, 0 to 2, and one unit normal (nx, ny) from a to b.
+  TVesicaContactsF32 = record
+    nx: Single;
+    ny: Single;
+    x0: Single;
+    y0: Single;
+    depth0: Single;
+    x1: Single;
+    y1: Single;
+    depth1: Single;
+    a0: Int64;
+    b0: Int64;
+    a1: Int64;
+    b1: Int64;
+    count: Int64;
+  end;
+  PVesicaContactsF32 = ^TVesicaContactsF32;
 
 // Do two shapes share a point?
 function vesica_overlap_f64(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer): Int32; cdecl; external
@@ -1199,6 +1233,12 @@ function vesica_impact_time_f64(kind_a: Int32; a: Pointer; turn_a: PVesicaTurnF6
 function vesica_index_impact_time_f64(index: Pointer; sets: PVesicaShapesF64; set_count: Int32; one:
   PVesicaShapesF64; turn: PVesicaTurnF64; tolerance: Double; output: PVesicaImpactF64; gap: PDouble; answer:
   PInt32): Int64; cdecl; external vesica_library;
+// Contact manifold: where do two convex shapes press on each other, how deep, and along which normal?
+function vesica_manifold_f64(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output: PVesicaContactsF64):
+  Int32; cdecl; external vesica_library;
+// The contacts of a[i] and b[i].
+function vesica_manifold_many_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; output: PVesicaContactsF64): Int64;
+  cdecl; external vesica_library;
 // A ray at a point.
 function vesica_cast_point_point_f64(a: PVesicaPointF64; b: PVesicaPointF64; vx: Double; vy: Double; t_end: Double;
   output: PVesicaImpactF64): Int32; cdecl; external vesica_library;
@@ -1252,6 +1292,12 @@ function vesica_impact_time_f32(kind_a: Int32; a: Pointer; turn_a: PVesicaTurnF3
 function vesica_index_impact_time_f32(index: Pointer; sets: PVesicaShapesF32; set_count: Int32; one:
   PVesicaShapesF32; turn: PVesicaTurnF32; tolerance: Single; output: PVesicaImpactF32; gap: PSingle; answer:
   PInt32): Int64; cdecl; external vesica_library;
+// Contact manifold: where do two convex shapes press on each other, how deep, and along which normal?
+function vesica_manifold_f32(kind_a: Int32; a: Pointer; kind_b: Int32; b: Pointer; output: PVesicaContactsF32):
+  Int32; cdecl; external vesica_library;
+// The contacts of a[i] and b[i].
+function vesica_manifold_many_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; output: PVesicaContactsF32): Int64;
+  cdecl; external vesica_library;
 // A ray at a point.
 function vesica_cast_point_point_f32(a: PVesicaPointF32; b: PVesicaPointF32; vx: Single; vy: Single; t_end: Single;
   output: PVesicaImpactF32): Int32; cdecl; external vesica_library;

@@ -670,6 +670,10 @@ our @FUNCTIONS = (
     # Which item of an index does a shape that moves and turns touch first?
     [vesica_index_impact_time_f64 => ['opaque', 'opaque', 'sint32', 'opaque', 'opaque', 'double', 'opaque', 'opaque',
         'opaque'] => 'sint64'],
+    # Contact manifold: where do two convex shapes press on each other, how deep, and along which normal?
+    [vesica_manifold_f64 => ['sint32', 'double[]', 'sint32', 'double[]', 'opaque'] => 'sint32'],
+    # The contacts of a[i] and b[i].
+    [vesica_manifold_many_f64 => ['opaque', 'opaque', 'opaque'] => 'sint64'],
     # A ray at a point.
     [vesica_cast_point_point_f64 => ['opaque', 'opaque', 'double', 'double', 'double', 'opaque'] => 'sint32'],
     # A ray at a segment.
@@ -707,6 +711,10 @@ our @FUNCTIONS = (
     # Which item of an index does a shape that moves and turns touch first?
     [vesica_index_impact_time_f32 => ['opaque', 'opaque', 'sint32', 'opaque', 'opaque', 'float', 'opaque', 'opaque',
         'opaque'] => 'sint64'],
+    # Contact manifold: where do two convex shapes press on each other, how deep, and along which normal?
+    [vesica_manifold_f32 => ['sint32', 'float[]', 'sint32', 'float[]', 'opaque'] => 'sint32'],
+    # The contacts of a[i] and b[i].
+    [vesica_manifold_many_f32 => ['opaque', 'opaque', 'opaque'] => 'sint64'],
     # A ray at a point.
     [vesica_cast_point_point_f32 => ['opaque', 'opaque', 'float', 'float', 'float', 'opaque'] => 'sint32'],
     # A ray at a segment.

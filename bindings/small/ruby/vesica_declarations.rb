@@ -637,6 +637,10 @@ module Vesica
     'int vesica_impact_time_f64(int, void *, void *, int, void *, void *, double, void *, void *)',
     # Which item of an index does a shape that moves and turns touch first?
     'int64_t vesica_index_impact_time_f64(void *, void *, int, void *, void *, double, void *, void *, void *)',
+    # Contact manifold: where do two convex shapes press on each other, how deep, and along which normal?
+    'int vesica_manifold_f64(int, void *, int, void *, void *)',
+    # The contacts of a[i] and b[i].
+    'int64_t vesica_manifold_many_f64(void *, void *, void *)',
     # A ray at a point.
     'int vesica_cast_point_point_f64(void *, void *, double, double, double, void *)',
     # A ray at a segment.
@@ -670,6 +674,10 @@ module Vesica
     'int vesica_impact_time_f32(int, void *, void *, int, void *, void *, float, void *, void *)',
     # Which item of an index does a shape that moves and turns touch first?
     'int64_t vesica_index_impact_time_f32(void *, void *, int, void *, void *, float, void *, void *, void *)',
+    # Contact manifold: where do two convex shapes press on each other, how deep, and along which normal?
+    'int vesica_manifold_f32(int, void *, int, void *, void *)',
+    # The contacts of a[i] and b[i].
+    'int64_t vesica_manifold_many_f32(void *, void *, void *)',
     # A ray at a point.
     'int vesica_cast_point_point_f32(void *, void *, float, float, float, void *)',
     # A ray at a segment.

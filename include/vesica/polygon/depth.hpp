@@ -9,6 +9,7 @@
 #include <vesica/polygon/least.hpp>
 #include <vesica/polygon/overlap.hpp>
 #include <vesica/polygon/relation.hpp>
+#include <vesica/support_minimum/core_form.hpp>
 
 namespace vesica {
 
@@ -23,6 +24,7 @@ using TwiceNormal = support_minimum::DoubleDoubleVector<double>;
 struct DepthUnit {
   double factor;
   int exponent;
+  double size;  // 1, or the power of two that the box is about as large as where the unit cannot follow
 
   DepthUnit(const Box& a, const Box& b) noexcept {
     const double wide = greater(a.max_x, b.max_x) - lesser(a.min_x, b.min_x);
@@ -31,6 +33,7 @@ struct DepthUnit {
     const int needed = extent > 0 ? arithmetic::exponent_of(lesser(extent, std::numeric_limits<double>::max())) : 0;
     exponent = needed > 1000 ? 1000 : needed < -1000 ? -1000 : needed;
     factor = arithmetic::scale_far(1, -exponent);
+    size = arithmetic::scale_far(1, needed - exponent);
   }
 };
 
@@ -42,13 +45,15 @@ class ConvexRing {
       : edges_(edges), ring_(c.ring), clockwise_(c.clockwise), factor_(unit.factor) {}
 
   std::int64_t size() const noexcept { return ring_.length(); }
-  Point<double> stored(std::int64_t i) const noexcept {
-    const std::int64_t k = i >= size() ? i - size() : i;
-    return edges_.vertex(clockwise_ ? ring_.last - 1 - k : ring_.first + k);
-  }
+  Point<double> stored(std::int64_t i) const noexcept { return edges_.vertex(number(i)); }
   Point<double> operator[](std::int64_t i) const noexcept {
     const Point<double> p = stored(i);
     return {p.x * factor_, p.y * factor_};
+  }
+  /// The number of vertex i in the caller's memory.
+  std::int64_t number(std::int64_t i) const noexcept {
+    const std::int64_t k = i >= size() ? i - size() : i;
+    return clockwise_ ? ring_.last - 1 - k : ring_.first + k;
   }
   /// The rounded normal out of the edge that begins at vertex i; false if its ends are the same.
   bool normal(std::int64_t i, PlaneVector& n) const noexcept {
@@ -299,16 +304,8 @@ VESICA_COLD bool is_separated(const ConvexRing<T>& ring, const PlacedForm& form,
   return false;
 }
 
-/// A core's form, and its radius.
-struct CoreForm {
-  support_minimum::Form form;
-  double radius;
-};
-template <template <class> class Shape>
-CoreForm core_form(const Shape<double>& s) noexcept {
-  const auto [core, radius] = form::inflated(s);
-  return {support_minimum::form(core), radius};
-}
+using support_minimum::core_form, support_minimum::CoreForm;
+
 inline exact::Box exact_box(const exact::Box& box) noexcept { return box; }
 inline exact::Box exact_box(const exact::Ellipse& e) noexcept { return exact::as_box(e); }
 /// The core in exact numbers.

@@ -473,6 +473,33 @@ pub type vesica_turn_f64 = Turn<f64>;
 /// [`Turn`] of f32.
 pub type vesica_turn_f32 = Turn<f32>;
 
+/// The contacts of two overlapping convex shapes: their count, 0 to 2, and one unit normal (nx, ny) from a to b.
+///
+/// Contact 0 is at (x0, y0) with depth0, and numbers a0 of shape a and b0 of shape b name it; likewise contact 1. All
+/// numbers of a contact that is missing are 0, and so is the normal if there is none.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[allow(missing_docs)]
+pub struct Contacts<T> {
+    pub nx: T,
+    pub ny: T,
+    pub x0: T,
+    pub y0: T,
+    pub depth0: T,
+    pub x1: T,
+    pub y1: T,
+    pub depth1: T,
+    pub a0: i64,
+    pub b0: i64,
+    pub a1: i64,
+    pub b1: i64,
+    pub count: i64,
+}
+/// [`Contacts`] of f64.
+pub type vesica_contacts_f64 = Contacts<f64>;
+/// [`Contacts`] of f32.
+pub type vesica_contacts_f32 = Contacts<f32>;
+
 extern "C" {
     /// Do two shapes share a point? Touching counts.
     ///
@@ -5023,6 +5050,65 @@ extern "C" {
     pub fn vesica_index_impact_time_f64(index: *const c_void, sets: *const Shapes<f64>, set_count: i32,
         one: *const Shapes<f64>, turn: *const Turn<f64>, tolerance: f64, out: *mut Impact<f64>, gap: *mut f64,
         answer: *mut i32) -> i64;
+    /// Contact manifold: where do two convex shapes press on each other, how deep, and along which normal?
+    ///
+    /// The normal is the direction of vesica_depth_f64, and the greatest depth is its depth. The facing edge of a is
+    /// the edge whose outward normal is nearest to (nx, ny), and that of b the one whose outward normal is nearest to
+    /// the opposite. Edges of capsules and rounded rectangles are those of the core, moved along the normal by the
+    /// radius. Seen along the normal, both edges are intervals. The contacts are at both ends of what the intervals
+    /// share, in the order of the normal turned counter-clockwise by a right angle. The depth there is how far a's edge
+    /// is beyond b's along the normal, and the point is midway. If a depth is below 0, that contact is left out. There
+    /// is one contact if one shape has no edge (a point, a circle, an ellipse, a shape without a size), if the
+    /// intervals share no more than e, or if a depth is below -e; between that and 0 it is 0. Otherwise there are two.
+    /// e is about 2^-47 scale, which is rounding. As a box tilts, its second depth falls to 0 before its contact is
+    /// left out; as it slides off an edge, both contacts become one place. So no threshold decides what is parallel.
+    /// Where another edge, or another normal, becomes the nearest, the normal, the numbers and the lesser contact may
+    /// jump; the greatest depth never does. a0 and b0 are the numbers of the vertices at which the facing edges end on
+    /// contact 0's side. So they stay while the same edges face each other, whichever is the longer. An edge beside a
+    /// shape without one has the number of its first vertex counter-clockwise, and a shape without an edge 0. Vertices
+    /// of polygons count as stored. Edges on one line, to e, are one edge, and a vertex that is repeated has one of its
+    /// numbers. Vertices of an AABB, a rectangle and a rounded one count from (-hx, -hy) in its frame: (hx, -hy) is 1,
+    /// (hx, hy) 2. A segment and a capsule begin at vertex 0. So does a polygon or polyline on one line, at its
+    /// leftmost vertex. An ellipse with a half length of 0 counts as a rectangle. Exchanging the shapes reverses the
+    /// normal, the numbers and the order, and changes no other bit, except for two equal shapes in one place. Moving
+    /// both alike changes no depth if no coordinate is rounded. For contacts before the shapes touch, give them a
+    /// radius: round_rect in place of rect. Then subtract both radii.
+    ///
+    /// Returns: the count; 0 for disjoint shapes.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_NOT_CONVEX, VESICA_E_RANGE (a depth or a
+    /// coordinate would overflow).
+    ///
+    /// Accuracy: the normal and the greatest depth have the bits of vesica_depth_f64. The lesser depth and the points
+    /// are right to 16 u scale (1 + s), where s is the slope of the steeper edge against the line across the normal, at
+    /// most 1 where corners have 90 degrees or more; the points also to 16 u of their coordinates and the radii. To
+    /// that comes 4 e where edges were joined, or where a depth below 0 has become 0. In bounds on errors u is 2^-53,
+    /// half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their
+    /// centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect
+    /// ratio is longer over shorter size.
+    ///
+    /// Cost: vesica_depth_f64, and a sixth to a half of that.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_manifold_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
+        out: *mut Contacts<f64>) -> i32;
+    /// The contacts of a\[i\] and b\[i\].
+    ///
+    /// Requires: equal counts, or one count of 1, whose shape is used for all. out has room for as many manifolds as
+    /// the larger count.
+    ///
+    /// Returns: how many pairs have a contact.
+    ///
+    /// Errors: also VESICA_E_ARGUMENT, as vesica_depth_many_f64. A pair with an error has that error for its count, and
+    /// 0 for all else; the others are written as usual. The call then returns VESICA_E_SHAPE if a shape is invalid,
+    /// else the error of the last such pair.
+    ///
+    /// Accuracy: every result has the same bits as vesica_manifold_f64.
+    ///
+    /// Cost: as vesica_manifold_f64 for each pair.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_manifold_many_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut Contacts<f64>) -> i64;
     /// A ray at a point.
     ///
     /// Requires: vx and vy finite; both may be 0. t_end \>= 0, or infinity.
@@ -5296,6 +5382,66 @@ extern "C" {
     pub fn vesica_index_impact_time_f32(index: *const c_void, sets: *const Shapes<f32>, set_count: i32,
         one: *const Shapes<f32>, turn: *const Turn<f32>, tolerance: f32, out: *mut Impact<f32>, gap: *mut f32,
         answer: *mut i32) -> i64;
+    /// Contact manifold: where do two convex shapes press on each other, how deep, and along which normal?
+    ///
+    /// The normal is the direction of vesica_depth_f32, and the greatest depth is its depth. The facing edge of a is
+    /// the edge whose outward normal is nearest to (nx, ny), and that of b the one whose outward normal is nearest to
+    /// the opposite. Edges of capsules and rounded rectangles are those of the core, moved along the normal by the
+    /// radius. Seen along the normal, both edges are intervals. The contacts are at both ends of what the intervals
+    /// share, in the order of the normal turned counter-clockwise by a right angle. The depth there is how far a's edge
+    /// is beyond b's along the normal, and the point is midway. If a depth is below 0, that contact is left out. There
+    /// is one contact if one shape has no edge (a point, a circle, an ellipse, a shape without a size), if the
+    /// intervals share no more than e, or if a depth is below -e; between that and 0 it is 0. Otherwise there are two.
+    /// e is about 2^-47 scale, which is rounding. As a box tilts, its second depth falls to 0 before its contact is
+    /// left out; as it slides off an edge, both contacts become one place. So no threshold decides what is parallel.
+    /// Where another edge, or another normal, becomes the nearest, the normal, the numbers and the lesser contact may
+    /// jump; the greatest depth never does. a0 and b0 are the numbers of the vertices at which the facing edges end on
+    /// contact 0's side. So they stay while the same edges face each other, whichever is the longer. An edge beside a
+    /// shape without one has the number of its first vertex counter-clockwise, and a shape without an edge 0. Vertices
+    /// of polygons count as stored. Edges on one line, to e, are one edge, and a vertex that is repeated has one of its
+    /// numbers. Vertices of an AABB, a rectangle and a rounded one count from (-hx, -hy) in its frame: (hx, -hy) is 1,
+    /// (hx, hy) 2. A segment and a capsule begin at vertex 0. So does a polygon or polyline on one line, at its
+    /// leftmost vertex. An ellipse with a half length of 0 counts as a rectangle. Exchanging the shapes reverses the
+    /// normal, the numbers and the order, and changes no other bit, except for two equal shapes in one place. Moving
+    /// both alike changes no depth if no coordinate is rounded. For contacts before the shapes touch, give them a
+    /// radius: round_rect in place of rect. Then subtract both radii.
+    ///
+    /// Returns: the count; 0 for disjoint shapes.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_NOT_CONVEX, VESICA_E_RANGE (a depth or a
+    /// coordinate would overflow).
+    ///
+    /// Accuracy: the normal and the greatest depth have the bits of vesica_depth_f32. The lesser depth and the points
+    /// are right to 16 u scale (1 + s), where s is the slope of the steeper edge against the line across the normal, at
+    /// most 1 where corners have 90 degrees or more; the points also to 16 u of their coordinates and the radii. To
+    /// that comes 4 e where edges were joined, or where a depth below 0 has become 0. Each number is computed in
+    /// double, within these bounds, and then rounded to float once. In bounds on errors u is 2^-53, half a unit in the
+    /// last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
+    /// lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over
+    /// shorter size.
+    ///
+    /// Cost: vesica_depth_f32, and a sixth to a half of that.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_manifold_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
+        out: *mut Contacts<f32>) -> i32;
+    /// The contacts of a\[i\] and b\[i\].
+    ///
+    /// Requires: equal counts, or one count of 1, whose shape is used for all. out has room for as many manifolds as
+    /// the larger count.
+    ///
+    /// Returns: how many pairs have a contact.
+    ///
+    /// Errors: also VESICA_E_ARGUMENT, as vesica_depth_many_f32. A pair with an error has that error for its count, and
+    /// 0 for all else; the others are written as usual. The call then returns VESICA_E_SHAPE if a shape is invalid,
+    /// else the error of the last such pair.
+    ///
+    /// Accuracy: every result has the same bits as vesica_manifold_f32.
+    ///
+    /// Cost: as vesica_manifold_f32 for each pair.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_manifold_many_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut Contacts<f32>) -> i64;
     /// A ray at a point.
     ///
     /// Requires: vx and vy finite; both may be 0. t_end \>= 0, or infinity.
@@ -5744,6 +5890,8 @@ pub unsafe trait Scalar: Copy + Default + PartialEq + PartialOrd + core::fmt::De
     unsafe fn index_impact_time(index: *const c_void, sets: *const Shapes<Self>, set_count: i32,
         one: *const Shapes<Self>, turn: *const Turn<Self>, tolerance: Self, out: *mut Impact<Self>, gap: *mut Self,
         answer: *mut i32) -> i64;
+    unsafe fn manifold(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Contacts<Self>) -> i32;
+    unsafe fn manifold_many(a: *const Shapes<Self>, b: *const Shapes<Self>, out: *mut Contacts<Self>) -> i64;
     unsafe fn cast_point_point(a: *const Point<Self>, b: *const Point<Self>, vx: Self, vy: Self, t_end: Self,
         out: *mut Impact<Self>) -> i32;
     unsafe fn cast_segment_point(a: *const Segment<Self>, b: *const Point<Self>, vx: Self, vy: Self, t_end: Self,
@@ -6324,6 +6472,14 @@ unsafe impl Scalar for f64 {
     unsafe fn index_impact_time(index: *const c_void, sets: *const Shapes<f64>, set_count: i32, one: *const Shapes<f64>,
         turn: *const Turn<f64>, tolerance: f64, out: *mut Impact<f64>, gap: *mut f64, answer: *mut i32) -> i64 {
         vesica_index_impact_time_f64(index, sets, set_count, one, turn, tolerance, out, gap, answer)
+    }
+    #[inline]
+    unsafe fn manifold(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Contacts<f64>) -> i32 {
+        vesica_manifold_f64(kind_a, a, kind_b, b, out)
+    }
+    #[inline]
+    unsafe fn manifold_many(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut Contacts<f64>) -> i64 {
+        vesica_manifold_many_f64(a, b, out)
     }
     #[inline]
     unsafe fn cast_point_point(a: *const Point<f64>, b: *const Point<f64>, vx: f64, vy: f64, t_end: f64,
@@ -6935,6 +7091,14 @@ unsafe impl Scalar for f32 {
     unsafe fn index_impact_time(index: *const c_void, sets: *const Shapes<f32>, set_count: i32, one: *const Shapes<f32>,
         turn: *const Turn<f32>, tolerance: f32, out: *mut Impact<f32>, gap: *mut f32, answer: *mut i32) -> i64 {
         vesica_index_impact_time_f32(index, sets, set_count, one, turn, tolerance, out, gap, answer)
+    }
+    #[inline]
+    unsafe fn manifold(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void, out: *mut Contacts<f32>) -> i32 {
+        vesica_manifold_f32(kind_a, a, kind_b, b, out)
+    }
+    #[inline]
+    unsafe fn manifold_many(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut Contacts<f32>) -> i64 {
+        vesica_manifold_many_f32(a, b, out)
     }
     #[inline]
     unsafe fn cast_point_point(a: *const Point<f32>, b: *const Point<f32>, vx: f32, vy: f32, t_end: f32,
