@@ -14,13 +14,12 @@ using index::Ranked;
 std::int64_t words_of(std::int64_t bits) noexcept { return (bits + 63) / 64; }
 
 void take(std::uint64_t* bits, std::int64_t i) noexcept { bits[i / 64] |= std::uint64_t{1} << (i % 64); }
-/// Entries of equal values by row, column and number.
-template <class T>
-void sort_ties(const Entries<T>& entries, Ranked* begin, Ranked* end) noexcept {
-  std::sort(begin, end, [&](const Ranked& p, const Ranked& q) {
+/// Sorts entries of equal values by row, column and number.
+void sort_ties(const std::int64_t* row, const std::int64_t* column, Ranked* begin, Ranked* end) noexcept {
+  std::sort(begin, end, [=](const Ranked& p, const Ranked& q) {
     const std::uint32_t i = p.place, j = q.place;
-    if (entries.row[i] != entries.row[j]) return entries.row[i] < entries.row[j];
-    if (entries.column[i] != entries.column[j]) return entries.column[i] < entries.column[j];
+    if (row[i] != row[j]) return row[i] < row[j];
+    if (column[i] != column[j]) return column[i] < column[j];
     return i < j;
   });
 }
@@ -50,7 +49,7 @@ std::int64_t assign_greedily(const Entries<T>& entries, void* scratch, std::int6
   for (std::int64_t i = 0; i < n;) {
     std::int64_t end = i + 1;
     while (end < n && ranked[end].key == ranked[i].key) ++end;
-    if (end - i > 1) sort_ties(entries, ranked + i, ranked + end);
+    if (end - i > 1) sort_ties(entries.row, entries.column, ranked + i, ranked + end);
     i = end;
   }
   std::int64_t matches = 0;

@@ -73,8 +73,8 @@ def assign_greedy(a, b, values):
 
     Takes the pair with the highest value whose two items are both free, until there is none; of equal values the one
     with the lower a, then b. Pairs whose value is NaN are not taken. Returns the numbers k: the matches are a[k] and b[k]
-    with values[k]. a, b and values: what Index.join_ratio returns. A solver of sparse assignment, such as scipy's
-    min_weight_full_bipartite_matching, may find a larger sum.
+    with values[k]. a, b and values: what Index.join_ratio returns. A solver of the linear assignment problem
+    may find a larger sum.
     """
     values = _numbers(values, "values")
     a, b = _items(a, "a", len(values)), _items(b, "b", len(values))
