@@ -7,6 +7,7 @@
 #endif
 
 int main(void) {
-  return vesica_join_ratio_f64(VESICA_RATIO_OVER_FIRST, 0, NULL, NULL, 0, NULL, NULL, 0, 0, 1, NULL, 0, NULL, NULL,
-                               NULL, 0, NULL) != VESICA_E_NULL;
+  const double box[4] = {0, 0, 1, 1};
+  double out;
+  return vesica_gaussian_distance_f64(VESICA_GAUSSIAN_HELLINGER, VESICA_AABB, box, VESICA_AABB, box, &out);
 }
