@@ -113,6 +113,7 @@ const std::vector<Question>& questions() {
       {"boundary_distance", ask_out<typename F::Points, F::boundary_distance>},
       {"signed_distance", ask_out<T, F::signed_distance>},
       {"depth", ask_out<typename F::Penetration, F::depth>},
+      {"manifold", ask_out<typename F::Contacts, F::manifold>},
       {"area", ask_out<T, F::area>},
       {"iou", ask_out<T, F::iou>},
       {"ratios", ask_ratios<T>},
