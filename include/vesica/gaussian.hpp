@@ -145,10 +145,7 @@ struct Facts {
   double less_1, less_2;        // p1 - q1, p2 - q2
   double p_squares, q_squares;  // p1^2 - p2^2, q1^2 - q2^2
   double sine, cosine;          // of the angle between the longer axes, but for signs
-  double along_p, across_p;     // from mean to mean along the axes of a
-  double along_q, across_q;     // and of b
-  double distance;              // from mean to mean, squared, in units of 4^distance_unit
-  int unit, distance_unit;
+  int unit;
 };
 
 inline Facts facts(const Gaussian& a, const Gaussian& b) noexcept {
@@ -163,11 +160,6 @@ inline Facts facts(const Gaussian& a, const Gaussian& b) noexcept {
   const auto less = [](const Number& x, const Number& y) { return arithmetic::rounded(x - y); };
   const double lengths = a.length * b.length;
   const auto product = [](double x, double y) { return arithmetic::product(x, y); };
-  const Offset d = offset(a, b);
-  const auto away = [&](const Number& x, double length) {
-    return scaled(arithmetic::rounded(x) / length, d.exponent - unit);
-  };
-  const double dx = arithmetic::rounded(d.x), dy = arithmetic::rounded(d.y);
   return {p1.high,
           p2.high,
           q1.high,
@@ -178,46 +170,55 @@ inline Facts facts(const Gaussian& a, const Gaussian& b) noexcept {
           less(q1, q2) * (q1.high + q2.high),
           less(product(a.ux, b.uy), product(a.uy, b.ux)) / lengths,
           arithmetic::rounded(product(a.ux, b.ux) + product(a.uy, b.uy)) / lengths,
-          away(d.x * a.ux + d.y * a.uy, a.length),
-          away(d.y * a.ux - d.x * a.uy, a.length),
-          away(d.x * b.ux + d.y * b.uy, b.length),
-          away(d.y * b.ux - d.x * b.uy, b.length),
-          dx * dx + dy * dy,
-          unit,
-          d.exponent};
+          unit};
 }
 
-inline double wasserstein(const Facts& f) noexcept {
+/// From mean to mean along the axes of a Gaussian, in units of 2^unit.
+struct Way {
+  double along, across;
+};
+inline Way way(const Offset& d, const Gaussian& g, int unit) noexcept {
+  const auto length = [&](const Number& x) { return scaled(arithmetic::rounded(x) / g.length, d.exponent - unit); };
+  return {length(d.x * g.ux + d.y * g.uy), length(d.y * g.ux - d.x * g.uy)};
+}
+
+inline double wasserstein(const Facts& f, const Offset& d) noexcept {
   const double straight = f.p1 * f.q1 + f.p2 * f.q2, crossed = f.p1 * f.q2 + f.p2 * f.q1;
   const double along = f.cosine * straight, across = f.sine * crossed;
   const double sum = straight + std::sqrt(along * along + across * across);
   const double turned = sum > 0 ? 2 * (f.sine * f.sine) * (f.p_squares * f.q_squares) / sum : 0;
   const double sizes = f.less_1 * f.less_1 + f.less_2 * f.less_2 + turned;
-  return scaled(f.distance, 2 * f.distance_unit) + scaled(sizes / 12, 2 * f.unit);
+  const double dx = arithmetic::rounded(d.x), dy = arithmetic::rounded(d.y);
+  return scaled(dx * dx + dy * dy, 2 * d.exponent) + scaled(sizes / 12, 2 * f.unit);
 }
 
 /// The terms of Bhattacharyya's distance: that of the means, and three whose log(1 + x) / 2 count.
 struct Terms {
   double means, longer, shorter, turned;
 };
-inline Terms terms(const Facts& f) noexcept {
+inline Terms terms(const Facts& f, const Way& p, const Way& q) noexcept {
   const double longer = f.p1 * f.p1 + f.q1 * f.q1, shorter = f.p2 * f.p2 + f.q2 * f.q2;
   const double turned = f.sine * f.sine * (f.p_squares * f.q_squares) / longer / shorter;
   const double root = std::sqrt(longer) * std::sqrt(shorter) * std::sqrt(1 + turned);
   const auto square = [](double x) { return x * x; };
-  const double of_p = square(f.along_p * (f.p2 / root)) + square(f.across_p * (f.p1 / root));
-  const double of_q = square(f.along_q * (f.q2 / root)) + square(f.across_q * (f.q1 / root));
+  const double of_p = square(p.along * (f.p2 / root)) + square(p.across * (f.p1 / root));
+  const double of_q = square(q.along * (f.q2 / root)) + square(q.across * (f.q1 / root));
   return {3 * (of_p + of_q), 0.5 * ((f.less_1 / f.p1) * (f.less_1 / f.q1)),
           0.5 * ((f.less_2 / f.p2) * (f.less_2 / f.q2)), turned};
 }
 
+/// The product of 1 + x for the three, less 1: at most 2^801, as distance() admits no smaller deviations.
+inline double product_less_1(const Terms& t) noexcept {
+  const double sizes = t.longer + t.shorter + t.longer * t.shorter;
+  return sizes + t.turned + sizes * t.turned;
+}
+
 inline double bhattacharyya(const Terms& t) noexcept {
-  using arithmetic::log_of_1_plus;
-  return t.means + 0.5 * (log_of_1_plus(t.longer) + log_of_1_plus(t.shorter) + log_of_1_plus(t.turned));
+  return t.means + 0.5 * arithmetic::log_of_1_plus(product_less_1(t));
 }
 
 inline double hellinger(const Terms& t) noexcept {
-  const double sizes = t.longer + t.shorter + t.longer * t.shorter, all = sizes + t.turned + sizes * t.turned;
+  const double all = product_less_1(t);
   const double root = std::sqrt(1 + all), of_sizes = all < 0x1p120 ? all / (root * (root + 1)) : 1;
   const double of_means = arithmetic::one_minus_exp_of_minus(t.means);
   return std::sqrt(std::fmin(1, of_means + (1 - of_means) * of_sizes));
@@ -230,8 +231,8 @@ inline double divergence(double p, double q, double less) noexcept {
   return x * x + 2 * excess;
 }
 
-inline double kullback_leibler(const Facts& f) noexcept {
-  const double squares = f.q1 * f.q2, along = f.along_q / f.q1, across = f.across_q / f.q2;
+inline double kullback_leibler(const Facts& f, const Way& q) noexcept {
+  const double squares = f.q1 * f.q2, along = q.along / f.q1, across = q.across / f.q2;
   const double turned = (f.sine * (f.p_squares / squares)) * (f.sine * (f.q_squares / squares));
   const double sizes = divergence(f.p1, f.q1, f.less_1) + divergence(f.p2, f.q2, f.less_2);
   return 0.5 * (sizes + turned + 12 * (along * along + across * across));
@@ -243,19 +244,20 @@ inline std::int32_t distance(GaussianDistance which, const Gaussian& a, const Ga
   if (!any_widths && (a.shorter.high == 0 || b.shorter.high == 0)) return error_argument;
   const Facts f = facts(a, b);
   if (!any_widths && !(std::fmin(f.p2, f.q2) >= 0x1p-400 * std::fmax(f.p1, f.q1))) return error_range;
+  const Offset d = offset(a, b);
   double result = 0;
   switch (which) {
     case GaussianDistance::bhattacharyya:
-      result = bhattacharyya(terms(f));
+      result = bhattacharyya(terms(f, way(d, a, f.unit), way(d, b, f.unit)));
       break;
     case GaussianDistance::hellinger:
-      result = hellinger(terms(f));
+      result = hellinger(terms(f, way(d, a, f.unit), way(d, b, f.unit)));
       break;
     case GaussianDistance::kullback_leibler:
-      result = kullback_leibler(f);
+      result = kullback_leibler(f, way(d, b, f.unit));
       break;
     case GaussianDistance::wasserstein:
-      result = wasserstein(f);
+      result = wasserstein(f, d);
       break;
   }
   if (!all_finite(result)) return error_range;

@@ -213,6 +213,20 @@ TEST(GaussianDistance, NeedlesAreAsDefined) {
   worst.expect_at_most(24);
 }
 
+/// Along the axes nothing cancels in the definition, whatever the sizes are.
+TEST(GaussianDistance, SizesAsUnlikeAsTheyMayBe) {
+  Worst worst;
+  for (const double p : {1.0, 0x1p-200, 0x1p-399}) {
+    for (const double q : {1.0, 0x1p-200, 0x1p-399}) {
+      for (const double r : {1.0, 0x1p-200, 0x1p-399}) {
+        worst.check({VESICA_RECT, {0, 0, 1, 0, 1, p}}, {VESICA_RECT, {0, 0, 1, 0, q, r}});
+        worst.check({VESICA_RECT, {0, 0, 1, 0, q, r}}, {VESICA_RECT, {0, 0, 1, 0, p, 1}});
+      }
+    }
+  }
+  worst.expect_at_most(24);
+}
+
 TEST(GaussianDistance, KnownAnswers) {
   // Squares of width sqrt(12) have variances 1; discs of radius 2 do too.
   const Shape square{VESICA_AABB, {0, 0, 1, 1}}, moved{VESICA_AABB, {3, 4, 4, 5}},

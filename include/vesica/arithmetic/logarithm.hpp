@@ -32,10 +32,7 @@ inline double log_of(double x) noexcept {
   return k * log2_high + (f - (excess_over_log(f) - k * log2_low));
 }
 
-/// log(1 + x) for x >= 0, with a relative error of at most 4 u; infinite for infinity.
-inline double log_of_1_plus(double x) noexcept {
-  if (x <= 0.5) return x - excess_over_log(x);
-  return x <= 0x1p1000 ? log_of(1 + x) : x < __builtin_inf() ? log_of(x) : x;
-}
+/// log(1 + x) for x >= 0 that is finite, with a relative error of at most 4 u.
+inline double log_of_1_plus(double x) noexcept { return x <= 0.5 ? x - excess_over_log(x) : log_of(1 + x); }
 
 }  // namespace vesica::detail::arithmetic

@@ -3467,7 +3467,7 @@ extern "C" {
     /// largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of
     /// at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
-    /// Cost: 0.3 us; in a matrix 0.07 to 0.12 us a pair.
+    /// Cost: 0.3 us; in a matrix 0.04 to 0.11 us a pair.
     ///
     /// Since: 0.1.
     pub fn vesica_gaussian_distance_f64(which: i32, kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
@@ -3740,7 +3740,7 @@ extern "C" {
     /// between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the
     /// scale. An aspect ratio is longer over shorter size.
     ///
-    /// Cost: 0.3 us; in a matrix 0.07 to 0.12 us a pair.
+    /// Cost: 0.3 us; in a matrix 0.04 to 0.11 us a pair.
     ///
     /// Since: 0.1.
     pub fn vesica_gaussian_distance_f32(which: i32, kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
