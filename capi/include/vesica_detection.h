@@ -67,7 +67,8 @@ extern "C" {
  * Returns: the number of pairs written; with capacity 0, how many the whole part has.
  * Errors: those of vesica_join_f64; VESICA_E_ARGUMENT also for ratio and threshold.
  * Accuracy: as vesica_ratio_f64, bit for bit; in float, the ratio rounded to float is compared.
- * Cost: vesica_join_f64, and vesica_ratio_f64 for each pair whose bounds meet.
+ * Cost: vesica_join_f64, and vesica_ratio_f64 for each pair whose bounds meet; for boxes and rectangles and a threshold
+ * above 0 only for those whose bounds and areas allow such a ratio, unless it is over the first or the second.
  */
 VESICA_API int64_t vesica_join_ratio_f64(int32_t ratio, double threshold, const void *index_a,
                                          const vesica_shapes_f64 *sets_a, int32_t set_count_a, const void *index_b,

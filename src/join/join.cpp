@@ -213,7 +213,7 @@ class Runner {
       gather_columns(*join_.a.sets, kind_a, a + i, m, n - i - m, s.columns_a, recent_, 0);
       gather_columns(*join_.b.sets, kind_b, b + i, m, n - i - m, s.columns_b, recent_, Recent::of_second);
       if (join_.ratio.decide != nullptr) {
-        join_.ratio.decide(join_.ratio, kind_a, s.columns_a.field, kind_b, s.columns_b.field, m, out + i, value + i);
+        join_.ratio.decide(join_.ratio, kind_a, s.columns_a, kind_b, s.columns_b, m, out + i, value + i);
       } else if (join_.reversed) {
         join_.decide(kind_b, s.columns_b.field, m, kind_a, s.columns_a.field, m, out + i);
       } else {

@@ -16,9 +16,10 @@ struct JoinSide {
 };
 
 /// Decides up to decided_at_once pairs in columns by their ratios: out[i] = 1 or 0, and value[i] the ratio if 1.
+/// May change the columns.
 struct RatioTest {
-  void (*decide)(const RatioTest& asked, std::int32_t kind_a, const void* const* a, std::int32_t kind_b,
-                 const void* const* b, std::int64_t n, std::uint8_t* out, double* value) = nullptr;
+  void (*decide)(const RatioTest& asked, std::int32_t kind_a, Columns& a, std::int32_t kind_b, Columns& b,
+                 std::int64_t n, std::uint8_t* out, double* value) = nullptr;
   std::int32_t ratio = 0;
   double threshold = 0;
 };

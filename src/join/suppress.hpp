@@ -11,16 +11,9 @@
 #include <cstdint>
 
 #include "index/kernels.hpp"
+#include "join/ratio_bound.hpp"
 
 namespace vesica::index {
-
-/// The ratio that compares shared areas. The caller's ratio depends on no order of two shapes, and exceeds a threshold
-/// >= 0 only where the shared area over the union does, or over the smaller shape.
-struct Measured {
-  std::int32_t ratio;  // the caller's own
-  bool over_smaller;
-  double threshold;
-};
 
 /// Compares one shape's ratio with each of n others, all in columns and of one kind, to the threshold: out[i] = 1
 /// or 0.

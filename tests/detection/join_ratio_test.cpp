@@ -104,8 +104,32 @@ TYPED_TEST(JoinRatioTest, EveryRatioOfEveryWorkload) {
   EXPECT_GT(touching, 100U);
 }
 
+/// Thresholds that a ratio has exactly, and the next number: bounds and areas rule out no pair that has it.
+TYPED_TEST(JoinRatioTest, ThresholdsThatRatiosHave) {
+  std::size_t pairs = 0;
+  for (const std::string& name : rect_workloads()) {
+    const Indexed<TypeParam> a(mixed<TypeParam>(name, name == "whole_range" ? 60 : 150, 7)),
+        b(mixed<TypeParam>(name, name == "whole_range" ? 60 : 150, 8));
+    for (std::int32_t ratio = VESICA_RATIO_OVER_UNION; ratio <= VESICA_RATIO_COMPLETE; ++ratio) {
+      const std::vector<Triple> all = by_definition(ratio, 0, a, b);
+      for (std::size_t k = 0; k < all.size(); k += 1 + all.size() / 8) {
+        const auto value = static_cast<TypeParam>(std::get<2>(all[k]));
+        for (const TypeParam threshold : {value, std::nextafter(value, TypeParam{2})}) {
+          std::vector<Triple> expected;
+          for (const Triple& triple : all) {
+            if (std::get<2>(triple) >= static_cast<double>(threshold)) expected.push_back(triple);
+          }
+          EXPECT_EQ(triples(ratio, static_cast<double>(threshold), a, b), expected) << name << ' ' << ratio;
+          pairs += expected.size();
+        }
+      }
+    }
+  }
+  EXPECT_GT(pairs, 10000U);
+}
+
 TYPED_TEST(JoinRatioTest, PartsAndRoomChangeNothing) {
-  const Indexed<TypeParam> a(mixed<TypeParam>("decades_3", 900, 5)), b(rects<TypeParam>("decades_3", 700, 6));
+  const Indexed<TypeParam> a(mixed<TypeParam>("decades_3", 600, 5)), b(rects<TypeParam>("decades_3", 400, 6));
   const Memory scratch(vesica_join_scratch());
   for (const double threshold : {0.0, 0.4}) {
     const std::vector<Triple> expected = by_definition(VESICA_RATIO_OVER_SMALLER, threshold, a, b);

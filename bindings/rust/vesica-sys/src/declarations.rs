@@ -3217,7 +3217,9 @@ extern "C" {
     ///
     /// Accuracy: as vesica_ratio_f64, bit for bit; in float, the ratio rounded to float is compared.
     ///
-    /// Cost: vesica_join_f64, and vesica_ratio_f64 for each pair whose bounds meet.
+    /// Cost: vesica_join_f64, and vesica_ratio_f64 for each pair whose bounds meet; for boxes and rectangles and a
+    /// threshold above 0 only for those whose bounds and areas allow such a ratio, unless it is over the first or the
+    /// second.
     ///
     /// Since: 0.1.
     pub fn vesica_join_ratio_f64(ratio: i32, threshold: f64, index_a: *const c_void, sets_a: *const Shapes<f64>,
@@ -3517,7 +3519,9 @@ extern "C" {
     ///
     /// Accuracy: as vesica_ratio_f32, bit for bit; in float, the ratio rounded to float is compared.
     ///
-    /// Cost: vesica_join_f32, and vesica_ratio_f32 for each pair whose bounds meet.
+    /// Cost: vesica_join_f32, and vesica_ratio_f32 for each pair whose bounds meet; for boxes and rectangles and a
+    /// threshold above 0 only for those whose bounds and areas allow such a ratio, unless it is over the first or the
+    /// second.
     ///
     /// Since: 0.1.
     pub fn vesica_join_ratio_f32(ratio: i32, threshold: f32, index_a: *const c_void, sets_a: *const Shapes<f32>,
