@@ -8,6 +8,7 @@
 #include <vesica/boxes.hpp>
 #include <vesica/construct.hpp>
 #include <vesica/polygon/bounds.hpp>
+#include <vesica/polygon/own_area.hpp>
 
 #include "arrays.hpp"
 #include "environment.hpp"
@@ -265,6 +266,19 @@ int64_t bounds_many(const CShapesOf<T>* shapes, T* out) noexcept {
   return each_in_blocks<4>(v, out, find, take, bounds_of);
 }
 
+template <class T>
+int64_t shape_area_many(const CShapesOf<T>* shapes, T* out) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT(shape_area_many<T>, shapes, out);
+  const int32_t error = check_shapes<T>(shapes, out, vesica::has_core_or_path);
+  if (error != 0) return error;
+  const auto v = view<T>(*shapes);
+  return each<1>(v.count, out, [&](int64_t i, T(&number)[1]) {
+    return vesica::with_shape<T>(
+        v.kind, vesica::batch::Element<T>(v, i).operand().shape,
+        [&](const vesica::CoreOrPath auto& shape) { return vesica::shape_area_or_error(shape, number[0]); });
+  });
+}
+
 /// An array of structs as its numbers.
 template <class T, class Struct>
 T* numbers_of(Struct* structs) noexcept {
@@ -299,6 +313,9 @@ T* numbers_of(Struct* structs) noexcept {
   }                                                                                                                \
   int64_t vesica_bounds_many_##scalar(const vesica_shapes_##scalar* shapes, vesica_aabb_##scalar* out) {           \
     return bounds_many<T>(shapes, numbers_of<T>(out));                                                             \
+  }                                                                                                                \
+  int64_t vesica_shape_area_many_##scalar(const vesica_shapes_##scalar* shapes, T* out) {                          \
+    return shape_area_many<T>(shapes, out);                                                                        \
   }
 
 VESICA_BOXES(f64, double)

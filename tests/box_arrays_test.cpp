@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bounds and corners of arrays have the bits of single calls: of every kind, layout and length, among invalid shapes
-// and extremes of magnitude. Arrays and results lie against pages that may not be touched.
+// Bounds, areas and corners of arrays have the bits of single calls: of every kind, layout and length, among invalid
+// shapes and extremes of magnitude. Arrays and results lie against pages that may not be touched.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -143,6 +143,8 @@ class BoxArrays {
     };
     compare<4>(shapes, bounds, edge,
                [&](T* out) { return F::bounds_many(&view, reinterpret_cast<typename F::Aabb*>(out)); });
+    const auto area = [&](const Numbers<T>& s, T* out) { return F::shape_area(kind, s.data(), out); };
+    compare<1>(shapes, area, edge, [&](T* out) { return F::shape_area_many(&view, out); });
     if (kind < VESICA_RECT) return;
     compare<8>(shapes, corners, edge, [&](T* out) { return F::corners_of_shapes(&view, out); });
   }

@@ -783,6 +783,13 @@ func cBoundsMany(wide bool, shapes C.vesica_go_view, out *C.char) C.int64_t {
 	return C.go_bounds_many_f32(shapes, out)
 }
 
+func cShapeAreaMany(wide bool, shapes C.vesica_go_view, out *C.char) C.int64_t {
+	if wide {
+		return C.go_shape_area_many_f64(shapes, out)
+	}
+	return C.go_shape_area_many_f32(shapes, out)
+}
+
 func cConvexHull(wide bool, points *C.char, out *C.char, capacity C.int64_t) C.int64_t {
 	if wide {
 		return C.go_convex_hull_f64(points, out, capacity)

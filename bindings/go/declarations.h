@@ -700,6 +700,18 @@ static inline int64_t go_bounds_many_f32(vesica_go_view shapes, char *out) {
     return vesica_bounds_many_f32(&of_shapes, (void *)out);
 }
 
+static inline int64_t go_shape_area_many_f64(vesica_go_view shapes, char *out) {
+    vesica_shapes_f64 of_shapes;
+    memcpy(&of_shapes, &shapes, sizeof of_shapes);
+    return vesica_shape_area_many_f64(&of_shapes, (void *)out);
+}
+
+static inline int64_t go_shape_area_many_f32(vesica_go_view shapes, char *out) {
+    vesica_shapes_f32 of_shapes;
+    memcpy(&of_shapes, &shapes, sizeof of_shapes);
+    return vesica_shape_area_many_f32(&of_shapes, (void *)out);
+}
+
 static inline int64_t go_convex_hull_f64(const char *points, char *out, int64_t capacity) {
     return vesica_convex_hull_f64((const void *)points, (void *)out, capacity);
 }

@@ -103,6 +103,13 @@ VESICA_API int64_t vesica_corners_of_shapes_f64(const vesica_shapes_f64 *shapes,
  */
 VESICA_API int64_t vesica_bounds_many_f64(const vesica_shapes_f64 *shapes, vesica_aabb_f64 *out);
 
+/**
+ * Areas of an array of any kind: out[i] is the result of vesica_shape_area_f64.
+ * Requires: out, room for `count`.
+ * Accuracy: as vesica_shape_area_f64.
+ */
+VESICA_API int64_t vesica_shape_area_many_f64(const vesica_shapes_f64 *shapes, double *out);
+
 /* ---- Hulls of points, double ----
  * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
  * Since: 0.1.
@@ -185,6 +192,8 @@ VESICA_API int64_t vesica_boxes_from_shapes_f32(const vesica_shapes_f32 *shapes,
 VESICA_API int64_t vesica_corners_of_shapes_f32(const vesica_shapes_f32 *shapes, float *corners);
 /** As vesica_bounds_many_f64. */
 VESICA_API int64_t vesica_bounds_many_f32(const vesica_shapes_f32 *shapes, vesica_aabb_f32 *out);
+/** As vesica_shape_area_many_f64, rounded to float. */
+VESICA_API int64_t vesica_shape_area_many_f32(const vesica_shapes_f32 *shapes, float *out);
 /** As vesica_convex_hull_f64. */
 VESICA_API int64_t vesica_convex_hull_f32(const vesica_polygon_f32 *points, vesica_point_f32 *out, int64_t capacity);
 /** As vesica_min_area_rect_f64, rounded to float. */

@@ -90,6 +90,7 @@ struct Face<double> {
   static constexpr auto bounds = vesica_bounds_f64;
   static constexpr auto from_records = vesica_shapes_from_records_f64;
   static constexpr auto bounds_many = vesica_bounds_many_f64;
+  static constexpr auto shape_area_many = vesica_shape_area_many_f64;
   static constexpr auto rects_from_boxes = vesica_rects_from_boxes_f64;
   static constexpr auto ellipses_from_boxes = vesica_ellipses_from_boxes_f64;
   static constexpr auto rects_from_corners = vesica_rects_from_corners_f64;
@@ -183,6 +184,7 @@ struct Face<float> {
   static constexpr auto bounds = vesica_bounds_f32;
   static constexpr auto from_records = vesica_shapes_from_records_f32;
   static constexpr auto bounds_many = vesica_bounds_many_f32;
+  static constexpr auto shape_area_many = vesica_shape_area_many_f32;
   static constexpr auto rects_from_boxes = vesica_rects_from_boxes_f32;
   static constexpr auto ellipses_from_boxes = vesica_ellipses_from_boxes_f32;
   static constexpr auto rects_from_corners = vesica_rects_from_corners_f32;

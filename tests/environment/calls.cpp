@@ -447,6 +447,8 @@ Bytes ask_boxes(const Inputs& inputs) {
   append(bytes, boxes.data(), n);
   append(bytes, F::bounds_many(&operands.a, bounds.data()));
   append(bytes, bounds.data(), n);
+  append(bytes, F::shape_area_many(&operands.a, boxes.data()));
+  append(bytes, boxes.data(), n);
   return bytes;
 }
 

@@ -81,6 +81,7 @@ void call(Bytes& bytes, Memory& memory) {
     case 3:
       return demand(is_answer(F::corners_of_shapes(&shapes, room<T>(memory.out, 8 * count))));
     default:
+      demand(is_answer(F::shape_area_many(&shapes, room<T>(memory.out, count))));
       return demand(is_answer(F::bounds_many(&shapes, room<typename F::Aabb>(memory.out, count))));
   }
 }

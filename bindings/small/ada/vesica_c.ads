@@ -1134,6 +1134,10 @@ package Vesica_C is
    function Vesica_Bounds_Many_F64 (Shapes : System.Address; Output : System.Address) return Integer_64
      with Import, Convention => C, External_Name => "vesica_bounds_many_f64";
 
+   --  Areas of an array of any kind: out[i] is the result of vesica_shape_area_f64.
+   function Vesica_Shape_Area_Many_F64 (Shapes : System.Address; Output : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_shape_area_many_f64";
+
    --  The convex hull of points: the smallest convex polygon that contains them.
    function Vesica_Convex_Hull_F64 (Points : System.Address; Output : System.Address; Capacity : Integer_64)
       return Integer_64
@@ -1188,6 +1192,10 @@ package Vesica_C is
    --  Bounding boxes of an array of any kind: out[i] is the result of vesica_bounds_f32.
    function Vesica_Bounds_Many_F32 (Shapes : System.Address; Output : System.Address) return Integer_64
      with Import, Convention => C, External_Name => "vesica_bounds_many_f32";
+
+   --  Areas of an array of any kind: out[i] is the result of vesica_shape_area_f32.
+   function Vesica_Shape_Area_Many_F32 (Shapes : System.Address; Output : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_shape_area_many_f32";
 
    --  The convex hull of points: the smallest convex polygon that contains them.
    function Vesica_Convex_Hull_F32 (Points : System.Address; Output : System.Address; Capacity : Integer_64)

@@ -1694,6 +1694,13 @@ module vesica_c
       type(c_ptr), value :: out
     end function
 
+    !> Areas of an array of any kind: out[i] is the result of vesica_shape_area_f64.
+    integer(c_int64_t) function vesica_shape_area_many_f64(shapes, out) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: shapes
+      type(c_ptr), value :: out
+    end function
+
     !> The convex hull of points: the smallest convex polygon that contains them.
     integer(c_int64_t) function vesica_convex_hull_f64(points, out, capacity) bind(c)
       import
@@ -1785,6 +1792,13 @@ module vesica_c
 
     !> Bounding boxes of an array of any kind: out[i] is the result of vesica_bounds_f32.
     integer(c_int64_t) function vesica_bounds_many_f32(shapes, out) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: shapes
+      type(c_ptr), value :: out
+    end function
+
+    !> Areas of an array of any kind: out[i] is the result of vesica_shape_area_f32.
+    integer(c_int64_t) function vesica_shape_area_many_f32(shapes, out) bind(c)
       import
       type(vesica_shapes_f32), intent(in) :: shapes
       type(c_ptr), value :: out

@@ -869,6 +869,9 @@ function vesica_corners_of_shapes_f64(shapes: PVesicaShapesF64; corners: PDouble
 // Bounding boxes of an array of any kind: out[i] is the result of vesica_bounds_f64.
 function vesica_bounds_many_f64(shapes: PVesicaShapesF64; output: PVesicaAabbF64): Int64; cdecl; external
   vesica_library;
+// Areas of an array of any kind: out[i] is the result of vesica_shape_area_f64.
+function vesica_shape_area_many_f64(shapes: PVesicaShapesF64; output: PDouble): Int64; cdecl; external
+  vesica_library;
 // The convex hull of points: the smallest convex polygon that contains them.
 function vesica_convex_hull_f64(points: PVesicaPolygonF64; output: PVesicaPointF64; capacity: Int64): Int64; cdecl;
   external vesica_library;
@@ -904,6 +907,9 @@ function vesica_corners_of_shapes_f32(shapes: PVesicaShapesF32; corners: PSingle
   vesica_library;
 // Bounding boxes of an array of any kind: out[i] is the result of vesica_bounds_f32.
 function vesica_bounds_many_f32(shapes: PVesicaShapesF32; output: PVesicaAabbF32): Int64; cdecl; external
+  vesica_library;
+// Areas of an array of any kind: out[i] is the result of vesica_shape_area_f32.
+function vesica_shape_area_many_f32(shapes: PVesicaShapesF32; output: PSingle): Int64; cdecl; external
   vesica_library;
 // The convex hull of points: the smallest convex polygon that contains them.
 function vesica_convex_hull_f32(points: PVesicaPolygonF32; output: PVesicaPointF32; capacity: Int64): Int64; cdecl;

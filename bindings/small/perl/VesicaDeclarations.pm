@@ -392,6 +392,8 @@ our @FUNCTIONS = (
     [vesica_corners_of_shapes_f64 => ['opaque', 'opaque'] => 'sint64'],
     # Bounding boxes of an array of any kind: out[i] is the result of vesica_bounds_f64.
     [vesica_bounds_many_f64 => ['opaque', 'opaque'] => 'sint64'],
+    # Areas of an array of any kind: out[i] is the result of vesica_shape_area_f64.
+    [vesica_shape_area_many_f64 => ['opaque', 'opaque'] => 'sint64'],
     # The convex hull of points: the smallest convex polygon that contains them.
     [vesica_convex_hull_f64 => ['opaque', 'opaque', 'sint64'] => 'sint64'],
     # The rectangle of the least area that contains points.
@@ -416,6 +418,8 @@ our @FUNCTIONS = (
     [vesica_corners_of_shapes_f32 => ['opaque', 'opaque'] => 'sint64'],
     # Bounding boxes of an array of any kind: out[i] is the result of vesica_bounds_f32.
     [vesica_bounds_many_f32 => ['opaque', 'opaque'] => 'sint64'],
+    # Areas of an array of any kind: out[i] is the result of vesica_shape_area_f32.
+    [vesica_shape_area_many_f32 => ['opaque', 'opaque'] => 'sint64'],
     # The convex hull of points: the smallest convex polygon that contains them.
     [vesica_convex_hull_f32 => ['opaque', 'opaque', 'sint64'] => 'sint64'],
     # The rectangle of the least area that contains points.

@@ -384,6 +384,8 @@ module Vesica
     'int64_t vesica_corners_of_shapes_f64(void *, void *)',
     # Bounding boxes of an array of any kind: out[i] is the result of vesica_bounds_f64.
     'int64_t vesica_bounds_many_f64(void *, void *)',
+    # Areas of an array of any kind: out[i] is the result of vesica_shape_area_f64.
+    'int64_t vesica_shape_area_many_f64(void *, void *)',
     # The convex hull of points: the smallest convex polygon that contains them.
     'int64_t vesica_convex_hull_f64(void *, void *, int64_t)',
     # The rectangle of the least area that contains points.
@@ -408,6 +410,8 @@ module Vesica
     'int64_t vesica_corners_of_shapes_f32(void *, void *)',
     # Bounding boxes of an array of any kind: out[i] is the result of vesica_bounds_f32.
     'int64_t vesica_bounds_many_f32(void *, void *)',
+    # Areas of an array of any kind: out[i] is the result of vesica_shape_area_f32.
+    'int64_t vesica_shape_area_many_f32(void *, void *)',
     # The convex hull of points: the smallest convex polygon that contains them.
     'int64_t vesica_convex_hull_f32(void *, void *, int64_t)',
     # The rectangle of the least area that contains points.

@@ -293,6 +293,9 @@ TYPED_TEST(GuardPagesOfArrays, AreNotTouchedByBoxes) {
         auto* const bounds = rooms.room<typename F::Aabb>(n);
         const std::int64_t code = F::bounds_many(&all, bounds);
         EXPECT_EQ(written(bounds, n), n) << code;
+        T* const areas = rooms.room<T>(n);
+        F::shape_area_many(&all, areas);
+        EXPECT_EQ(written(areas, n), n);
         if (kind != VESICA_RECT && kind != VESICA_ELLIPSE) continue;
         T* const corners = rooms.room<T>(8 * n);
         T* const boxes = rooms.room<T>(5 * n);

@@ -2917,6 +2917,21 @@ extern "C" {
     ///
     /// Since: 0.1.
     pub fn vesica_bounds_many_f64(shapes: *const Shapes<f64>, out: *mut Aabb<f64>) -> i64;
+    /// Areas of an array of any kind: out\[i\] is the result of vesica_shape_area_f64.
+    ///
+    /// Requires: out, room for `count`.
+    ///
+    /// Returns: 0.
+    ///
+    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would overflow: all
+    /// numbers of that result are NaN, and all other results are written as usual. Before anything is written:
+    /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array
+    /// that exceeds the address space, an unknown unit of angles).
+    ///
+    /// Accuracy: as vesica_shape_area_f64.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_shape_area_many_f64(shapes: *const Shapes<f64>, out: *mut f64) -> i64;
     /// The convex hull of points: the smallest convex polygon that contains them.
     ///
     /// Points are the vertices of a polygon; their order and its rings do not matter. Corners of the hull run counter-
@@ -3121,6 +3136,22 @@ extern "C" {
     ///
     /// Since: 0.1.
     pub fn vesica_bounds_many_f32(shapes: *const Shapes<f32>, out: *mut Aabb<f32>) -> i64;
+    /// Areas of an array of any kind: out\[i\] is the result of vesica_shape_area_f32.
+    ///
+    /// Requires: out, room for `count`.
+    ///
+    /// Returns: 0.
+    ///
+    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would overflow: all
+    /// numbers of that result are NaN, and all other results are written as usual. Before anything is written:
+    /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array
+    /// that exceeds the address space, an unknown unit of angles).
+    ///
+    /// Accuracy: as vesica_shape_area_f32.
+    /// Each number is computed in double, within these bounds, and then rounded to float once.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_shape_area_many_f32(shapes: *const Shapes<f32>, out: *mut f32) -> i64;
     /// The convex hull of points: the smallest convex polygon that contains them.
     ///
     /// Points are the vertices of a polygon; their order and its rings do not matter. Corners of the hull run counter-
@@ -5796,6 +5827,7 @@ pub unsafe trait Scalar: Copy + Default + PartialEq + PartialOrd + core::fmt::De
     unsafe fn boxes_from_shapes(shapes: *const Shapes<Self>, angle: i32, boxes: *mut Self) -> i64;
     unsafe fn corners_of_shapes(shapes: *const Shapes<Self>, corners: *mut Self) -> i64;
     unsafe fn bounds_many(shapes: *const Shapes<Self>, out: *mut Aabb<Self>) -> i64;
+    unsafe fn shape_area_many(shapes: *const Shapes<Self>, out: *mut Self) -> i64;
     unsafe fn convex_hull(points: *const Polygon<Self>, out: *mut Point<Self>, capacity: i64) -> i64;
     unsafe fn min_area_rect(points: *const Polygon<Self>, out: *mut Rect<Self>) -> i32;
     unsafe fn min_perimeter_rect(points: *const Polygon<Self>, out: *mut Rect<Self>) -> i32;
@@ -6220,6 +6252,10 @@ unsafe impl Scalar for f64 {
     #[inline]
     unsafe fn bounds_many(shapes: *const Shapes<f64>, out: *mut Aabb<f64>) -> i64 {
         vesica_bounds_many_f64(shapes, out)
+    }
+    #[inline]
+    unsafe fn shape_area_many(shapes: *const Shapes<f64>, out: *mut f64) -> i64 {
+        vesica_shape_area_many_f64(shapes, out)
     }
     #[inline]
     unsafe fn convex_hull(points: *const Polygon<f64>, out: *mut Point<f64>, capacity: i64) -> i64 {
@@ -6839,6 +6875,10 @@ unsafe impl Scalar for f32 {
     #[inline]
     unsafe fn bounds_many(shapes: *const Shapes<f32>, out: *mut Aabb<f32>) -> i64 {
         vesica_bounds_many_f32(shapes, out)
+    }
+    #[inline]
+    unsafe fn shape_area_many(shapes: *const Shapes<f32>, out: *mut f32) -> i64 {
+        vesica_shape_area_many_f32(shapes, out)
     }
     #[inline]
     unsafe fn convex_hull(points: *const Polygon<f32>, out: *mut Point<f32>, capacity: i64) -> i64 {
