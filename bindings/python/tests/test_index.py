@@ -81,6 +81,13 @@ class Index(unittest.TestCase):
         same = vesica.circles(numpy.ones((500, 3)))
         self.assertEqual(len(vesica.Index(same).join()[0]), 500 * 499 // 2)
 
+    def test_more_items_than_a_call_gives(self):
+        for count in (255, 256, 257, 70_000):
+            index = vesica.Index(vesica.circles(numpy.ones((count, 3))))
+            for found in (index.select(vesica.points([1, 1])), index.cast(vesica.points([-5, 1]), (1, 0))):
+                self.assertEqual(sorted(found.tolist()), list(range(count)))
+        self.assertEqual(index.select(vesica.points([9, 9])).tolist(), [])
+
     def test_windows_and_nearest(self):
         generator = numpy.random.default_rng(3)
         sets = mixed(50, generator, "f8")

@@ -195,6 +195,7 @@ class OfArrays(Messages):
                 ([row, row[:-1] + ["x"]], f"{name}: row 1, number {n - 1} is 'x', not a number", TypeError),
                 ([row, row[:-1]], f"{name}: row 1 has {n - 1} number...", ValueError),
                 ([row, 1], f"{name}: row 1 has one number, row 0 has {n} numbers", ValueError),
+                (numpy.array([row, ["x"] * n], object), f"{name}: row 1, number 0 is 'x', not a number", TypeError),
                 ([{"x": 1}], f"{name}: row 0 is a dict; columns of one dict are taken, not a list of dicts", TypeError),
                 (3.0, f"{need}an array of shape (n, {n}) or ({n},), not ()", ValueError),
                 ([[]], f"{need}..., not (1, 0)", ValueError),
@@ -349,6 +350,8 @@ class OfArguments(Messages):
             self.says(words, call, *arguments, error=TypeError)
         texts = "labels are whole numbers: number texts by numpy.unique(labels, return_inverse=True)[1]"
         self.says(texts, vesica.nms, RECTS, [1, 2], labels=["car", "bus"], error=TypeError)
+        objects = numpy.array(["car", "bus"], object)
+        self.says(texts, vesica.nms, RECTS, [1, 2], labels=objects, error=TypeError)
 
     def test_parameters_are_rounded_before_they_are_compared(self):
         narrow = RECTS.astype("f4")

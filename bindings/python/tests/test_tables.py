@@ -41,6 +41,8 @@ class Tables(unittest.TestCase):
     def test_wrong_ones(self):
         with self.assertRaisesRegex(ValueError, "circles need fields cx cy r; missing: r"):
             vesica.circles({"cx": X, "cy": Y})
+        with self.assertRaisesRegex(ValueError, "circles need fields cx cy r; missing: cy r"):
+            vesica.circles(Table({"name": ["a", "b", "c"], "cx": X}))
         with self.assertRaisesRegex(ValueError, "circles have columns of different lengths: cx 3, cy 2, r 3"):
             vesica.circles({"cx": X, "cy": Y[:2], "r": R})
         with self.assertRaisesRegex(TypeError, "all float64 or all float32"):

@@ -111,7 +111,7 @@ class Threads(unittest.TestCase):
     def test_one_shape(self):
         for wrong in ((), (3, 4000)):
             rects = drawn(Kind.RECT, 5003, "f8", wrong)
-            for call in (vesica.bounds, vesica.corners):
+            for call in (vesica.bounds, vesica.corners, vesica.shape_area):
                 self.same(lambda threads: call(rects, threads=threads), call.__name__, fails=bool(wrong))
             self.same(lambda threads: vesica.boxes(rects, threads=threads), fails=bool(wrong))
             rows = numpy.random.default_rng(4).random((5003, 6)) * [1, 1, 1, 1, 6, 0.1] + [0, 0, 0.2, 0.2, 0, 0]

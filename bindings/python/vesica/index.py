@@ -28,6 +28,7 @@ _CAST, _CAST_FIRST = by_scalar("index_cast"), by_scalar("index_cast_first")
 _IMPACT_TIME = by_scalar("index_impact_time")
 _ALIGNMENT = 64
 _PAIRS_A_CALL = 1 << 16
+_ITEMS_OF_THE_FIRST_CALL = 256  # mostly all
 _NO_OUTPUT = (None, None, 0, None)
 
 
@@ -269,13 +270,15 @@ class Index:
         return self._items(_SELECT[self._letter], shape)
 
     def _items(self, function, shape, *asked):
-        """All items of a question, which is put twice: how many, and which."""
+        """All items of a question, in as many calls as it takes."""
         arguments = (self._address(), self._sets, len(self._sets), ctypes.byref(shape.view), *asked)
-        count = accepted(function(*arguments, None, 0, None), shape=shape)
-        out, state = numpy.empty(count, numpy.int64), numpy.zeros(4, numpy.int64)
-        if count:
-            checked(function(*arguments, out.ctypes.data, count, state.ctypes.data))
-        return out
+        found, room, state = [], _ITEMS_OF_THE_FIRST_CALL, numpy.zeros(4, numpy.int64)
+        while state[0] != -1:
+            out = numpy.empty(room, numpy.int64)
+            count = function(*arguments, out.ctypes.data, room, state.ctypes.data)
+            found.append(first_rows(out, accepted(count, shape=shape)))
+            room = _PAIRS_A_CALL
+        return found[0] if len(found) == 1 else numpy.concatenate(found)
 
     def cast(self, shape, velocity, t_end=math.inf):
         """The items that a single shape, moved by t * velocity from t = 0 to t_end, touches.

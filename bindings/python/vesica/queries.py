@@ -16,6 +16,7 @@ from .shapes import (
     BOUNDS,
     FIELDS,
     Kind,
+    accepted,
     all_points,
     exactly,
     first_of_rows,
@@ -297,7 +298,8 @@ _SELECT, _SUPPRESS, _SOFT = by_scalar("overlap_select"), by_scalar("suppress"), 
 _INTERIORS_SELECT = by_scalar("interiors_overlap_select")
 _DECAYS = {"linear": _declarations.DECAY_LINEAR, "gaussian": _declarations.DECAY_GAUSSIAN}
 _CROSSINGS = by_scalar("crossings")
-_SHAPE_AREA, _CORNERS = by_scalar("shape_area"), by_scalar("corners_of_shapes")
+_SHAPE_AREA, _SHAPE_AREAS = by_scalar("shape_area"), by_scalar("shape_area_many")
+_CORNERS = by_scalar("corners_of_shapes")
 
 # Every question takes shapes a and b. Two single shapes give a number. Arrays in step give an array; of one shape and
 # an array, the one is repeated. `out` is a contiguous array to write to. All are float64, or all float32. `threads`
@@ -487,17 +489,14 @@ def crossings(a, b):
     return Crossings(all_points(_CROSSINGS[letter], a, b, ctypes.byref(shared)), bool(shared.value))
 
 
-def shape_area(shape):
+def shape_area(shape, threads=None):
     """The area of a single shape, or of each of an array."""
-    function = _SHAPE_AREA[the_shapes(shape, "shape").letter]
-    rows = shape.structs()
-    out = numpy.empty(len(rows), shape.dtype)
-    row_from, row_to = rows.ctypes.data, out.ctypes.data
-    for i in range(len(rows)):
-        code = function(shape.kind, row_from + i * rows.strides[0], row_to + i * out.itemsize)
-        if code < 0:
-            raise refused(code, shape=shape)
-    return out[0].item() if shape.single else out
+    out = numpy.empty(len(the_shapes(shape, "shape").columns[0]), shape.dtype)
+    if shape.single:
+        accepted(_SHAPE_AREA[shape.letter](shape.kind, shape.record, out.ctypes.data), shape=shape)
+        return out[0].item()
+    code = divided(_SHAPE_AREAS[shape.letter], [shape.view], [(out.ctypes.data, out.itemsize)], len(out), threads)
+    return finish(code, out, shape=shape)
 
 
 def bounds(shape, threads=None):
@@ -672,7 +671,7 @@ def labels_of(labels, boxes):
     """The labels as the library takes them, or others that are equal where they are; None for none."""
     if labels is None:
         return None
-    if numpy.asarray(labels).dtype.kind in "US":
+    if any(isinstance(label, str) for label in numpy.ravel(numpy.asarray(labels))[:1]):
         raise TypeError("labels are whole numbers: number texts by numpy.unique(labels, return_inverse=True)[1]")
     labels = _one_each("labels", labels, boxes)
     if labels.size == 0:

@@ -349,8 +349,8 @@ def _as_array(values, name):
 
 def _no_numbers(values, name):
     """The error for what is no array of numbers, with the first row that makes it none."""
-    if isinstance(values, numpy.ndarray) and values.ndim:
-        values = list(values)
+    if hasattr(values, "__array__") and numpy.ndim(values):
+        values = numpy.asarray(values).tolist()
     if not isinstance(values, (list, tuple)):
         given = repr(values) if values is None or isinstance(values, str) else f"of the type {type(values).__name__}"
         return TypeError(f"{name} is {given}, not an array of numbers")
@@ -495,8 +495,9 @@ def _columns(array, what, wanted):
     names = getattr(getattr(array, "dtype", None), "names", None)
     if names is None and isinstance(array, Mapping):
         names = list(array)
-    if names is None and not isinstance(array, Shapes) and set(wanted) <= set(getattr(array, "columns", ())):
-        names = list(array.columns)
+    if names is None and not isinstance(array, Shapes) and hasattr(array, "columns"):
+        of_table = list(array.columns)
+        names = of_table if set(wanted) <= set(of_table) or len(of_table) != len(wanted) else None
     if names is None:
         return None
     missing = [name for name in wanted if name not in names]
