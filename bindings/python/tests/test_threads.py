@@ -102,6 +102,18 @@ class Threads(unittest.TestCase):
             if columns > 50:
                 self.same(lambda threads: vesica.within_matrix(b, b, 0.1, threads=threads), rows)
 
+    def test_manifolds_and_volumes(self):
+        for wrong in ((), (3, 4000)):
+            a, b = drawn(Kind.RECT, 5003, "f8", wrong), drawn(Kind.RECT, 5003, "f8")[::-1]
+            self.same(lambda threads: vesica.manifold(a, b, threads=threads), wrong, fails=bool(wrong))
+            spans = numpy.sort(numpy.random.default_rng(6).random((5003, 2)), axis=1)
+            for of_b, spans_b in ((b, spans[::-1]), (b[1], spans[1])):
+                call = lambda threads: vesica.volume_ratio(Ratio.OVER_UNION, a, spans, of_b, spans_b, threads=threads)
+                self.same(call, wrong, fails=bool(wrong))
+        for rows, columns in ((1031, 7), (7, 1031)):
+            sides = a[5 : 5 + rows], spans[5 : 5 + rows], b[:columns], spans[:columns]
+            self.same(lambda threads: vesica.volume_ratio_matrix(Ratio.OVER_SMALLER, *sides, threads=threads), rows)
+
     def test_selections(self):
         for wrong in ((), (3, 4000)):
             many = drawn(Kind.CIRCLE, 5003, "f4", wrong)

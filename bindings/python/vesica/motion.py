@@ -163,7 +163,7 @@ _CONTACTS = {
 }
 
 
-def manifold(a, b):
+def manifold(a, b, threads=None):
     """Where do two convex shapes press on each other, how deep, and along which normal: a Manifold, for physics.
 
     The normal and the greatest depth are those of depth(). Where edges face each other there are two contacts, at the
@@ -183,7 +183,8 @@ def manifold(a, b):
     )
     if single:
         return result._replace(count=int(result.count))
-    code = _MANIFOLD_MANY[letter](ctypes.byref(a.view), ctypes.byref(b.view), out.ctypes.data)
+    columns = [(out.ctypes.data, out.itemsize)]
+    code = divided(_MANIFOLD_MANY[letter], (a.view, b.view), columns, len(out), threads)
     return finish(code, result, a=a, b=b)
 
 

@@ -242,6 +242,26 @@ def _stripes(count, threads):
     return [(begin, min(begin + step, count)) for begin in range(0, count, max(step, 1))] or [(0, 0)]
 
 
+def striped(ask, a, b, result, threads):
+    """The code of a matrix of answers, of which threads answer stripes, along its longer side.
+
+    ask(a, b, first_a, first_b, address, row): a and b are the C structs from those shapes on.
+    """
+    threads, shape = count_of(threads, result.size), result.shape
+    row = result.strides[0] // result.itemsize if result.size else shape[1]
+    by_rows = shape[0] >= shape[1]
+    step = (row if by_rows else 1) * result.itemsize
+
+    def of_stripe(span):
+        begin, views = span[0], (a.view, b.view)
+        if threads > 1:
+            views = (cut(a.view, *span), b.view) if by_rows else (a.view, cut(b.view, *span))
+        first = (begin, 0) if by_rows else (0, begin)
+        return ask(*map(ctypes.byref, views), *first, result.ctypes.data + begin * step, row)
+
+    return worst(in_order(of_stripe, _stripes(max(shape), threads), threads))
+
+
 class _Matrix:
     """The same question of every pair of two arrays."""
 
@@ -253,18 +273,11 @@ class _Matrix:
         letter = same_scalar(a, b)
         shape = (len(a.columns[0]), len(b.columns[0]))
         result = _output(out, shape, self.dtypes or (a.dtype,), (*a.columns, *b.columns))
-        row = result.strides[0] // result.itemsize if result.size else shape[1]
-        threads = count_of(threads, result.size)
-        by_rows = shape[0] >= shape[1]
-        steps = (row * result.itemsize, 0) if by_rows else (0, result.itemsize)
 
-        def ask(span):
-            parts = (cut(a.view, *span), b.view) if by_rows else (a.view, cut(b.view, *span))
-            parts = parts if threads > 1 else (a.view, b.view)
-            address = result.ctypes.data + span[0] * sum(steps)
-            return self.function[letter](*self.first, *map(ctypes.byref, parts), *self.last, address, row)
+        def ask(a, b, first_a, first_b, *output):
+            return self.function[letter](*self.first, a, b, *self.last, *output)
 
-        code = worst(in_order(ask, _stripes(max(shape), threads), threads))
+        code = striped(ask, a, b, result, threads)
         return finish(code, result, self.undefined, a=a, b=b)
 
 

@@ -1,18 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
 """Ratios of shared volume of upright prisms: a shape from one height to another."""
-import ctypes
-
 import numpy
 
 from . import _declarations
 from ._library import VesicaError, by_scalar, one_of
-from .queries import Ratio, finish, in_step
+from ._threads import divided
+from .queries import Ratio, finish, in_step, striped
 from .shapes import plain, same_scalar
 
 _ONE, _MANY, _MATRIX = (by_scalar(f"volume_ratio{form}") for form in ("", "_many", "_matrix"))
 
 
-def volume_ratio(which, a, spans_a, b, spans_b):
+def volume_ratio(which, a, spans_a, b, spans_b, threads=None):
     """A Ratio of shared volume of prisms: shapes a from the heights (low, high) of spans_a, and b from those of spans_b.
 
     Ratio.OVER_UNION is IoU in three dimensions, of boxes that stand upright and may be turned; OVER_FIRST, OVER_SECOND
@@ -21,19 +20,31 @@ def volume_ratio(which, a, spans_a, b, spans_b):
     """
     which, letter = one_of(Ratio, which, "which"), same_scalar(a, b)
     spans_a, spans_b = _spans(spans_a, a, "spans_a"), _spans(spans_b, b, "spans_b")
-    shapes = ctypes.byref(a.view), spans_a.ctypes.data, ctypes.byref(b.view), spans_b.ctypes.data
     out = numpy.empty(in_step(a, b), a.dtype)
-    result = finish(_MANY[letter](which, *shapes, out.ctypes.data), out, _no_volume, a=a, b=b)
+
+    def ask(a, b, spans_a, spans_b, output):
+        return _MANY[letter](which, a, spans_a, b, spans_b, output)
+
+    columns = [*map(_column, (spans_a, spans_b)), (out.ctypes.data, out.itemsize)]
+    result = finish(divided(ask, (a.view, b.view), columns, len(out), threads), out, _no_volume, a=a, b=b)
     return result[0].item() if a.single and b.single else result
 
 
-def volume_ratio_matrix(which, a, spans_a, b, spans_b):
+def volume_ratio_matrix(which, a, spans_a, b, spans_b, threads=None):
     """(len(a), len(b)): a Ratio of shared volume of each prism of a and each of b; as volume_ratio."""
     which, letter = one_of(Ratio, which, "which"), same_scalar(a, b)
     spans_a, spans_b = _spans(spans_a, a, "spans_a"), _spans(spans_b, b, "spans_b")
-    shapes = ctypes.byref(a.view), spans_a.ctypes.data, ctypes.byref(b.view), spans_b.ctypes.data
     out = numpy.empty((len(spans_a), len(spans_b)), a.dtype)
-    return finish(_MATRIX[letter](which, *shapes, out.ctypes.data, len(spans_b)), out, _no_volume, a=a, b=b)
+
+    def ask(a, b, first_a, first_b, *output):
+        return _MATRIX[letter](which, a, spans_a[first_a:].ctypes.data, b, spans_b[first_b:].ctypes.data, *output)
+
+    return finish(striped(ask, a, b, out, threads), out, _no_volume, a=a, b=b)
+
+
+def _column(spans):
+    """The address, and the bytes from one span to the next; a single one is repeated."""
+    return spans.ctypes.data, spans.strides[0] if len(spans) > 1 else 0
 
 
 def _no_volume(result):
