@@ -246,7 +246,7 @@ typedef struct {
  * right to 16 u scale (1 + s), where s is the slope of the steeper edge against the line across the normal, at most 1
  * where corners have 90 degrees or more; the points also to 16 u of their coordinates and the radii. To that comes
  * 4 e where edges were joined, or where a depth below 0 has become 0.
- * Cost: vesica_depth_f64, and a sixth to a half of that.
+ * Cost: one and a half to three times vesica_depth_f64.
  */
 VESICA_API int32_t vesica_manifold_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b,
                                        vesica_contacts_f64 *out);

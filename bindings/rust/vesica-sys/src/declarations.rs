@@ -5122,7 +5122,7 @@ extern "C" {
     /// centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect
     /// ratio is longer over shorter size.
     ///
-    /// Cost: vesica_depth_f64, and a sixth to a half of that.
+    /// Cost: one and a half to three times vesica_depth_f64.
     ///
     /// Since: 0.1.
     pub fn vesica_manifold_f64(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
@@ -5455,7 +5455,7 @@ extern "C" {
     /// lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over
     /// shorter size.
     ///
-    /// Cost: vesica_depth_f32, and a sixth to a half of that.
+    /// Cost: one and a half to three times vesica_depth_f32.
     ///
     /// Since: 0.1.
     pub fn vesica_manifold_f32(kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
