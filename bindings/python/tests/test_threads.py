@@ -176,6 +176,12 @@ class Threads(unittest.TestCase):
                         grouped = outcome(call, 1)
                         with mock.patch.object(vesica.queries, "_BOXES_A_GROUP", n):
                             self.assertEqual(outcome(call, 1), grouped, (dtype, how))
+                    for how in ({"most": 50}, {"decay": "gaussian", "least_score": 0.1}) if dtype == "f8" else ():
+                        call = lambda threads: vesica.nms_soft(boxes, scores, labels=labels, threads=threads, **how)
+                        self.same(call, dtype, how, fails=bool(wrong))
+                        grouped = outcome(call, 1)
+                        with mock.patch.object(vesica.queries, "_BOXES_A_GROUP", n):
+                            self.assertEqual(outcome(call, 1), grouped, (dtype, how))
             if not wrong:
                 quads = vesica.polygons(vesica.corners(boxes))
                 self.same(lambda threads: vesica.nms(quads, scores, labels=labels, threads=threads))

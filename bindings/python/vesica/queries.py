@@ -554,27 +554,31 @@ def nms(boxes, scores, threshold=0.5, *, labels=None, ratio=Ratio.OVER_UNION, le
             *(threshold, least_score, len(keep), scratch.ctypes.data, len(scratch)),
             *(keep.ctypes.data, ctypes.byref(kept)),
         )
-        return code, first_rows(keep, kept.value)
+        keep = first_rows(keep, kept.value)
+        return code, keep, ranks[keep]
 
+    code, keep, _ = _by_groups(kept_of, boxes, ranks, labels, room, threads)
+    return finish(code, keep, scores=ranks, boxes=boxes)
+
+
+def _by_groups(kept_of, boxes, scores, labels, room, threads):
+    """The code, the indices and the scores that kept_of(boxes, scores, labels) gives, which threads ask about groups."""
     groups = [] if labels is None else _groups(labels)
     if len(groups) < 2:
-        code, keep = kept_of(boxes, ranks, labels)
-        return finish(code, keep, scores=ranks, boxes=boxes)
+        return kept_of(boxes, scores, labels)
     rows = boxes.structs() if boxes.kind in FIELDS else None  # of one box side by side, as the library reads them
 
     def of_group(which):
         some = boxes[which] if rows is None else shapes(boxes.kind, rows[which])
-        code, keep = kept_of(some, ranks[which], labels[which])
-        return code, which[keep]
+        code, keep, left = kept_of(some, scores[which], labels[which])
+        return code, which[keep], left
 
-    codes, kept = zip(*in_order(of_group, groups, count_of(threads, len(boxes))))
-    kept = numpy.concatenate(kept)
-    falling = -ranks[kept]
-    order = numpy.argsort(falling, kind="stable")  # merges groups, which are in order
-    if (numpy.diff(falling[order]) == 0).any():
-        order = numpy.lexsort((kept, falling))  # of equal scores the lower index comes first, as in the library
-    kept = kept[order]
-    return finish(worst(codes), first_rows(kept, min(room, len(kept))), scores=ranks, boxes=boxes)
+    codes, kept, left = zip(*in_order(of_group, groups, count_of(threads, len(boxes))))
+    kept, left = numpy.concatenate(kept), numpy.concatenate(left)
+    order = numpy.argsort(-left, kind="stable")  # merges groups, which are in order
+    if (numpy.diff(left[order]) == 0).any():
+        order = numpy.lexsort((kept, -left))  # of equal scores the lower index comes first, as in the library
+    return worst(codes), kept[order[:room]], left[order[:room]]
 
 
 _BOXES_A_GROUP = 1024
@@ -599,7 +603,7 @@ def _groups(labels):
 
 
 def nms_soft(boxes, scores, parameter=0.5, *, decay="linear", labels=None, ratio=Ratio.OVER_UNION, least_score=0.0,
-             most=None):
+             most=None, threads=None):
     """Soft suppression: (indices, scores), as they are taken, with the scores that were left then.
 
     The best is taken again and again, and lowers those that it has a ratio r with: "linear", times 1 - r where r is
@@ -614,15 +618,24 @@ def nms_soft(boxes, scores, parameter=0.5, *, decay="linear", labels=None, ratio
     parameter = real(parameter, "parameter", boxes.dtype, *of_decay)
     least_score = real(least_score, "least_score", boxes.dtype, 0)
     room = _room(most, boxes)
-    keep, left, kept = numpy.empty(room, numpy.int64), numpy.empty(room, boxes.dtype), ctypes.c_int64()
-    scratch = numpy.empty(checked(library.vesica_suppress_soft_scratch(len(boxes))) // 8 + 1, numpy.int64)
-    code = _SOFT[boxes.letter](
-        *(ctypes.byref(boxes.view), scores.ctypes.data, None if labels is None else labels.ctypes.data, ratio),
-        *(_DECAYS[decay], parameter, least_score, room, scratch.ctypes.data, scratch.nbytes),
-        *(keep.ctypes.data, left.ctypes.data, ctypes.byref(kept)),
+
+    def kept_of(boxes, scores, labels):
+        capacity, kept = min(room, len(boxes)), ctypes.c_int64()
+        keep, left = numpy.empty(capacity, numpy.int64), numpy.empty(capacity, boxes.dtype)
+        scratch = numpy.empty(checked(library.vesica_suppress_soft_scratch(len(boxes))) // 8 + 1, numpy.int64)
+        code = _SOFT[boxes.letter](
+            *(ctypes.byref(boxes.view), scores.ctypes.data, None if labels is None else labels.ctypes.data, ratio),
+            *(_DECAYS[decay], parameter, least_score, capacity, scratch.ctypes.data, scratch.nbytes),
+            *(keep.ctypes.data, left.ctypes.data, ctypes.byref(kept)),
+        )
+        return code, first_rows(keep, kept.value), first_rows(left, kept.value)
+
+    # The library lowers scores in double. Rounded to float32 they do not tell how groups are to be merged.
+    in_groups = boxes.letter == "d"
+    code, *result = (
+        _by_groups(kept_of, boxes, scores, labels, room, threads) if in_groups else kept_of(boxes, scores, labels)
     )
-    result = first_rows(keep, kept.value), first_rows(left, kept.value)
-    return finish(code, result, scores=scores, boxes=boxes)
+    return finish(code, tuple(result), scores=scores, boxes=boxes)
 
 
 def _room(most, boxes):
