@@ -38,8 +38,25 @@ std::int32_t facts_by_kind(const ShapeOfKind& s, Facts& out) noexcept {
 }
 
 /// asked: the shared area or IoU; NaN where that is an error, and where the area was not asked.
+/// The double to divide a shared area by; NaN if that takes more than the areas as doubles.
+template <Ratio which>
+double plain_divisor(double shared, double a, double b) noexcept {
+  using detail::ratio::is_moderate;
+  const bool usual = is_moderate(a) && is_moderate(b) && (shared == 0 || shared >= 0x1p-900);
+  if (!usual) return std::numeric_limits<double>::quiet_NaN();
+  return which == Ratio::over_first ? a : which == Ratio::over_second || b < a ? b : a;
+}
+
 template <Ratio which>
 std::int32_t derive(double asked, const ShapeOfKind& a, const ShapeOfKind& b, double& out) noexcept {
+  if constexpr (detail::ratio::is_of_area(which)) {
+    const double whole = plain_divisor<which>(asked, a.area, b.area);
+    // Where both areas are numbers, both shapes are valid.
+    if (whole >= (asked == 0 ? 1 : 0)) {
+      out = std::fmin(1, asked / whole);
+      return 0;
+    }
+  }
   Facts first, second;
   if (facts_by_kind(a, first) != 0 || facts_by_kind(b, second) != 0) return error_shape;
   if constexpr (detail::ratio::is_of_area(which)) {
