@@ -6,14 +6,12 @@
 #include <vesica/polygon/own_area.hpp>
 
 #include "polygon/arrays.hpp"
-#include "queries/ratio.hpp"
 #include "query_calls.hpp"
 #include "vesica_detection.h"
 
 namespace {
 
 using namespace vesica::capi;
-using vesica::Ratio;
 
 /// A prism's base area and heights, or the error of its shape or span.
 struct Prism {
@@ -52,33 +50,29 @@ constexpr bool is_of_volume(int32_t ratio) noexcept {
   return ratio >= VESICA_RATIO_OVER_UNION && ratio <= VESICA_RATIO_OVER_SMALLER;
 }
 
-/// The ratio of areas that the ratio of volumes is made of.
-constexpr Ratio base_of(int32_t ratio) noexcept {
-  return ratio == VESICA_RATIO_OVER_SECOND ? Ratio::over_second : Ratio::over_first;
-}
-
-/// From a base ratio of valid shapes. Returns 0 or VESICA_E_ARGUMENT, where the volume to divide by is 0.
-int32_t of_volumes(int32_t ratio, double base, const Prism& p, const Prism& q, double& out) noexcept {
+/// From the IoU of the bases, of valid prisms. Returns 0 or VESICA_E_ARGUMENT, where the volume to divide by is 0.
+int32_t of_volumes(int32_t ratio, double iou, const Prism& p, const Prism& q, double& out) noexcept {
   const bool needs_first = ratio == VESICA_RATIO_OVER_FIRST || ratio == VESICA_RATIO_OVER_SMALLER;
   const bool needs_second = ratio == VESICA_RATIO_OVER_SECOND || ratio == VESICA_RATIO_OVER_SMALLER;
   const bool no_first = p.is_empty(), no_second = q.is_empty();
   if ((needs_first && no_first) || (needs_second && no_second) || (no_first && no_second)) return VESICA_E_ARGUMENT;
   out = 0;
-  if (no_first || no_second) return 0;
+  if (no_first || no_second || iou == 0) return 0;
   const Heights h(p, q);
-  if (ratio == VESICA_RATIO_OVER_SECOND) {
-    out = base * (h.shared / h.b);
-    return 0;
-  }
-  const double share = base * (h.shared / h.a), times = (q.area / p.area) * (h.b / h.a);  // volume of b over that of a
-  if (share == 0) return 0;
-  if (ratio == VESICA_RATIO_OVER_FIRST) out = share;
-  if (ratio == VESICA_RATIO_OVER_SMALLER) out = times < 1 ? std::fmin(1, share / times) : share;
-  if (ratio == VESICA_RATIO_OVER_UNION) out = std::fmin(1, share / ((1 - share) + times));
+  if (h.shared == 0) return 0;
+  // Shares of either volume; no product of an area and a height may overflow.
+  const double area = iou / (1 + iou);
+  const double first = std::fmin(1, (1 + q.area / p.area) * area * (h.shared / h.a));
+  const double second = std::fmin(1, (1 + p.area / q.area) * area * (h.shared / h.b));
+  const double less = std::fmin(first, second), more = std::fmax(first, second);
+  if (ratio == VESICA_RATIO_OVER_FIRST) out = first;
+  if (ratio == VESICA_RATIO_OVER_SECOND) out = second;
+  if (ratio == VESICA_RATIO_OVER_SMALLER) out = more;
+  if (ratio == VESICA_RATIO_OVER_UNION && less > 0) out = less / (less / more + (1 - less));
   return 0;
 }
 
-/// Turns a base ratio, which is NaN if there is none, into the result in place.
+/// Turns an IoU of bases, which is NaN if there is none, into the result in place.
 template <class T>
 int32_t finish_volume_ratio(int32_t ratio, const Prism& p, const Prism& q, T& number) noexcept {
   double result = 0;
@@ -97,17 +91,8 @@ int32_t volume_ratio_of_two(int32_t ratio, int32_t kind_a, const void* a, const 
   if (a == nullptr || span_a == nullptr || b == nullptr || span_b == nullptr || out == nullptr) return VESICA_E_NULL;
   if (!vesica::has_core_or_path(kind_a) || !vesica::has_core_or_path(kind_b)) return VESICA_E_KIND;
   if (!is_of_volume(ratio)) return VESICA_E_ARGUMENT;
-  const vesica::Query& base = vesica::queries::ratio(base_of(ratio));
   T number = std::numeric_limits<T>::quiet_NaN();
-  if (vesica::is_row(kind_a) && vesica::is_row(kind_b)) {
-    double first[vesica::max_fields], second[vesica::max_fields], share = 0;
-    widen<T>(kind_a, a, first);
-    widen<T>(kind_b, b, second);
-    if (vesica::queries::ratio_of_pair(base_of(ratio), kind_a, first, kind_b, second, share) == 0)
-      number = static_cast<T>(share);
-  } else {
-    vesica::ask<T>(base, kind_a, a, kind_b, b, &number);
-  }
+  vesica::ask<T>(vesica::queries::iou, kind_a, a, kind_b, b, &number);
   const int32_t error = finish_volume_ratio(ratio, prism<T>(kind_a, a, *span_a), prism<T>(kind_b, b, *span_b), number);
   if (error == 0) *out = number;
   return error;
@@ -161,7 +146,7 @@ int64_t volume_ratios_in_step(int32_t ratio, const CShapesOf<T>* a, const Span* 
   const int64_t n = pairs_in_step(*a, *b);
   if (n <= 0) return n;
   T* const columns[] = {out};
-  vesica::capi::many<T>(vesica::queries::ratio(base_of(ratio)), a, b, columns);
+  vesica::capi::many<T>(vesica::queries::iou, a, b, columns);
   const Prisms<T, Span> first{view<T>(*a), spans_a}, second{view<T>(*b), spans_b};
   Volumes volumes{ratio};
   for (int64_t i = 0; i < n; ++i) {
@@ -178,7 +163,7 @@ int64_t volume_ratios_of_all(int32_t ratio, const CShapesOf<T>* a, const Span* s
   if (error != 0) return error;
   if (!rows_apart(a->count, b->count, row_stride, sizeof(T))) return VESICA_E_ARGUMENT;
   if (!anything(a, b)) return 0;
-  vesica::capi::matrix<T>(vesica::queries::ratio(base_of(ratio)), a, b, out, row_stride);
+  vesica::capi::matrix<T>(vesica::queries::iou, a, b, out, row_stride);
   const Prisms<T, Span> first{view<T>(*a), spans_a}, second{view<T>(*b), spans_b};
   Volumes volumes{ratio};
   constexpr int64_t tile = 256;

@@ -164,15 +164,15 @@ typedef struct {
  * A ratio of shared volume: IoU and its relatives of two upright prisms.
  *
  * A prism is what lies above a shape, its base, from span's low to its high. The shared volume is the shared area of
- * the bases times the shared height. Ratios are from 0 to 1; prisms that only touch share nothing.
+ * the bases times the shared height. Ratios are from 0 to 1; prisms that only touch share nothing. Exchanging the
+ * prisms exchanges OVER_FIRST and OVER_SECOND, and changes no bit of the others.
  * Requires: ratio, one of VESICA_RATIO_OVER_UNION, _OVER_FIRST, _OVER_SECOND, _OVER_SMALLER.
  * Returns: 0.
  * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE (or low above high, or a height that is not finite),
  * VESICA_E_ARGUMENT (another ratio, or the volume to divide by is 0), VESICA_E_RANGE (an area overflows).
- * Accuracy: computed from the result of vesica_ratio_f64 for the bases, over the first or the second, and from
- * vesica_shape_area_f64, with at most 8 u of further error, for areas and heights from 2^-500 to 2^500.
- * The float function takes both as floats.
- * Cost: as vesica_ratio_f64, and the two areas.
+ * Accuracy: computed from vesica_iou_f64 of the bases and vesica_shape_area_f64 with at most 12 u of further error, for
+ * areas from 2^-400 to 2^400. The float function takes both as floats.
+ * Cost: as vesica_iou_f64, and the two areas.
  */
 VESICA_API int32_t vesica_volume_ratio_f64(int32_t ratio, int32_t kind_a, const void *a, const vesica_span_f64 *span_a,
                                            int32_t kind_b, const void *b, const vesica_span_f64 *span_b, double *out);

@@ -3342,7 +3342,8 @@ extern "C" {
     /// A ratio of shared volume: IoU and its relatives of two upright prisms.
     ///
     /// A prism is what lies above a shape, its base, from span's low to its high. The shared volume is the shared area
-    /// of the bases times the shared height. Ratios are from 0 to 1; prisms that only touch share nothing.
+    /// of the bases times the shared height. Ratios are from 0 to 1; prisms that only touch share nothing. Exchanging
+    /// the prisms exchanges OVER_FIRST and OVER_SECOND, and changes no bit of the others.
     ///
     /// Requires: ratio, one of VESICA_RATIO_OVER_UNION, _OVER_FIRST, _OVER_SECOND, _OVER_SMALLER.
     ///
@@ -3351,13 +3352,13 @@ extern "C" {
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE (or low above high, or a height that is not finite),
     /// VESICA_E_ARGUMENT (another ratio, or the volume to divide by is 0), VESICA_E_RANGE (an area overflows).
     ///
-    /// Accuracy: computed from the result of vesica_ratio_f64 for the bases, over the first or the second, and from
-    /// vesica_shape_area_f64, with at most 8 u of further error, for areas and heights from 2^-500 to 2^500. The float
-    /// function takes both as floats. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of
-    /// two shapes is the largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale"
-    /// means an error of at most 4 u times the scale. An aspect ratio is longer over shorter size.
+    /// Accuracy: computed from vesica_iou_f64 of the bases and vesica_shape_area_f64 with at most 12 u of further
+    /// error, for areas from 2^-400 to 2^400. The float function takes both as floats. In bounds on errors u is 2^-53,
+    /// half a unit in the last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their
+    /// centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect
+    /// ratio is longer over shorter size.
     ///
-    /// Cost: as vesica_ratio_f64, and the two areas.
+    /// Cost: as vesica_iou_f64, and the two areas.
     ///
     /// Since: 0.1.
     pub fn vesica_volume_ratio_f64(ratio: i32, kind_a: i32, a: *const c_void, span_a: *const Span<f64>, kind_b: i32,
@@ -3691,7 +3692,8 @@ extern "C" {
     /// A ratio of shared volume: IoU and its relatives of two upright prisms.
     ///
     /// A prism is what lies above a shape, its base, from span's low to its high. The shared volume is the shared area
-    /// of the bases times the shared height. Ratios are from 0 to 1; prisms that only touch share nothing.
+    /// of the bases times the shared height. Ratios are from 0 to 1; prisms that only touch share nothing. Exchanging
+    /// the prisms exchanges OVER_FIRST and OVER_SECOND, and changes no bit of the others.
     ///
     /// Requires: ratio, one of VESICA_RATIO_OVER_UNION, _OVER_FIRST, _OVER_SECOND, _OVER_SMALLER.
     ///
@@ -3700,14 +3702,14 @@ extern "C" {
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE (or low above high, or a height that is not finite),
     /// VESICA_E_ARGUMENT (another ratio, or the volume to divide by is 0), VESICA_E_RANGE (an area overflows).
     ///
-    /// Accuracy: computed from the result of vesica_ratio_f32 for the bases, over the first or the second, and from
-    /// vesica_shape_area_f32, with at most 8 u of further error, for areas and heights from 2^-500 to 2^500. The float
-    /// function takes both as floats. Each number is computed in double, within these bounds, and then rounded to float
-    /// once. In bounds on errors u is 2^-53, half a unit in the last place of 1. The scale of two shapes is the largest
-    /// of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of at most
-    /// 4 u times the scale. An aspect ratio is longer over shorter size.
+    /// Accuracy: computed from vesica_iou_f32 of the bases and vesica_shape_area_f32 with at most 12 u of further
+    /// error, for areas from 2^-400 to 2^400. The float function takes both as floats. Each number is computed in
+    /// double, within these bounds, and then rounded to float once. In bounds on errors u is 2^-53, half a unit in the
+    /// last place of 1. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
+    /// lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is longer over
+    /// shorter size.
     ///
-    /// Cost: as vesica_ratio_f32, and the two areas.
+    /// Cost: as vesica_iou_f32, and the two areas.
     ///
     /// Since: 0.1.
     pub fn vesica_volume_ratio_f32(ratio: i32, kind_a: i32, a: *const c_void, span_a: *const Span<f32>, kind_b: i32,
