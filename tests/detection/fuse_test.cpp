@@ -470,6 +470,60 @@ TEST(FuseRandom, RectsByTheirNearestCorners) {
   EXPECT_GT(fused, 500U);
 }
 
+/// Many boxes in one call, in many blocks of an index, become what those of each label become alone.
+TEST(FuseRandom, ManyBoxesAsEachLabelAlone) {
+  Random random(properties::seed());
+  std::size_t fused = 0;
+  for (const std::int32_t kind : {VESICA_AABB, VESICA_RECT}) {
+    for (const int scales : {0, 6}) {
+      Scene s = draw(kind, 5000, random, scales);
+      s.threshold = 0.3;
+      s.labels.clear();
+      const int labels = 200;
+      for (std::size_t i = 0; i < s.count(); ++i) s.labels.push_back(random.below(labels));
+      // So that those of a label meet.
+      for (std::size_t i = 0; i < s.numbers.size(); ++i) {
+        if (kind == VESICA_AABB || i % 6 < 2) s.numbers[i] *= 0.0625;
+        if (kind == VESICA_RECT && i % 6 >= 4) s.numbers[i] *= 0.0625;
+      }
+      for (std::size_t i = 0; i < s.numbers.size(); i += s.fields()) {
+        const double x = std::floor(s.numbers[i]), y = std::floor(s.numbers[i + 1]);
+        s.numbers[i] -= x, s.numbers[i + 1] -= y;
+        if (kind == VESICA_AABB) s.numbers[i + 2] -= x, s.numbers[i + 3] -= y;
+      }
+      const Fused all = fuse(s);
+      ASSERT_EQ(all.code, 0);
+      fused += s.count() - all.scores.size();
+      for (std::int32_t label = 0; label < labels; ++label) {
+        Scene own{.kind = kind,
+                  .numbers = {},
+                  .scores = {},
+                  .weights = {},
+                  .labels = {},
+                  .threshold = s.threshold,
+                  .fused_score = s.fused_score};
+        std::vector<std::size_t> items;
+        for (std::size_t i = 0; i < s.count(); ++i) {
+          if (s.labels[i] != label) continue;
+          items.push_back(i);
+          own.numbers.insert(own.numbers.end(), s.box(i), s.box(i) + s.fields());
+          own.scores.push_back(s.scores[i]);
+          if (!s.weights.empty()) own.weights.push_back(s.weights[i]);
+        }
+        const Fused alone = fuse(own);
+        for (std::size_t k = 0; k < items.size(); ++k) {
+          const auto c = static_cast<std::size_t>(all.clusters[items[k]]),
+                     d = static_cast<std::size_t>(alone.clusters[k]);
+          ASSERT_EQ(all.scores[c], alone.scores[d]) << "seed " << properties::seed();
+          for (std::size_t f = 0; f < s.fields(); ++f)
+            ASSERT_EQ(all.shapes[c * s.fields() + f], alone.shapes[d * s.fields() + f]);
+        }
+      }
+    }
+  }
+  EXPECT_GT(fused, 2000U);
+}
+
 /// Floats are computed in double and rounded at the end.
 TEST(FuseRandom, FloatsAreDoublesRounded) {
   Random random(properties::seed());
