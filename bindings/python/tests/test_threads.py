@@ -250,6 +250,12 @@ class Counts(unittest.TestCase):
         with mock.patch.object(_threads.os, "sched_getaffinity", create=True, return_value={1, 5}):
             self.assertEqual(_threads.available(), 2)
 
+    def test_how_many_work(self):
+        with mock.patch.object(_threads, "available", return_value=64):
+            counts = [_threads.count_of(None, n) for n in (0, 100_000, 100_001, 150_000, 10**6, 10**7)]
+            self.assertEqual(counts, [1, 1, 2, 3, 20, 64])
+            self.assertEqual([_threads.count_of(n, 10**6) for n in (1, 2, 64, 2000)], [1, 2, 64, 977])
+
     def test_ranges(self):
         for count, threads in ((100_001, 1), (100_001, 2), (100_001, 7), (1024, 3), (3 * 1024 + 1, 2)):
             spans = _threads.ranges(count, threads)

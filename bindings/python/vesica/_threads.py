@@ -24,11 +24,14 @@ def available():
 
 
 def count_of(threads, elements):
-    """How many threads work on so many elements, if the caller asks for `threads`; None stands for all processors."""
+    """How many threads work on so many elements, if the caller asks for `threads`.
+
+    None stands for all processors, but no more than have half of LEAST each.
+    """
     asked = None if threads is None else whole(threads, "threads", 1)
     if elements <= LEAST:
         return 1
-    return min(available() if asked is None else asked, -(-elements // _BLOCK))
+    return min(available(), elements // (LEAST // 2)) if asked is None else min(asked, -(-elements // _BLOCK))
 
 
 def parts_of(threads):
