@@ -14,8 +14,8 @@ limit() {
 }
 
 modules=$1
-limit "$modules/vesica.wasm" 2220 668
-limit "$modules/simd/vesica.wasm" 2372 710
+limit "$modules/vesica.wasm" 2270 686
+limit "$modules/simd/vesica.wasm" 2424 728
 limit "$modules/vesica-overlap.wasm" 744 232
 limit "$modules/simd/vesica-overlap.wasm" 826 246
 limit "$modules/vesica-methods.wasm" 106 49
