@@ -93,21 +93,25 @@ struct Span {
   }
 };
 
-/// Makes the contacts of two faces, whose lengths are in units of 2^exponent. locate(p): the place of a point of the
-/// cores.
-template <class Locate>
+/// The frame of two cores: about the middle of two stored points, in units of 2^exponent. The scale is about `size` of
+/// these.
+struct View {
+  PlaneVector from, to;
+  int exponent;
+  double size;
+
+  PlaneVector located(const PlaneVector& p) const noexcept {
+    using support_minimum::located_coordinate;
+    return {located_coordinate(from.x, to.x, arithmetic::scale(p.x, exponent)),
+            located_coordinate(from.y, to.y, arithmetic::scale(p.y, exponent))};
+  }
+};
+
+/// Makes the contacts of two faces of one view.
 class FacingPair {
  public:
-  /// size: the scale in that unit.
-  FacingPair(const Face& a, const Face& b, const Penetration<double>& p, int exponent, double size,
-             const Locate& locate) noexcept
-      : a_(a),
-        b_(b),
-        n_{p.x, p.y},
-        most_(p.depth),
-        exponent_(exponent),
-        least_span_(least_share * size),
-        locate_(locate) {}
+  FacingPair(const Face& a, const Face& b, const Penetration<double>& p, const View& view) noexcept
+      : a_(a), b_(b), n_{p.x, p.y}, most_(p.depth), view_(view), least_span_(least_share * view.size) {}
 
   Contacts<double> find() const noexcept {
     if (!a_.edge || !b_.edge) {
@@ -125,7 +129,7 @@ class FacingPair {
   /// Midway between the outlines, from a point of a core.
   PlaneVector from_a(const PlaneVector& p, double depth) const noexcept { return moved(p, a_.radius - 0.5 * depth); }
   PlaneVector from_b(const PlaneVector& p, double depth) const noexcept { return moved(p, 0.5 * depth - b_.radius); }
-  PlaneVector moved(const PlaneVector& p, double by) const noexcept { return locate_(p) + by * n_; }
+  PlaneVector moved(const PlaneVector& p, double by) const noexcept { return view_.located(p) + by * n_; }
 
   Contacts<double> one(const PlaneVector& at, std::int64_t a, std::int64_t b) const noexcept {
     return {n_.x, n_.y, at.x, at.y, most_, 0, 0, 0, a, b, 0, 0, 1};
@@ -143,14 +147,14 @@ class FacingPair {
   Contacts<double> two(const Span& a, const Span& b, double low, double high) const noexcept {
     const auto gap = [&](double s) { return dot(n_, a.at(s) + -b.at(s)); };
     const double rise = gap(high) - gap(low), fall = lane::abs(rise);
-    const double less = fall > 0 ? most_ - arithmetic::scale_far(fall, exponent_) : most_;
+    const double less = fall > 0 ? most_ - arithmetic::scale_far(fall, view_.exponent) : most_;
     const double depth0 = rise > 0 ? less : most_, depth1 = rise > 0 ? most_ : less;
     // The end of an edge is a vertex of it.
     const auto place = [&](bool of_a, const Vertex& p, const Vertex& q, double depth) {
       return of_a ? from_a(p.at, depth) : from_b(q.at, depth);
     };
     const bool begins = a.from >= b.from, ends = a.to <= b.to;
-    if (less < -arithmetic::scale_far(least_span_, exponent_)) {
+    if (less < -arithmetic::scale_far(least_span_, view_.exponent)) {
       return rise > 0 ? one(place(ends, a.high, b.high, most_), a.high.number, b.high.number)
                       : one(place(begins, a.low, b.low, most_), a.low.number, b.low.number);
     }
@@ -162,9 +166,8 @@ class FacingPair {
   const Face &a_, &b_;
   PlaneVector n_;
   double most_;
-  int exponent_;
+  const View& view_;
   double least_span_;
-  const Locate& locate_;
 };
 
 inline constexpr Contacts<double> no_contact{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
@@ -207,9 +210,8 @@ inline Contacts<double> of_cores(const CoreForm& a, const CoreForm& b, const Pen
   if (!in_order(a, b)) return turned_round(of_cores(b, a, depth::turned_round(p)));
   const support_minimum::PlacedPair pair = support_minimum::place(a.form, b.form);
   const PlaneVector n{p.x, p.y}, offset{pair.d.x.high, pair.d.y.high};
-  const auto locate = [&](const PlaneVector& at) { return support_minimum::located(a.form, at, pair.exponent); };
-  return FacingPair(facing(pair.first.centred, {0, 0}, n, a), facing(pair.second.centred, offset, -n, b), p,
-                    pair.exponent, 1, locate)
+  const View view{a.form.from, a.form.to, pair.exponent, 1};
+  return FacingPair(facing(pair.first.centred, {0, 0}, n, a), facing(pair.second.centred, offset, -n, b), p, view)
       .find();
 }
 

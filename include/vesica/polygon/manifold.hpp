@@ -55,14 +55,11 @@ Face facing(const ConvexRing<T>& ring, const PlaneVector& origin, const PlaneVec
   return {vertex(from), vertex(to), true, 0};
 }
 
-/// The place of a point that is seen from a ring's first vertex.
+/// From a ring's first vertex.
 template <class T>
-auto locate_from(const ConvexRing<T>& ring, int exponent) noexcept {
-  return [origin = ring.stored(0), exponent](const PlaneVector& at) -> PlaneVector {
-    using support_minimum::located_coordinate;
-    return {located_coordinate(origin.x, origin.x, arithmetic::scale_far(at.x, exponent)),
-            located_coordinate(origin.y, origin.y, arithmetic::scale_far(at.y, exponent))};
-  };
+manifold::View view_from(const ConvexRing<T>& ring, const DepthUnit& unit) noexcept {
+  const Point<double> origin = ring.stored(0);
+  return {{origin.x, origin.y}, {origin.x, origin.y}, unit.exponent, unit.size};
 }
 
 template <class T>
@@ -85,7 +82,7 @@ Contacts<double> contacts(const Edges<T>& a, const Other& b, const Penetration<d
   const PlacedForm form(core.form, unit);
   const PlaneVector origin = first_vertex(ring), n{p.x, p.y}, centre = -form.offset({origin.x, origin.y});
   return manifold::FacingPair(facing(ring, origin, n, unit), manifold::facing(form.centred(), centre, -n, core), p,
-                              unit.exponent, unit.size, locate_from(ring, unit.exponent))
+                              view_from(ring, unit))
       .find();
 }
 template <class T>
@@ -99,8 +96,8 @@ Contacts<double> contacts(const Edges<T>& a, const Edges<T>& b, const Penetratio
   const DepthUnit unit(box_a, box_b);
   const ConvexRing<T> ring_a(a, shape_a, unit), ring_b(b, shape_b, unit);
   const PlaneVector origin = first_vertex(ring_a), n{p.x, p.y};
-  return manifold::FacingPair(facing(ring_a, origin, n, unit), facing(ring_b, origin, -n, unit), p, unit.exponent,
-                              unit.size, locate_from(ring_a, unit.exponent))
+  return manifold::FacingPair(facing(ring_a, origin, n, unit), facing(ring_b, origin, -n, unit), p,
+                              view_from(ring_a, unit))
       .find();
 }
 
