@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Boxes by centre, size and angle, corners and bounds of arrays, and suppression. For Vesica, whose methods these are.
 import * as constants from './constants.mjs';
+import { allNumbers } from './numbers.mjs';
 import { fields, scalars, ShapeArray } from './shapes.mjs';
 
 /** Names of ratios, by their numbers. */
@@ -26,7 +27,7 @@ function boxRows(source) {
   if (typeof rows?.length !== 'number' || rows.length % 5 !== 0) {
     throw new RangeError('boxes have five numbers each: centre x, centre y, width, height, angle');
   }
-  return rows;
+  return allNumbers(rows, 'boxes');
 }
 
 export function shapesFromBoxes(vesica, kind, source, options = {}) {

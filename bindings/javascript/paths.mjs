@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Polygons and polylines: plain objects of vertices x y x y ..., and where their rings or chains begin.
+import { allNumbers } from './numbers.mjs';
 
 export const pathNames = ['polygon', 'polyline'];
 export const isPath = (shape) => pathNames.includes(shape?.kind);
@@ -36,9 +37,10 @@ function countOf(kind, vertices) {
 /** From vertices x y x y ... and where rings begin among them, with the end; or from nested coordinates. */
 function path(kind, source, rings) {
   if (isFlat(source)) {
-    const end = countOf(kind, source);
+    const end = countOf(kind, allNumbers(source, `vertices of a ${kind}`));
     return { kind, vertices: Float64Array.from(source), rings: rings === undefined ? [0, end] : Array.from(rings) };
   }
+  if (rings !== undefined) throw new TypeError(`${kind}: nested coordinates have their rings themselves`);
   const lists = listsOf(source), vertices = [], ends = [0];
   for (const places of lists) {
     for (const [x, y] of places) vertices.push(x, y);
@@ -55,13 +57,14 @@ export const polyline = (source, chains) => path('polyline', source, chains);
 /** The numbers and offsets of a plain object. */
 export function partsOf({ kind, vertices, rings }) {
   if (!isFlat(vertices)) throw new TypeError(`a ${kind} has vertices, numbers x y x y ..., and rings: see ${kind}()`);
+  allNumbers(vertices, `vertices of a ${kind}`);
   return { vertices, rings: checked(rings ?? [0, countOf(kind, vertices)], countOf(kind, vertices), 'rings') };
 }
 
 /** Vertices and offsets of many: of flat numbers as options say, or of plain objects and nested coordinates. */
 export function partsOfMany(kind, source, { each, rings, polygons }) {
   if (isFlat(source)) {
-    const end = source.length === 0 ? 0 : countOf(kind, source);
+    const end = source.length === 0 ? 0 : countOf(kind, allNumbers(source, `vertices of ${kind}s`));
     if (each !== undefined) {
       const fits = Number.isInteger(each) && each > 0 && end % each === 0;
       if (!fits) throw new RangeError(`${end} vertices are no ${kind}s of ${String(each)} each`);

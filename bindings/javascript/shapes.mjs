@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shapes: plain objects for one, ShapeArray for many of one kind.
+import { allNumbers } from './numbers.mjs';
 import { pathNames } from './paths.mjs';
 
 /** The numbers of each kind that has as many in every shape, in the library's order. */
@@ -40,14 +41,29 @@ function axis(angle, degrees) {
   return [[c, s], [0 - s, c], [0 - c, 0 - s], [s, 0 - c]][((quarters % 4) + 4) % 4] ?? [NaN, NaN];
 }
 
-export const point = (x, y) => ({ kind: 'point', x, y });
-export const segment = (x0, y0, x1, y1) => ({ kind: 'segment', x0, y0, x1, y1 });
-export const circle = (cx, cy, r) => ({ kind: 'circle', cx, cy, r });
-export const capsule = (x0, y0, x1, y1, r) => ({ kind: 'capsule', x0, y0, x1, y1, r });
-export const roundRect = (cx, cy, ux, uy, hx, hy, r) => ({ kind: 'round_rect', cx, cy, ux, uy, hx, hy, r });
-export const aabb = (min_x, min_y, max_x, max_y) => ({ kind: 'aabb', min_x, min_y, max_x, max_y });
+/** The arguments of a constructor by their names, all numbers; `more` are arguments that it has no name for. */
+function named(constructor, values, more) {
+  for (const name in values) {
+    if (typeof values[name] === 'number') continue;
+    throw new TypeError(`${constructor}: ${name} is ${String(values[name])}, not a number`);
+  }
+  if (more.length > 0) throw new TypeError(`${constructor}: too many arguments: ${more.map(String).join(', ')}`);
+  return values;
+}
 
-export function rect(cx, cy, width, height, angle = 0, { degrees = false } = {}) {
+export const point = (x, y, ...more) => ({ kind: 'point', ...named('point', { x, y }, more) });
+export const segment = (x0, y0, x1, y1, ...more) =>
+  ({ kind: 'segment', ...named('segment', { x0, y0, x1, y1 }, more) });
+export const circle = (cx, cy, r, ...more) => ({ kind: 'circle', ...named('circle', { cx, cy, r }, more) });
+export const capsule = (x0, y0, x1, y1, r, ...more) =>
+  ({ kind: 'capsule', ...named('capsule', { x0, y0, x1, y1, r }, more) });
+export const roundRect = (cx, cy, ux, uy, hx, hy, r, ...more) =>
+  ({ kind: 'round_rect', ...named('roundRect', { cx, cy, ux, uy, hx, hy, r }, more) });
+export const aabb = (min_x, min_y, max_x, max_y, ...more) =>
+  ({ kind: 'aabb', ...named('aabb', { min_x, min_y, max_x, max_y }, more) });
+
+export function rect(cx, cy, width, height, angle = 0, { degrees = false } = {}, ...more) {
+  named('rect', { cx, cy, width, height, angle }, more);
   const [ux, uy] = axis(angle, degrees);
   // An odd multiple of the smallest number cannot be halved; the axis, a unit of length, can.
   const halves = 2 * (width / 2) === width && 2 * (height / 2) === height;
@@ -55,7 +71,8 @@ export function rect(cx, cy, width, height, angle = 0, { degrees = false } = {})
   return { kind: 'rect', cx, cy, ux: ux / 2, uy: uy / 2, hx: width, hy: height };
 }
 
-export function ellipse(cx, cy, a, b, angle = 0, { degrees = false } = {}) {
+export function ellipse(cx, cy, a, b, angle = 0, { degrees = false } = {}, ...more) {
+  named('ellipse', { cx, cy, a, b, angle }, more);
   const [ux, uy] = axis(angle, degrees);
   return { kind: 'ellipse', cx, cy, ux, uy, a, b };
 }
@@ -105,12 +122,12 @@ export function flat(kind, source, scalar) {
     throw new TypeError('shapes are a count, or an array of numbers, of plain objects or of arrays of numbers');
   }
   if (ArrayBuffer.isView(source) || typeof source[0] === 'number' || source.length === 0) {
-    if (source.length % count === 0) return source;
+    if (source.length % count === 0) return allNumbers(source, `numbers of ${kind} shapes`);
     throw new RangeError(`${kind} shapes have ${count} numbers each; ${source.length} is no multiple of that`);
   }
   return Array.from(source).flatMap((shape) => {
     if (shape?.kind === kind) return numbersOf(shape, scalar);
-    if (Array.isArray(shape) && shape.length === count) return shape;
+    if (Array.isArray(shape) && shape.length === count) return allNumbers(shape, `numbers of a ${kind}`);
     const wanted = `${count} numbers (${fields[kind].join(', ')})`;
     throw new TypeError(`a ${kind} is an object of that kind or an array of ${wanted}`);
   });
