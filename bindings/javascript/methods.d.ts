@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // vesica_methods.h says what each method is, what it costs and where it may err.
-import type { Aabb, Circle, Ellipse, Point, Rect, Segment } from './vesica.js';
+import type { Aabb, Circle, Ellipse, Module, Point, Rect, Segment } from './vesica.js';
 
 export type Verdict = 'no' | 'yes' | 'uncertain';
 export const verdicts: readonly Verdict[];
@@ -57,4 +57,4 @@ export class Methods {
 }
 
 /** Loads the named methods: vesica-methods.wasm beside this file, or `module`. */
-export function loadMethods(options?: { module?: BufferSource | WebAssembly.Module }): Promise<Methods>;
+export function loadMethods(options?: { module?: Module }): Promise<Methods>;

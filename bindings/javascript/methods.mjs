@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The named methods, by a module of their own: for teaching and comparison. methods.d.ts describes every call.
-import { bytesBeside, VesicaError } from './vesica.mjs';
+import { VesicaError } from './library.mjs';
+import { exportsOf } from './loading.mjs';
 import { Memory, Room } from './memory.mjs';
 import { numbersOf } from './shapes.mjs';
 
@@ -171,9 +172,6 @@ for (const [name, method] of Object.entries(methods)) {
   };
 }
 
-/** Loads vesica-methods.wasm beside this file, or `module`, bytes or a compiled module from elsewhere. */
-export async function loadMethods({ module = undefined } = {}) {
-  const source = module ?? (await bytesBeside(new URL('./vesica-methods.wasm', import.meta.url)));
-  const compiled = source instanceof WebAssembly.Module ? source : await WebAssembly.compile(source);
-  return new Methods((await WebAssembly.instantiate(compiled)).exports);
-}
+/** Loads vesica-methods.wasm beside this file, or `module`. */
+export const loadMethods = async ({ module } = {}) =>
+  new Methods(await exportsOf(module, () => new URL('./vesica-methods.wasm', import.meta.url)));

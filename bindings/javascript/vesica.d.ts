@@ -418,15 +418,11 @@ export class Vesica {
   indexFromBytes(bytes: ArrayBuffer | Uint8Array, ...sets: ShapeArray[]): Index;
 }
 
+/** A module: its address, an answer of fetch, bytes, or a compiled module. A string is relative to the page. */
+export type Module = string | URL | Response | Promise<Response> | BufferSource | WebAssembly.Module;
+
 /**
  * Loads the library: vesica-simd.wasm beside this file, or vesica.wasm where the engine has no vectors or `simd` is
- * false; or `module`, bytes or a compiled module from elsewhere. With `only: 'overlap'` it is vesica-overlap-simd.wasm
- * or vesica-overlap.wasm, of little more than a third of the size: `overlap`, `interiorsOverlap`, `relation`,
- * `contains`, their matrices and selections, `bounds`, `boundsMany`, and an index with `join` and `select`. All else
- * then throws an Error.
+ * false; or `module`.
  */
-export function load(options?: {
-  only?: 'overlap';
-  module?: BufferSource | WebAssembly.Module;
-  simd?: boolean;
-}): Promise<Vesica>;
+export function load(options?: { module?: Module; simd?: boolean }): Promise<Vesica>;

@@ -3,8 +3,9 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { circle, load, point, rect } from 'vesica';
+import { load as loadOverlap } from 'vesica/overlap';
 
-const library = await load(), other = await load({ only: 'overlap' });
+const library = await load(), other = await loadOverlap();
 const some = [rect(0, 0, 2, 2), rect(1, 0, 2, 2), rect(9, 0, 2, 2)], disc = circle(0, 0, 1);
 
 // ---- Views of the module's memory ----

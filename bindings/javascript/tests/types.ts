@@ -2,7 +2,9 @@
 // What a program in TypeScript may write, and what it may not: read by tsc, never run.
 import { capsule, circle, ellipse, load, polygon, polyline, rect, roundRect } from 'vesica';
 import type { Crossings, FirstImpact, ImpactTime, Outcome, Relation, Shape, ShapeArray, Within } from 'vesica';
+import { load as loadBare } from 'vesica/bare';
 import { loadMethods } from 'vesica/methods';
+import { load as loadOverlap } from 'vesica/overlap';
 
 const vesica = await load();
 const car = rect(0, 0, 4, 2, 30, { degrees: true });
@@ -28,7 +30,9 @@ const zones: ShapeArray = vesica.polygons([zone, [[0, 0], [1, 0], [0, 1]]], { sc
 const quads: ShapeArray = vesica.shapes('polygon', new Float64Array(16), { each: 4 });
 const crossed: Uint8Array = vesica.overlap(vesica.polylines([0, 0, 1, 1], { rings: Int32Array.of(0, 2) }), street);
 const inZone: boolean = vesica.contains(zone, car);
-const methods = await loadMethods();
+const small: boolean = (await loadOverlap({ simd: false })).overlap(car, car);
+const other: number = (await loadBare({ module: fetch('/vesica.wasm') })).area(car, car);
+const methods = await loadMethods({ module: new URL('https://example.org/vesica-methods.wasm') });
 const bound: number = methods.ellipseEllipseAnyAxes(ellipse(0, 0, 2, 1), ellipse(1, 0, 2, 1), 3).outlineError;
 const turned: ShapeArray = vesica.shapesFromBoxes('ellipse', [[0, 0, 4, 2, 1]], { quarters: true });
 const overSmaller: number = vesica.ratio('over_smaller', car, car);
@@ -74,3 +78,7 @@ export { a, b, bound, count, distance, distances, hit, hits, places, raw, relati
 export { crossed, inZone, quads, zones };
 export { corners, impact, left, matrix, near, rounded, signed };
 export { kept, ofEither, outcome, overSmaller, times, turned, turning };
+// @ts-expect-error: it names no module
+await loadBare();
+// @ts-expect-error: a circle has three numbers
+circle(0, 0);
