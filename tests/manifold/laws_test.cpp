@@ -279,4 +279,21 @@ TEST(ManifoldLaw, NothingFlickers) {
   }
 }
 
+/// Boxes of one direction that touch up to rounding: if they overlap, they do so twice.
+TEST(ManifoldLaw, FlushUpToRounding) {
+  Random random(properties::seed());
+  int touching = 0;
+  for (int i = 0; i < 5'000 * properties::repeat(); ++i) {
+    const double angle = random.between(0, 7), c = std::cos(angle), s = std::sin(angle), h = random.between(0.5, 1),
+                 up = 1 + h, aside = random.between(-1, 1);
+    const vesica_rect_f64 low{0.1, 0.7, c, s, 1, 1};
+    const vesica_rect_f64 high{0.1 + aside * c - up * s, 0.7 + aside * s + up * c, c, s, 1, h};
+    Manifold m{};
+    const int32_t count = vesica_manifold_f64(VESICA_RECT, &low, VESICA_RECT, &high, &m);
+    ASSERT_TRUE(count == 0 || count == 2) << angle;
+    touching += count == 2;
+  }
+  EXPECT_TRUE(!properties::draws_all() || touching > 1'000) << touching;
+}
+
 }  // namespace manifold_laws
