@@ -98,6 +98,16 @@ class Motion(unittest.TestCase):
             vesica.manifold(ground, boxes)
         self.assertEqual(caught.exception.result.count[:2].tolist(), [2, 0])
         self.assertLess(caught.exception.result.count[2], 0)
+        draw = numpy.random.default_rng(1)
+        rows = [[*draw.uniform(-1, 1, 2), *draw.uniform(0.5, 2, 2), draw.uniform(0, 7)] for _ in range(2000)]
+        first, second = vesica.rects(rows[:1000]), vesica.rects(rows[1000:])
+        found = vesica.manifold(first, second)
+        quads = vesica.manifold(*(vesica.polygons(vesica.corners(rects)) for rects in (first, second)))
+        self.assertEqual(found.count.tolist(), quads.count.tolist())
+        self.assertEqual(found.numbers.tolist(), quads.numbers.tolist())
+        numpy.testing.assert_allclose(found.points, quads.points, atol=1e-14)
+        numpy.testing.assert_allclose(found.depths, quads.depths, atol=1e-14)
+        self.assertEqual(found.depths.max(axis=1).tolist(), vesica.depth(first, second).depth.tolist())
         quad = vesica.polygons([[-4, -1], [4, -1], [4, 1], [-4, 1]])
         self.assertEqual(vesica.manifold(quad, boxes[0]).points.tolist(), one.points.tolist())
 

@@ -5105,11 +5105,11 @@ extern "C" {
     /// shape without one has the number of its first vertex counter-clockwise, and a shape without an edge 0. Vertices
     /// of polygons count as stored. Edges on one line, to e, are one edge, and a vertex that is repeated has one of its
     /// numbers. Vertices of an AABB, a rectangle and a rounded one count from (-hx, -hy) in its frame: (hx, -hy) is 1,
-    /// (hx, hy) 2. A segment and a capsule begin at vertex 0. So does a polygon or polyline on one line, at its
-    /// leftmost vertex. An ellipse with a half length of 0 counts as a rectangle. Exchanging the shapes reverses the
-    /// normal, the numbers and the order, and changes no other bit, except for two equal shapes in one place. Moving
-    /// both alike changes no depth if no coordinate is rounded. For contacts before the shapes touch, give them a
-    /// radius: round_rect in place of rect. Then subtract both radii.
+    /// (hx, hy) 2, as in vesica_corners_of_shapes_f64. A segment and a capsule begin at vertex 0. So does a polygon or
+    /// polyline on one line, at its leftmost vertex. An ellipse with a half length of 0 counts as a rectangle.
+    /// Exchanging the shapes reverses the normal, the numbers and the order, and changes no other bit, except for two
+    /// equal shapes in one place. Moving both alike changes no depth if no coordinate is rounded. For contacts before
+    /// the shapes touch, give them a radius: round_rect in place of rect. Then subtract both radii.
     ///
     /// Returns: the count; 0 for disjoint shapes.
     ///
@@ -5437,11 +5437,11 @@ extern "C" {
     /// shape without one has the number of its first vertex counter-clockwise, and a shape without an edge 0. Vertices
     /// of polygons count as stored. Edges on one line, to e, are one edge, and a vertex that is repeated has one of its
     /// numbers. Vertices of an AABB, a rectangle and a rounded one count from (-hx, -hy) in its frame: (hx, -hy) is 1,
-    /// (hx, hy) 2. A segment and a capsule begin at vertex 0. So does a polygon or polyline on one line, at its
-    /// leftmost vertex. An ellipse with a half length of 0 counts as a rectangle. Exchanging the shapes reverses the
-    /// normal, the numbers and the order, and changes no other bit, except for two equal shapes in one place. Moving
-    /// both alike changes no depth if no coordinate is rounded. For contacts before the shapes touch, give them a
-    /// radius: round_rect in place of rect. Then subtract both radii.
+    /// (hx, hy) 2, as in vesica_corners_of_shapes_f32. A segment and a capsule begin at vertex 0. So does a polygon or
+    /// polyline on one line, at its leftmost vertex. An ellipse with a half length of 0 counts as a rectangle.
+    /// Exchanging the shapes reverses the normal, the numbers and the order, and changes no other bit, except for two
+    /// equal shapes in one place. Moving both alike changes no depth if no coordinate is rounded. For contacts before
+    /// the shapes touch, give them a radius: round_rect in place of rect. Then subtract both radii.
     ///
     /// Returns: the count; 0 for disjoint shapes.
     ///
