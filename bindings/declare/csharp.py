@@ -48,9 +48,9 @@ def struct(entry, suffix):
     name = camel(entry.stem) + ("F" if suffix == "f32" else "")
     number = SCALARS[suffix]
     names = [each.name.upper() if len(each.name) <= 2 else camel(each.name) for each in entry.fields]
-    parameters = ", ".join(f"{number} {local(each.name)}" for each in entry.fields)
+    parameters = ", ".join(f"{NUMBERS[each.base]} {local(each.name)}" for each in entry.fields)
     texts = "".join(
-        f"        /// <summary>{escaped(each.name)}</summary>\n        public {number} {field};\n\n"
+        f"        /// <summary>{escaped(each.name)}</summary>\n        public {NUMBERS[each.base]} {field};\n\n"
         for each, field in zip(entry.fields, names)
     )
     sets = "".join(f"            {field} = {local(each.name)};\n" for each, field in zip(entry.fields, names))

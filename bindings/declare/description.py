@@ -88,6 +88,11 @@ class Entry:
         return any(field.is_pointer for field in self.fields)
 
     @property
+    def is_of_scalars(self):
+        """True if all fields of a struct are numbers of its scalar type."""
+        return all(field.base in ("double", "float") and not field.is_pointer for field in self.fields)
+
+    @property
     def stem(self):
         """The name that the forms in double and in float share."""
         return self.short[:-4] if self.scalar else self.short

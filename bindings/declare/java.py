@@ -194,13 +194,13 @@ class Body:
         all_lent = sets + [f"env, held, {self.held}"] * (self.held > 0)
         lend = "\n      && ".join(f"lend({each})" for each in all_lent)
         back = "".join(f"  give_back({each});\n" for each in all_lent[self.sets :] + sets)
-        asked = broken(f"    answer = {call};")
+        asked = broken(f"    returned = {call};")
         return (
             f"  lent held[{self.held}];\n" * (self.held > 0)
             + f"  lent_sets lent_to[{self.sets}];\n" * (self.sets > 0)
-            + f"  {returns} answer = NOT_LENT;\n  (void)type;\n"
+            + f"  {returns} returned = NOT_LENT;\n  (void)type;\n"
             + "".join(self.prepare)
-            + f"  if ({lend}) {{\n{''.join(self.views)}{asked}\n  }}\n{back}  return answer;\n"
+            + f"  if ({lend}) {{\n{''.join(self.views)}{asked}\n  }}\n{back}  return returned;\n"
         )
 
 
@@ -235,7 +235,7 @@ def called(description):
 def files(description):
     functions = called(description)
     version = next(entry for entry in description.constants if entry.short == "VERSION")
-    records = [entry for entry in description.in_double("structs") if not entry.has_pointers]
+    records = [entry for entry in description.in_double("structs") if entry.is_of_scalars]
     native = (
         PACKAGE
         + "/** The functions of the C library, with their texts. Object is an array or a direct buffer. */\n"
