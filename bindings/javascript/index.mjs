@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // All pairs among millions: an index of shapes, joins, windows and nearest shapes.
 import * as constants from './constants.mjs';
+import { ratioNumber } from './measures.mjs';
 import { indexCastFirst, motionOf } from './motion.mjs';
 import { aabb, distanceFor, scalars, ShapeArray, shapesSize } from './shapes.mjs';
 
@@ -175,7 +176,7 @@ export class Index {
   forEachPair(found, { with: other = this, query = 'overlap', part = 0, parts = 1 } = {}) {
     if (typeof found !== 'function') throw new TypeError('what is to be called for each pair is a function');
     this.#vesica.inRoom((room) => {
-      this.#eachPair(this.#joining(other, query, part, parts, room), room, found, other);
+      this.#eachPair(this.#joining(other, query, part, parts, room), room, (a, b) => found(a, b), other);
     });
   }
 
@@ -193,9 +194,29 @@ export class Index {
     return pairs;
   }
 
+  joinRatio(ratio, threshold = 0, { with: other = this, part = 0, parts = 1 } = {}) {
+    const least = distanceFor(threshold, this.scalar, 'a threshold'), which = ratioNumber(ratio);
+    const pairs = { a: [], b: [], values: [] }, asked = partOf(part, parts), Numbers = scalars[this.scalar];
+    this.#vesica.inRoom((room) => {
+      const vesica = this.#vesica, size = vesica.check(vesica.c.vesica_join_scratch()), scratch = room.take(size);
+      const ask = vesica.c[`vesica_join_ratio_${this.scalar}`], values = room.take(8 * pairsACall);
+      const call = (a, b, ...output) =>
+        ask(which, least, ...this.#both(other), ...asked, scratch, BigInt(size), a, b, values, ...output);
+      let found = []; // the values of one call, once memory no longer grows
+      const add = (a, b, i) => {
+        if (found.buffer !== vesica.memory.buffer) found = new Numbers(vesica.memory.buffer, values, pairsACall);
+        pairs.a.push(a);
+        pairs.b.push(b);
+        pairs.values.push(found[i]);
+      };
+      this.#eachPair(call, room, add, other);
+    });
+    return pairs;
+  }
+
   /**
-   * found(a, b) for each pair that a join writes in as many calls as it takes. As `found` may free what is joined, or
-   * build it anew, each call makes sure that it is there and is what it was.
+   * found(a, b, place in this call's output) for each pair that a join writes in as many calls as it takes. As `found`
+   * may free what is joined, or build it anew, each call makes sure that it is there and is what it was.
    */
   #eachPair(call, room, found, other) {
     this.#both(other); // before it is asked for its number
@@ -211,7 +232,7 @@ export class Index {
       // make the memory grow.
       const lower = (address) => new Int32Array(memory.buffer, address, 2 * count).slice();
       const first = lower(a), second = lower(b);
-      for (let i = 0; i < 2 * count; i += 2) found(first[i], second[i]);
+      for (let i = 0; i < count; ++i) found(first[2 * i], second[2 * i], i);
     }
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // All of the package but its WebAssembly modules, which vesica.mjs and overlap.mjs load.
 import * as constants from './constants.mjs';
+import * as detection from './detection.mjs';
 import { Index } from './index.mjs';
 import * as measures from './measures.mjs';
 import { bytesOf, Memory, Room } from './memory.mjs';
@@ -11,8 +12,9 @@ import { aabb, capsule, circle, ellipse, point, rect, roundRect, segment, ShapeA
 import * as topology from './topology.mjs';
 
 const { casts } = motion, { ratios } = measures, { withins } = topology;
+const { gaussians, outcomes, truthFlags } = detection;
 export { aabb, capsule, circle, ellipse, point, polygon, polyline, rect, roundRect, segment };
-export { casts, constants, fields, Index, kinds, ratios, ShapeArray, withins };
+export { casts, constants, fields, gaussians, Index, kinds, outcomes, ratios, ShapeArray, truthFlags, withins };
 
 /** Names of relations, by the numbers that arrays have. */
 export const relations = Object.freeze([
@@ -34,9 +36,16 @@ const isArray = (shapes) => shapes instanceof ShapeArray;
 /** The struct of an array is before its numbers, which begin where a block does. */
 const structSize = 80;
 
-/** Whether numbers of arrays are there. As counts agree, an argument is wrong only where there is no ratio, but NaN. */
+/** Questions that have no answer for some valid shapes, and the codes that say so; the number there is NaN. */
+const unanswered = {
+  iou: [constants.E_ARGUMENT],
+  ratio: [constants.E_ARGUMENT],
+  gaussian_distance: [constants.E_ARGUMENT, constants.E_RANGE],
+};
+
+/** Whether numbers of arrays are there. Counts agree, so an argument is wrong only where there is no answer. */
 const isWritten = (name, code) =>
-  code >= 0 || code === constants.E_SHAPE || ((name === 'iou' || name === 'ratio') && code === constants.E_ARGUMENT);
+  code >= 0 || code === constants.E_SHAPE || (unanswered[name]?.includes(code) ?? false);
 
 export class Vesica {
   #memory;
@@ -172,6 +181,36 @@ export class Vesica {
   nmsSoft(boxes, scores, parameter, options) {
     return topology.nmsSoft(this, boxes, scores, parameter, options);
   }
+  fuse(boxes, scores, threshold, options) {
+    return detection.fuse(this, boxes, scores, threshold, options);
+  }
+  assignGreedy(pairs) {
+    return detection.assignGreedy(this, pairs);
+  }
+  matchTruths(pairs, scores, truths, options) {
+    return detection.matchTruths(this, pairs, scores, truths, options);
+  }
+  averagePrecision(scores, given, truths, options) {
+    return detection.averagePrecision(this, scores, given, truths, options);
+  }
+  manifold(a, b) {
+    return topology.manifold(this, a, b);
+  }
+  convexHull(points) {
+    return measures.convexHull(this, points);
+  }
+  minAreaRect(points) {
+    return measures.rectAbout(this, 'min_area_rect', points);
+  }
+  minPerimeterRect(points) {
+    return measures.rectAbout(this, 'min_perimeter_rect', points);
+  }
+  coverage(shape, grid) {
+    return measures.coverage(this, shape, grid);
+  }
+  coverageCells(shape, grid) {
+    return measures.coverageCells(this, shape, grid);
+  }
   ratio(which, a, b) {
     return this.#numbers('ratio', ['ratio'], a, b, measures.ratioNumber(which));
   }
@@ -196,6 +235,14 @@ export class Vesica {
 
   ratioMatrix(which, a, b) {
     return this.#matrix('ratio', scalars[a?.scalar], a, b, [measures.ratioNumber(which)]);
+  }
+  gaussianDistance(which, a, b) {
+    const number = detection.numberOf(gaussians, which, 'a distance');
+    return this.#numbers('gaussian_distance', ['distance'], a, b, number);
+  }
+  gaussianDistanceMatrix(which, a, b) {
+    const number = detection.numberOf(gaussians, which, 'a distance');
+    return this.#matrix('gaussian_distance', scalars[a?.scalar], a, b, [number]);
   }
   nearestMatrix(a, b) {
     return this.#matrix('nearest', scalars[a?.scalar], a, b);

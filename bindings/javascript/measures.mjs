@@ -2,6 +2,7 @@
 // Boxes by centre, size and angle, corners and bounds of arrays, and suppression. For Vesica, whose methods these are.
 import * as constants from './constants.mjs';
 import { allNumbers } from './numbers.mjs';
+import { isPath, polygon } from './paths.mjs';
 import { fields, scalars, ShapeArray } from './shapes.mjs';
 
 /** Names of ratios, by their numbers. */
@@ -60,6 +61,70 @@ function rowsOf(vesica, name, width, shapes, ...options) {
 export const boxes = (vesica, shapes, options) => rowsOf(vesica, 'boxes_from_shapes', 5, shapes, angleUnit(options));
 export const corners = (vesica, shapes) => rowsOf(vesica, 'corners_of_shapes', 8, shapes);
 export const boundsMany = (vesica, shapes) => rowsOf(vesica, 'bounds_many', fields.aabb.length, shapes);
+
+/** The address of the struct of points: a polygon's or polyline's vertices, or what polygon() takes. */
+function pointsIn(vesica, points, room) {
+  const path = isPath(points) ? points : polygon(points);
+  return [vesica.record(path, room)[1], path.vertices.length / 2];
+}
+
+export function convexHull(vesica, points) {
+  return vesica.inRoom((room) => {
+    const [address, most] = pointsIn(vesica, points, room), out = room.take(16 * most);
+    const count = vesica.check(vesica.c.vesica_convex_hull_f64(address, out, BigInt(most)));
+    return polygon(new Float64Array(vesica.memory.buffer, out, 2 * count));
+  });
+}
+
+export function rectAbout(vesica, name, points) {
+  if (points instanceof ShapeArray) {
+    const { length, scalar } = points, address = points.addressIn(vesica.memory);
+    const rects = vesica.shapes('rect', length, { scalar });
+    const code = Number(vesica.c[`vesica_${name}_many_${scalar}`](address, rects.base));
+    return vesica.finish(code, rects, code === constants.E_SHAPE || code === constants.E_RANGE);
+  }
+  return vesica.inRoom((room) => {
+    const [address] = pointsIn(vesica, points, room), out = room.take(48);
+    vesica.check(vesica.c[`vesica_${name}_f64`](address, out));
+    const numbers = new Float64Array(vesica.memory.buffer, out, 6);
+    return { kind: 'rect', ...Object.fromEntries(fields.rect.map((field, i) => [field, numbers[i]])) };
+  });
+}
+
+/** The address of a grid's struct, and how many cells it has. */
+function gridIn(vesica, { x = 0, y = 0, dx = 1, dy = dx, columns, rows } = {}, room) {
+  allNumbers([x, y, dx, dy], 'x, y, dx and dy of a grid');
+  if (![columns, rows].every((count) => Number.isSafeInteger(count) && count >= 0)) {
+    throw new TypeError('a grid has columns and rows, whole numbers from 0 on');
+  }
+  const address = room.take(48);
+  new Float64Array(vesica.memory.buffer, address, 4).set([x, y, dx, dy]);
+  new BigInt64Array(vesica.memory.buffer, address + 32, 2).set([BigInt(columns), BigInt(rows)]);
+  return [address, columns * rows];
+}
+
+export function coverage(vesica, shape, grid) {
+  return vesica.inRoom((room) => {
+    const [address, cells] = gridIn(vesica, grid, room), operand = vesica.record(shape, room);
+    const out = room.take(8 * cells);
+    vesica.check(vesica.c.vesica_coverage_f64(...operand, address, out, grid.columns));
+    return new Float64Array(vesica.memory.buffer, out, cells).slice();
+  });
+}
+
+export function coverageCells(vesica, shape, grid) {
+  return vesica.inRoom((room) => {
+    const [address] = gridIn(vesica, grid, room), operand = vesica.record(shape, room);
+    const ask = (cells, shares, most) =>
+      vesica.check(vesica.c.vesica_coverage_cells_f64(...operand, address, cells, shares, BigInt(most)));
+    const count = ask(0, 0, 0), cells = room.take(8 * count), shares = room.take(8 * count);
+    ask(cells, shares, count);
+    return {
+      cells: Array.from(new BigInt64Array(vesica.memory.buffer, cells, count), Number),
+      shares: new Float64Array(vesica.memory.buffer, shares, count).slice(),
+    };
+  });
+}
 
 export function oneEach(name, values, boxes) {
   if (values?.length === boxes.length) return;

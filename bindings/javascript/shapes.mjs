@@ -108,9 +108,9 @@ export function numbersOf(shape, scalar = 'f64') {
   throw new TypeError(`a ${shape.kind} has numbers ${names.join(', ')}; missing: ${missing.join(', ')}`);
 }
 
-/** A distance beside shapes of a scalar type. */
-export function distanceFor(distance, scalar) {
-  if (typeof distance !== 'number') throw new TypeError('a distance is a number, which may be infinite');
+/** A distance, or another number, beside shapes of a scalar type. */
+export function distanceFor(distance, scalar, name = 'a distance') {
+  if (typeof distance !== 'number') throw new TypeError(`${name} is a number, which may be infinite`);
   checkRoom([distance], scalar);
   return distance;
 }

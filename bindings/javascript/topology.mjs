@@ -40,6 +40,39 @@ export function intersection(vesica, a, b) {
   return vesica.inRoom((room) => vesica.pointsOf('intersection', a, b, room));
 }
 
+/** Contacts from a struct: eight numbers, then five whole ones. An error in place of the count is null. */
+function contactsAt(vesica, scalar, address) {
+  const Numbers = scalars[scalar], numbers = new Numbers(vesica.memory.buffer, address, 8);
+  const wholes = new BigInt64Array(vesica.memory.buffer, address + numbers.byteLength, 5), [nx, ny] = numbers;
+  const count = Number(wholes[4]);
+  if (count < 0) return null;
+  const contacts = Array.from({ length: count }, (_, i) => {
+    const [x, y, depth] = numbers.subarray(2 + 3 * i);
+    return { x, y, depth, a: Number(wholes[2 * i]), b: Number(wholes[2 * i + 1]) };
+  });
+  return { nx, ny, contacts };
+}
+
+export function manifold(vesica, a, b) {
+  if (!(a instanceof ShapeArray || b instanceof ShapeArray)) {
+    return ofTwo(vesica, a, b, (operands, room) => {
+      const out = room.take(104);
+      vesica.check(vesica.c.vesica_manifold_f64(...operands, out));
+      return contactsAt(vesica, 'f64', out);
+    });
+  }
+  return vesica.inRoom((room) => {
+    const { scalar, a: first, b: second, counts } = vesica.operands(a, b, room);
+    const count = vesica.inStep(counts), size = 8 * scalars[scalar].BYTES_PER_ELEMENT + 40;
+    const out = room.take(size * count);
+    const code = Number(vesica.c[`vesica_manifold_many_${scalar}`](first, second, out));
+    const codes = [constants.E_SHAPE, constants.E_RANGE, constants.E_NOT_CONVEX];
+    if (code < 0 && !codes.includes(code)) return vesica.check(code);
+    const manifolds = Array.from({ length: count }, (_, i) => contactsAt(vesica, scalar, out + i * size));
+    return vesica.finish(code, manifolds, true);
+  });
+}
+
 const decays = { linear: constants.DECAY_LINEAR, gaussian: constants.DECAY_GAUSSIAN };
 
 export function nmsSoft(vesica, boxes, scores, parameter = 0.5, options = {}) {

@@ -163,6 +163,25 @@ export interface Suppression {
   most?: number;
 }
 
+/** Distances of shapes as Gaussian distributions: see vesica_gaussian_distance_f64 of `c`. */
+export type Gaussian = 'bhattacharyya' | 'hellinger' | 'kullback_leibler' | 'wasserstein';
+/** Names of these distances, by their numbers. */
+export const gaussians: readonly Gaussian[];
+/** Names of what matchTruths answers for a detection, by their numbers. */
+export const outcomes: readonly ('miss' | 'hit' | 'ignored')[];
+/** Names of what a truth is to matchTruths, by the numbers of `flags`. */
+export const truthFlags: readonly ('counts' | 'crowd' | 'ignored')[];
+/** Pair k is item a[k] and item b[k], with values[k]. */
+export interface Pairs { a: ArrayLike<number>; b: ArrayLike<number>; values: ArrayLike<number> }
+/** Cell (i, j) is the box from (x + i dx, y + j dy) on. x and y are 0 if left out, dx is 1, and dy is dx. */
+export interface Grid { x?: number; y?: number; dx?: number; dy?: number; columns: number; rows: number }
+/** Place and depth of a contact, and the numbers of the vertices of a and b that name it. */
+export interface Contact { x: number; y: number; depth: number; a: number; b: number }
+/** At most two contacts, and the unit normal from a to b; without a contact it is (0, 0). */
+export interface Manifold { nx: number; ny: number; contacts: Contact[] }
+/** Points: what polygon() takes, or a plain polygon or polyline, whose vertices are meant. */
+export type Points = Polygon | Polyline | Coordinates | ArrayLike<number>;
+
 export type Velocity = readonly [number, number];
 /** One, or two arrays of numbers. */
 export type Velocities = Velocity | readonly [ArrayLike<number>, ArrayLike<number>];
@@ -211,6 +230,15 @@ export class Index {
   joinCount(options?: Joining): number;
   /** All pairs at most `distance` apart; if it is negative, those that overlap at least that deep. Of ellipses also those too near to it to tell. */
   joinWithin(distance: number, options?: Omit<Joining, 'query'>): { a: number[]; b: number[] };
+  /**
+   * All pairs that overlap and whose ratio is at least the threshold, with the ratio: a sparse matrix. At threshold 0,
+   * that left out, each pair that overlaps and has a ratio.
+   */
+  joinRatio(
+    ratio: Ratio,
+    threshold?: number,
+    options?: Omit<Joining, 'query'>,
+  ): { a: number[]; b: number[]; values: number[] };
   /** The items that a shape overlaps. */
   select(shape: Shape): number[];
   /** The k nearest items within a distance, nearest first; at equal distances by number. */
@@ -353,6 +381,29 @@ export class Vesica {
   ratio(which: Ratio, a: ShapeArray, b: Many): Numbers;
   ratio(which: Ratio, a: Many, b: ShapeArray): Numbers;
 
+  /** A distance of circles, boxes, rectangles or ellipses as Gaussian distributions. */
+  gaussianDistance(which: Gaussian, a: Shape, b: Shape): number;
+  gaussianDistance(which: Gaussian, a: ShapeArray, b: Many): Numbers;
+  gaussianDistance(which: Gaussian, a: Many, b: ShapeArray): Numbers;
+  gaussianDistanceMatrix(which: Gaussian, a: ShapeArray, b: ShapeArray): Numbers;
+  /** Where do two convex shapes press on each other, and how deep? In arrays a pair with an error has null. */
+  manifold(a: Shape, b: Shape): Manifold;
+  manifold(a: ShapeArray, b: Many): (Manifold | null)[];
+  manifold(a: Many, b: ShapeArray): (Manifold | null)[];
+
+  /** The smallest convex polygon that contains points, exact, counter-clockwise where y points up. */
+  convexHull(points: Points): Polygon;
+  /** The rectangle of the least area that contains points, or those about each polygon or polyline of an array. */
+  minAreaRect(points: Points): Rect;
+  minAreaRect(points: ShapeArray): ShapeArray;
+  /** The rectangle of the least perimeter, likewise. */
+  minPerimeterRect(points: Points): Rect;
+  minPerimeterRect(points: ShapeArray): ShapeArray;
+  /** The share of each cell that a shape covers, from 0 to 1: element j * columns + i is that of cell (i, j). */
+  coverage(shape: Shape, grid: Grid): Float64Array;
+  /** The cells, as j * columns + i, of which it covers more than nothing, in no particular order. */
+  coverageCells(shape: Shape, grid: Grid): { cells: number[]; shares: Float64Array };
+
   /** Every pair: the answer for a[i] and b[j] is element i * b.length + j. */
   overlapMatrix(a: ShapeArray, b: ShapeArray): Uint8Array;
   interiorsOverlapMatrix(a: ShapeArray, b: ShapeArray): Uint8Array;
@@ -412,6 +463,41 @@ export class Vesica {
     parameter?: number,
     options?: Suppression & { decay?: 'linear' | 'gaussian' },
   ): { indices: number[]; scores: number[] };
+
+  /**
+   * Weighted boxes fusion of aabbs or rects: the mean of each cluster with its score, and the cluster of each box. A
+   * box joins the cluster of its label whose mean it has the highest IoU with, if that exceeds the threshold, 0.55 if
+   * left out. Scores are the `mean` of a cluster's, or the `max`. See vesica_fuse_f64 of `c`.
+   */
+  fuse(
+    boxes: ShapeArray,
+    scores: ArrayLike<number>,
+    threshold?: number,
+    options?: { weights?: ArrayLike<number>; labels?: ArrayLike<number>; score?: 'mean' | 'max' },
+  ): { boxes: ShapeArray; scores: Numbers; clusters: number[] };
+  /**
+   * Greedy assignment: the pairs k that are taken, the best value first, while both items are free. The sum of their
+   * values may be less than the largest possible one.
+   */
+  assignGreedy(pairs: Pairs): number[];
+  /**
+   * Which detections hit a truth, at each threshold? Pairs are of a detection and a truth, with their IoU at the lowest
+   * threshold or below. Element t * detections + i is of detection i at threshold t: its outcome (see `outcomes`), and
+   * the truth that it takes, or -1. Thresholds are [0.5] if left out. See vesica_match_truths_f64 of `c`.
+   */
+  matchTruths(
+    pairs: Pairs,
+    scores: ArrayLike<number>,
+    truths: number,
+    options?: { thresholds?: ArrayLike<number>; rule?: 'voc' | 'coco'; flags?: ArrayLike<number> },
+  ): { outcomes: Uint8Array; taken: number[] };
+  /** Average precision of detections of one class, from their outcomes at one threshold; NaN without truths. */
+  averagePrecision(
+    scores: ArrayLike<number>,
+    outcomes: ArrayLike<number>,
+    truths: number,
+    options?: { rule?: 'voc2007' | 'voc2010' | 'coco' },
+  ): number;
 
   index(...sets: ShapeArray[]): Index;
   /** An index whose bytes were saved, over the same arrays. Damaged bytes are a VesicaError. */

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { aabb, capsule, circle, ellipse, fields, kinds, load, point, polygon, polyline } from 'vesica';
-import { ratios, rect, roundRect, segment } from 'vesica';
+import { gaussians, ratios, rect, roundRect, segment } from 'vesica';
 
 const vesica = await load();
 const calls = +(process.env.VESICA_CALLS ?? 5000);
@@ -51,7 +51,22 @@ const bothMany = (given = scalar()) => [many(given), many(given)];
 const velocity = () => [some(), some()], turn = () => [some(), some(), some()];
 const boxes = () => [[some(), some(), below(4), below(4), some()]];
 const angles = () => ({ [pick(['degrees', 'quarters', 'reverse'])]: true });
+const pairs = () => ({ a: [0, 1, below(2)], b: [0, below(3), 1], values: [pick([0.5, NaN]), 0.7, 0.9] });
+const corners = () => [0, 0, some(), some(), some(), 1];
+const points = () => pick([corners, () => vesica.polygons(corners(), { each: 3 })])();
+const grid = () => ({ x: some(), dx: 1 + below(3), columns: below(5), rows: 4 });
 const fitting = {
+  gaussianDistance: () => [pick(gaussians), oneOrMany(), rect(some(), some(), 2, 1, some())],
+  gaussianDistanceMatrix: () => [pick(gaussians), ...bothMany()],
+  convexHull: () => [Array.from({ length: 2 * below(6) }, some)],
+  minAreaRect: () => [points()],
+  minPerimeterRect: () => [points()],
+  coverage: () => [one(), grid()],
+  coverageCells: () => [one(), grid()],
+  fuse: () => [many(scalar()), [0.5, below(2)], 0.1, { weights: velocity(), score: pick(['mean', 'max']) }],
+  assignGreedy: () => [pairs()],
+  matchTruths: () => [pairs(), [0.9, 0.8], 3, { thresholds: [0.5], rule: pick(['voc', 'coco']), flags: [0, 1, 2] }],
+  averagePrecision: () => [[0.9, 0.8, 0.7], [1, below(3), 0], below(3)],
   shapes: () => ['point', [some(), some()], { scalar: scalar() }],
   shapesFromBoxes: () => [pick(['rect', 'ellipse']), boxes(), angles()],
   polygons: () => [[one(), [[some(), some()]]].slice(below(2)), { scalar: scalar() }],
@@ -85,7 +100,7 @@ const argumentsOf = (name) => {
 };
 
 function askIndex(index) {
-  index.join(), index.joinWithin(below(4));
+  index.join(), index.joinWithin(below(4)), index.joinRatio(pick(ratios), 0.1);
   const name = pick(['cast', 'castFirst', 'select', 'nearest', 'nearestOfEach', 'join', 'joinCount', 'joinWithin']);
   index[name](...(below(2) === 0 ? [one(), velocity()] : [value(), value()]));
 }
