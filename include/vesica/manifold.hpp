@@ -9,8 +9,9 @@
 /// without a size have no edge; beside them the contact is one point. Points nearer than least_share of the scale are
 /// one.
 ///
-/// Nothing jumps: as an edge turns, the second depth falls to 0 before its contact is left out, and as one shape slides
-/// off the other, two contacts become one place. So no threshold decides what counts as parallel.
+/// Nothing jumps while the same edges face each other: as an edge turns, the second depth falls to 0 before its contact
+/// is left out, and as one shape slides off the other, two contacts become one place. So no threshold decides what
+/// counts as parallel.
 ///
 /// Numbers: a contact is named by the vertices at which the facing edges end on its side. Which of the edges is the
 /// shorter there does not matter. So the numbers stay while the same two edges face each other. Vertices are numbered

@@ -54,7 +54,7 @@ struct RingColumn {
   static constexpr int open = 5;
   /// Coordinates of the vertices, then of the first again and again.
   static constexpr int x = 6, y = x + sides + 1;
-  /// Of the sides that begin at the vertices, 0 of an upright one.
+  /// Slopes of the sides that begin at the vertices, 0 of an upright one.
   static constexpr int slope = y + sides + 1;
   static constexpr int count = slope + sides;
 };

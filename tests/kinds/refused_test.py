@@ -12,7 +12,9 @@ import faulthandler
 import itertools
 import json
 import mmap
+import os
 import sys
+import tempfile
 
 E_KIND = -3
 GOOD = 4  # VESICA_RECT
@@ -165,7 +167,8 @@ parser.add_argument("description")
 parser.add_argument("--dummy", type=int)
 options = parser.parse_args()
 faulthandler.enable()
-log = open("refused_test.log", "w", encoding="utf-8")  # its last line is the call that crashed
+# Its last line is the call that crashed.
+log = open(os.path.join(tempfile.gettempdir(), f"vesica_refused_test.{os.getpid()}.log"), "w", encoding="utf-8")
 with open(options.description, encoding="utf-8") as file:
     description = json.load(file)
 functions = [f for f in description["functions"] if any(map(holds_kind, f["parameters"]))]

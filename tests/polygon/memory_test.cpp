@@ -265,7 +265,7 @@ TEST(PolygonMemory, StackOfACall) {
   for (const Given& second : {Given{VESICA_POLYGON, &b}, Given{VESICA_POLYGON, &c}, Given{VESICA_ELLIPSE, &ellipse}})
     measure({VESICA_POLYGON, &a}, second);
   measure({VESICA_POLYGON, &c}, {VESICA_POLYGON, &c});
-  // Arrays of polygons, of which each pair is asked alone.
+  // Arrays of polygons; each pair is asked alone.
   const vesica_polygon_f64 structs[] = {a, b, c};
   vesica_shapes_f64 array{};
   array.kind = VESICA_POLYGON;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Every question about two shapes one of which may be a path, and its answer as bytes.
+/// Every question about two shapes, one of them perhaps a path, and its answer as bytes.
 #pragma once
 
 #include <array>
