@@ -190,5 +190,7 @@ for function in functions:
 if options.dummy is not None:
     check_dummy(caller, options.dummy, {f["name"]: f for f in functions})
 print(*wrong, sep="\n", end="\n" if wrong else "")
+log.close()
+os.remove(log.name)
 print(f"{calls} calls of {len(functions)} functions, {len(wrong)} wrong")
 sys.exit(1 if wrong else 0)
