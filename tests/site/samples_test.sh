@@ -30,10 +30,13 @@ cp "$modules/simd/vesica.wasm" "$work/node_modules/vesica/vesica-simd.wasm"
 cp "$samples/first.mjs" "$work"
 says first.mjs node "$work/first.mjs"
 
-# Lines of docs/hosts.md, which take names for granted.
+# Lines of docs/hosts.md and README.md, which take names for granted.
 block() {
-  awk -v open="\`\`\`$1" '$0 == open { inside = 1; next } $0 == "```" { inside = 0 } inside' "$root/docs/hosts.md"
+  awk -v open="\`\`\`$1" '$0 == open { inside = 1; next } $0 == "```" { inside = 0 } inside' "$root/${2:-docs/hosts.md}"
 }
+printf 'import vesica\n%s\nassert vesica.overlap(cars, people).all() and vesica.iou_matrix(cars, cars)[0, 1] == 0\n' \
+  "$(block python README.md)" >"$work/readme.py"
+PYTHONPATH="$root/bindings/python" PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 "$work/readme.py" || failures=1
 printf 'import vesica\narray = [[0, 0, 4, 2, 30], [9, 1, 4, 2, 0]]\n%s\nassert vesica.iou_matrix(boxes, boxes)[0, 0] == 1\n' \
   "$(block python)" >"$work/lines.py"
 PYTHONPATH="$root/bindings/python" PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 "$work/lines.py" || failures=1
