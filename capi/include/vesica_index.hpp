@@ -3,28 +3,59 @@
 /// programs that link the library.
 ///
 ///     const vesica::Index<double> trees({vesica::shapes(circles), vesica::shapes(boxes)});
-///     const vesica::Index<double> roads({vesica::shapes(rects)});
+///     const vesica::Index<double> roads({vesica::shapes(rects)}, vesica::Threads());
 ///     for (const auto& [tree, road] : vesica::pairs(trees, roads)) ...
+///     for (const std::int64_t tree : trees.overlapping(vesica_circle_f64{0, 0, 1})) ...
 ///
-/// The shapes stay the caller's: an index keeps the descriptors of their arrays, and the arrays must outlive it.
+/// Shapes are the structs of vesica.h, or the core's: vesica::Rect<double> is vesica_rect_f64. They stay the caller's:
+/// an index keeps the descriptors of their arrays, and the arrays must outlive it. Errors of the library are exceptions
+/// of std::invalid_argument with its words.
 #pragma once
 
 #include <vesica.h>
 
+#include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <initializer_list>
 #include <iterator>
+#include <limits>
 #include <memory>
 #include <new>
+#include <optional>
 #include <span>
 #include <stdexcept>
+#include <thread>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace vesica {
+
+// The core's shapes, laid out as those of vesica.h.
+template <class T>
+struct Point;
+template <class T>
+struct Segment;
+template <class T>
+struct Circle;
+template <class T>
+struct Aabb;
+template <class T>
+struct Rect;
+template <class T>
+struct Ellipse;
+template <class T>
+struct Capsule;
+template <class T>
+struct RoundRect;
+template <class T>
+struct Polygon;
+template <class T>
+struct Polyline;
 
 namespace index_face {
 
@@ -35,19 +66,31 @@ template <>
 struct Functions<double> {
   using Shapes = vesica_shapes_f64;
   static constexpr auto from_records = vesica_shapes_from_records_f64;
+  using Impact = vesica_impact_f64;
   static constexpr auto build = vesica_index_build_f64;
+  static constexpr auto step = vesica_index_step_f64;
   static constexpr auto select = vesica_index_select_f64;
   static constexpr auto nearest = vesica_index_nearest_f64;
+  static constexpr auto cast = vesica_index_cast_f64;
+  static constexpr auto cast_first = vesica_index_cast_first_f64;
   static constexpr auto join = vesica_join_f64;
+  static constexpr auto join_within = vesica_join_within_f64;
+  static constexpr auto join_nearest = vesica_join_nearest_f64;
 };
 template <>
 struct Functions<float> {
   using Shapes = vesica_shapes_f32;
   static constexpr auto from_records = vesica_shapes_from_records_f32;
+  using Impact = vesica_impact_f32;
   static constexpr auto build = vesica_index_build_f32;
+  static constexpr auto step = vesica_index_step_f32;
   static constexpr auto select = vesica_index_select_f32;
   static constexpr auto nearest = vesica_index_nearest_f32;
+  static constexpr auto cast = vesica_index_cast_f32;
+  static constexpr auto cast_first = vesica_index_cast_first_f32;
   static constexpr auto join = vesica_join_f32;
+  static constexpr auto join_within = vesica_join_within_f32;
+  static constexpr auto join_nearest = vesica_join_nearest_f32;
 };
 
 /// The kind of a struct of the library's, and the type of its numbers.
@@ -58,30 +101,24 @@ struct Is {
 };
 template <class Struct>
 struct Shape;
-template <>
-struct Shape<vesica_point_f64> : Is<double, VESICA_POINT> {};
-template <>
-struct Shape<vesica_segment_f64> : Is<double, VESICA_SEGMENT> {};
-template <>
-struct Shape<vesica_circle_f64> : Is<double, VESICA_CIRCLE> {};
-template <>
-struct Shape<vesica_aabb_f64> : Is<double, VESICA_AABB> {};
-template <>
-struct Shape<vesica_rect_f64> : Is<double, VESICA_RECT> {};
-template <>
-struct Shape<vesica_ellipse_f64> : Is<double, VESICA_ELLIPSE> {};
-template <>
-struct Shape<vesica_point_f32> : Is<float, VESICA_POINT> {};
-template <>
-struct Shape<vesica_segment_f32> : Is<float, VESICA_SEGMENT> {};
-template <>
-struct Shape<vesica_circle_f32> : Is<float, VESICA_CIRCLE> {};
-template <>
-struct Shape<vesica_aabb_f32> : Is<float, VESICA_AABB> {};
-template <>
-struct Shape<vesica_rect_f32> : Is<float, VESICA_RECT> {};
-template <>
-struct Shape<vesica_ellipse_f32> : Is<float, VESICA_ELLIPSE> {};
+#define VESICA_INDEX_SHAPE(Core, name, kind)               \
+  template <class T>                                       \
+  struct Shape<Core<T>> : Is<T, kind> {};                  \
+  template <>                                              \
+  struct Shape<vesica_##name##_f64> : Is<double, kind> {}; \
+  template <>                                              \
+  struct Shape<vesica_##name##_f32> : Is<float, kind> {};
+VESICA_INDEX_SHAPE(Point, point, VESICA_POINT)
+VESICA_INDEX_SHAPE(Segment, segment, VESICA_SEGMENT)
+VESICA_INDEX_SHAPE(Circle, circle, VESICA_CIRCLE)
+VESICA_INDEX_SHAPE(Aabb, aabb, VESICA_AABB)
+VESICA_INDEX_SHAPE(Rect, rect, VESICA_RECT)
+VESICA_INDEX_SHAPE(Ellipse, ellipse, VESICA_ELLIPSE)
+VESICA_INDEX_SHAPE(Capsule, capsule, VESICA_CAPSULE)
+VESICA_INDEX_SHAPE(RoundRect, round_rect, VESICA_ROUND_RECT)
+VESICA_INDEX_SHAPE(Polygon, polygon, VESICA_POLYGON)
+VESICA_INDEX_SHAPE(Polyline, polyline, VESICA_POLYLINE)
+#undef VESICA_INDEX_SHAPE
 
 /// Memory aligned as an index and scratch must be.
 class Memory {
@@ -105,7 +142,45 @@ inline std::int64_t checked(std::int64_t result) {
   return result;
 }
 
+/// Parts into which work is divided among threads: more than there are, so that none waits long for another.
+inline constexpr std::int64_t parts = 64;
+
+/// Runs task(part), which returns a result of the library, for all parts. Throws for the first part with an error.
+template <class Run, class Task>
+void run_parts(const Run& run, const Task& task) {
+  std::array<std::int64_t, parts> results{};
+  run(parts, [&](std::int64_t part) { results[static_cast<std::size_t>(part)] = task(part); });
+  for (const std::int64_t result : results) checked(result);
+}
+
 }  // namespace index_face
+
+/// An executor: runs tasks on some threads, all that there are unless told otherwise. In its place, any object will do
+/// that calls task(0) to task(parts - 1) when it is called with parts and a task, at once or in turn, and then returns.
+class Threads {
+ public:
+  explicit Threads(std::size_t count = std::thread::hardware_concurrency()) : count_(std::max<std::size_t>(count, 1)) {}
+
+  template <class Task>
+  void operator()(std::int64_t parts, const Task& task) const {
+    std::atomic<std::int64_t> next{0};
+    const auto work = [&] {
+      for (std::int64_t part = next++; part < parts; part = next++) task(part);
+    };
+    struct Others {
+      std::vector<std::thread> threads;
+      ~Others() {
+        for (std::thread& t : threads) t.join();
+      }
+    } others;
+    others.threads.reserve(count_ - 1);
+    for (std::size_t i = 1; i < count_; ++i) others.threads.emplace_back(work);
+    work();
+  }
+
+ private:
+  std::size_t count_;
+};
 
 /// The descriptor of an array of shapes, as vesica_rect_f64.
 template <class Array>
@@ -120,13 +195,28 @@ auto shapes(const Array& array) {
 }
 
 /// An index of one or more sets of shapes. Invalid shapes are left out; has_invalid() says whether there were any.
+/// A question's shape is a struct of vesica.h or of the core, or the descriptor of an array of one.
 template <class T>
 class Index {
- public:
-  using Shapes = typename index_face::Functions<T>::Shapes;
+  using F = index_face::Functions<T>;
 
-  explicit Index(std::span<const Shapes> sets) : sets_(sets.begin(), sets.end()), memory_(build(sets)) {}
+ public:
+  using Shapes = typename F::Shapes;
+  using Impact = typename F::Impact;
+
+  explicit Index(std::span<const Shapes> sets) : sets_(sets.begin(), sets.end()), memory_(size_for(sets)) { build(); }
   explicit Index(std::initializer_list<Shapes> sets) : Index(std::span<const Shapes>(sets.begin(), sets.size())) {}
+  /// Built by an executor, such as Threads: the same bytes.
+  template <class Run>
+  requires std::is_invocable_v<const Run&, std::int64_t, void (*)(std::int64_t)> Index(std::span<const Shapes> sets,
+                                                                                       const Run& run)
+      : sets_(sets.begin(), sets.end()), memory_(size_for(sets)) {
+    build(run);
+  }
+  template <class Run>
+  requires std::is_invocable_v<const Run&, std::int64_t, void (*)(std::int64_t)> Index(
+      std::initializer_list<Shapes> sets, const Run& run)
+      : Index(std::span<const Shapes>(sets.begin(), sets.size()), run) {}
   /// A copy of the bytes of an index of the same sets, from wherever they come: they are checked.
   Index(std::span<const Shapes> sets, std::span<const std::byte> saved)
       : sets_(sets.begin(), sets.end()), memory_(std::ssize(saved)) {
@@ -152,41 +242,96 @@ class Index {
     return items;
   }
 
-  /// Items that overlap a single shape.
-  std::vector<std::int64_t> overlapping(const Shapes& one) const {
-    std::vector<std::int64_t> items;
-    std::array<std::int64_t, 256> some;
-    std::int64_t state[4] = {0, 0, 0, 0};
-    while (state[0] != -1) {
-      const auto n = index_face::checked(
-          index_face::Functions<T>::select(data(), sets(), set_count(), &one, some.data(), std::ssize(some), state));
-      items.insert(items.end(), some.begin(), some.begin() + n);
-    }
-    return items;
+  /// Items that overlap a shape.
+  template <class One>
+  std::vector<std::int64_t> overlapping(const One& one) const {
+    const Shapes asked = array_of(one);
+    return all([&](std::int64_t* out, std::int64_t capacity, std::int64_t* state) {
+      return F::select(data(), sets(), set_count(), &asked, out, capacity, state);
+    });
   }
 
-  /// The k items nearest to a single shape, at most `within` away, each with its distance.
-  std::vector<std::pair<std::int64_t, T>> nearest(const Shapes& one, std::int64_t k, T within) const {
+  /// The k items nearest to a shape, at most `within` away, each with its distance.
+  template <class One>
+  std::vector<std::pair<std::int64_t, T>> nearest(const One& one, std::int64_t k,
+                                                  T within = std::numeric_limits<T>::infinity()) const {
+    const Shapes asked = array_of(one);
     std::vector<std::int64_t> items(static_cast<std::size_t>(k));
     std::vector<T> distance(static_cast<std::size_t>(k));
-    const auto n = index_face::checked(
-        index_face::Functions<T>::nearest(data(), sets(), set_count(), &one, k, within, items.data(), distance.data()));
+    const auto n =
+        index_face::checked(F::nearest(data(), sets(), set_count(), &asked, k, within, items.data(), distance.data()));
     std::vector<std::pair<std::int64_t, T>> found;
     if (k == 0) return found;  // n is how many there are
     for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) found.emplace_back(items[i], distance[i]);
     return found;
   }
 
+  /// Items that a shape touches as it moves, at (vx, vy) t for t from 0 to t_end.
+  template <class One>
+  std::vector<std::int64_t> touched(const One& one, T vx, T vy, T t_end = std::numeric_limits<T>::infinity()) const {
+    const Shapes asked = array_of(one);
+    return all([&](std::int64_t* out, std::int64_t capacity, std::int64_t* state) {
+      return F::cast(data(), sets(), set_count(), &asked, vx, vy, t_end, out, capacity, state);
+    });
+  }
+
+  /// The item that it touches first, and when and where.
+  template <class One>
+  std::optional<std::pair<std::int64_t, Impact>> first_touched(const One& one, T vx, T vy,
+                                                               T t_end = std::numeric_limits<T>::infinity()) const {
+    const Shapes asked = array_of(one);
+    Impact impact;
+    const auto item = index_face::checked(F::cast_first(data(), sets(), set_count(), &asked, vx, vy, t_end, &impact));
+    if (item == count()) return std::nullopt;
+    return std::pair(item, impact);
+  }
+
  private:
-  index_face::Memory build(std::span<const Shapes> sets) {
+  static const Shapes& array_of(const Shapes& one) { return one; }
+  template <class One>
+  static Shapes array_of(const One& one) {
+    return shapes(std::span(&one, 1));
+  }
+
+  /// All items that a call finds some at a time.
+  template <class Call>
+  static std::vector<std::int64_t> all(const Call& call) {
+    std::vector<std::int64_t> items;
+    std::array<std::int64_t, 256> some;
+    std::int64_t state[4] = {0, 0, 0, 0};
+    while (state[0] != -1) {
+      const auto n = index_face::checked(call(some.data(), std::ssize(some), state));
+      items.insert(items.end(), some.begin(), some.begin() + n);
+    }
+    return items;
+  }
+
+  static std::int64_t items_of(std::span<const Shapes> sets) {
     std::int64_t items = 0;
     for (const Shapes& set : sets) items += set.count;
-    index_face::Memory memory(index_face::checked(vesica_index_size(items)));
-    const index_face::Memory scratch(index_face::checked(vesica_index_scratch(items)));
-    const auto result = index_face::Functions<T>::build(sets.data(), static_cast<std::int32_t>(sets.size()),
-                                                        memory.data(), memory.size(), scratch.data(), scratch.size());
+    return items;
+  }
+  static std::int64_t size_for(std::span<const Shapes> sets) {
+    return index_face::checked(vesica_index_size(items_of(sets)));
+  }
+  void build() {
+    const index_face::Memory scratch(index_face::checked(vesica_index_scratch(items_of(sets_))));
+    const auto result = F::build(sets(), set_count(), memory_.data(), memory_.size(), scratch.data(), scratch.size());
     if (result != VESICA_E_SHAPE) index_face::checked(result);
-    return memory;
+  }
+  template <class Run>
+  void build(const Run& run) {
+    const index_face::Memory scratch(index_face::checked(vesica_index_scratch(items_of(sets_))));
+    const auto step = [&](std::int32_t number, std::int64_t part, std::int64_t parts) {
+      const std::int64_t result = F::step(number, part, parts, sets(), set_count(), memory_.data(), memory_.size(),
+                                          scratch.data(), scratch.size());
+      return result == VESICA_E_SHAPE ? 0 : result;
+    };
+    index_face::checked(step(0, 0, 1));
+    for (const std::int32_t number : {1, 2, 3}) {
+      index_face::run_parts(run, [&](std::int64_t part) { return step(number, part, index_face::parts); });
+    }
+    index_face::checked(step(4, 0, 1));
   }
 
   std::vector<Shapes> sets_;
@@ -202,6 +347,8 @@ class Pairs {
 
   Pairs(const Index<T>& a, const Index<T>& b, std::int32_t query)
       : a_(a), b_(b), query_(query), scratch_(vesica_join_scratch()) {}
+  /// Those at most a distance apart.
+  Pairs(const Index<T>& a, const Index<T>& b, T distance) : a_(a), b_(b), within_(distance), scratch_(0) {}
 
   class Iterator {
    public:
@@ -227,25 +374,51 @@ class Pairs {
   std::default_sentinel_t end() const { return {}; }
 
   /// How many there are.
-  std::int64_t count() { return index_face::checked(call(nullptr, nullptr, 0, nullptr)); }
+  std::int64_t count() { return index_face::checked(call(0, 1, scratch_, nullptr, nullptr, 0, nullptr)); }
+
+  /// All of them, found by an executor such as Threads, in the order of the loop.
+  template <class Run>
+  std::vector<Pair> all(const Run& run) const {
+    std::array<std::vector<Pair>, index_face::parts> found;
+    index_face::run_parts(run, [&](std::int64_t part) {
+      const index_face::Memory scratch(scratch_.size());
+      std::array<std::int64_t, 2048> first, second;
+      std::vector<Pair>& pairs = found[static_cast<std::size_t>(part)];
+      std::int64_t state[4] = {0, 0, 0, 0}, n = 0;
+      while (state[0] != -1 && n >= 0) {
+        n = call(part, index_face::parts, scratch, first.data(), second.data(), std::ssize(first), state);
+        for (std::size_t i = 0; n > 0 && i < static_cast<std::size_t>(n); ++i) pairs.emplace_back(first[i], second[i]);
+      }
+      return n;
+    });
+    std::vector<Pair> pairs;
+    for (const auto& part : found) pairs.insert(pairs.end(), part.begin(), part.end());
+    return pairs;
+  }
 
  private:
-  std::int64_t call(std::int64_t* first, std::int64_t* second, std::int64_t capacity, std::int64_t* state) {
-    return index_face::Functions<T>::join(query_, a_.data(), a_.sets(), a_.set_count(), b_.data(), b_.sets(),
-                                          b_.set_count(), 0, 1, scratch_.data(), scratch_.size(), first, second,
-                                          capacity, state);
+  std::int64_t call(std::int64_t part, std::int64_t parts, const index_face::Memory& scratch, std::int64_t* first,
+                    std::int64_t* second, std::int64_t capacity, std::int64_t* state) const {
+    using F = index_face::Functions<T>;
+    if (within_) {
+      return F::join_within(a_.data(), a_.sets(), a_.set_count(), b_.data(), b_.sets(), b_.set_count(), *within_, part,
+                            parts, first, second, capacity, state);
+    }
+    return F::join(query_, a_.data(), a_.sets(), a_.set_count(), b_.data(), b_.sets(), b_.set_count(), part, parts,
+                   scratch.data(), scratch.size(), first, second, capacity, state);
   }
   void fetch() {
     at_ = count_ = 0;
     while (count_ == 0 && state_[0] != -1) {
       count_ = static_cast<std::size_t>(
-          index_face::checked(call(first_.data(), second_.data(), std::ssize(first_), state_)));
+          index_face::checked(call(0, 1, scratch_, first_.data(), second_.data(), std::ssize(first_), state_)));
     }
   }
 
   const Index<T>& a_;
   const Index<T>& b_;
-  std::int32_t query_;
+  std::int32_t query_ = VESICA_JOIN_OVERLAP;
+  std::optional<T> within_;
   index_face::Memory scratch_;
   std::array<std::int64_t, 2048> first_, second_;
   std::size_t at_ = 0, count_ = 0;
@@ -260,6 +433,40 @@ Pairs<T> pairs(const Index<T>& a, const Index<T>& b, std::int32_t query = VESICA
 template <class T>
 Pairs<T> pairs(const Index<T>& a) {
   return Pairs<T>(a, a, VESICA_JOIN_OVERLAP);
+}
+
+/// Pairs at most a distance apart; a negative one asks for a depth.
+template <class T>
+Pairs<T> pairs_within(const Index<T>& a, const Index<T>& b, std::type_identity_t<T> distance) {
+  return Pairs<T>(a, b, distance);
+}
+
+/// The items of an index that are nearest to each of some shapes, k in a row.
+template <class T>
+struct NearestOfEach {
+  std::int64_t k;
+  std::vector<std::int64_t> item;  // -1 where there are fewer
+  std::vector<T> distance;         // infinite there
+
+  std::span<const std::int64_t> items_of(std::size_t i) const {
+    const auto length = static_cast<std::size_t>(k);
+    return {item.data() + i * length, length};
+  }
+};
+
+/// For all items of `of`, by an executor such as Threads.
+template <class T, class Run>
+NearestOfEach<T> nearest_of_each(const Index<T>& of, const Index<T>& index, std::int64_t k, const Run& run,
+                                 std::type_identity_t<T> within = std::numeric_limits<T>::infinity()) {
+  const auto size = static_cast<std::size_t>(of.count() * k);
+  NearestOfEach<T> found{k, std::vector<std::int64_t>(size), std::vector<T>(size)};
+  index_face::run_parts(run, [&](std::int64_t part) {
+    const std::int64_t result = index_face::Functions<T>::join_nearest(
+        of.sets(), of.set_count(), index.data(), index.sets(), index.set_count(), k, within, part, index_face::parts,
+        found.item.data(), found.distance.data());
+    return result == VESICA_E_SHAPE ? 0 : result;  // rows of invalid shapes are empty
+  });
+  return found;
 }
 
 }  // namespace vesica

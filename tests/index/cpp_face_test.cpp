@@ -7,6 +7,7 @@
 #include <ranges>
 #include <span>
 #include <vector>
+#include <vesica/shapes.hpp>
 #include <vesica_index.hpp>
 
 #include "index/face.hpp"
@@ -60,6 +61,82 @@ TEST(CppFace, SpansOfStructsRangesAndSavedBytes) {
   EXPECT_EQ(vesica::pairs(again, a, VESICA_JOIN_CONTAINS).count(), 4) << "each shape contains itself";
   EXPECT_THROW(vesica::Index<float>(sets, a.bytes().subspan(64)), std::invalid_argument);
   EXPECT_THROW(vesica::Index<float>(sets, {}), std::invalid_argument);
+}
+
+/// An executor of one's own: the last part first.
+struct Backwards {
+  template <class Task>
+  void operator()(std::int64_t parts, const Task& task) const {
+    for (std::int64_t part = parts; part > 0; --part) task(part - 1);
+  }
+};
+
+TEST(CppFace, ExecutorsGiveTheSameBytesAndPairs) {
+  const Laid<double> laid_a = mixed<double>("uniform", 3000, 3), laid_b = mixed<double>("uniform", 2000, 4);
+  const Sets<double> a(laid_a), b(laid_b);
+  const vesica::Index<double> first(a.sets), second(b.sets), threaded(a.sets, vesica::Threads(3)),
+      backwards(a.sets, Backwards());
+  EXPECT_TRUE(std::ranges::equal(first.bytes(), threaded.bytes()));
+  EXPECT_TRUE(std::ranges::equal(first.bytes(), backwards.bytes()));
+  const auto compare = [](auto pairs) {
+    std::vector<Pair> expected;
+    for (const auto& pair : pairs) expected.push_back(pair);
+    EXPECT_GT(expected.size(), 100U);
+    EXPECT_EQ(pairs.all(vesica::Threads(1)), expected);
+    EXPECT_EQ(pairs.all(vesica::Threads(3)), expected);
+    EXPECT_EQ(pairs.all(Backwards()), expected);
+  };
+  compare(vesica::pairs(first, second));
+  compare(vesica::pairs(first));
+  compare(vesica::pairs_within(first, second, 0.25));
+  const auto nearest = vesica::nearest_of_each(second, first, 2, vesica::Threads(2), 5.0);
+  ASSERT_EQ(nearest.item.size(), 4000U);
+  for (const std::size_t i : {std::size_t{0}, std::size_t{777}, std::size_t{1999}}) {
+    std::int64_t kept = static_cast<std::int64_t>(i);
+    for (std::int32_t set = 0; set < second.set_count(); ++set) {
+      auto one = second.sets()[set];
+      if (kept >= one.count) {
+        kept -= one.count;
+        continue;
+      }
+      for (auto& field : one.field) {
+        if (field != nullptr) {
+          field = reinterpret_cast<const double*>(reinterpret_cast<const unsigned char*>(field) + kept * one.stride);
+        }
+      }
+      one.count = 1;
+      const auto found = first.nearest(one, 2, 5);
+      for (std::size_t k = 0; k < found.size(); ++k) {
+        EXPECT_EQ(nearest.items_of(i)[k], found[k].first);
+        EXPECT_EQ(nearest.distance[2 * i + k], found[k].second);
+      }
+      break;
+    }
+  }
+  EXPECT_THROW(vesica::pairs_within(first, second, std::numeric_limits<double>::quiet_NaN()).all(Backwards()),
+               std::invalid_argument);
+  EXPECT_THROW(vesica::nearest_of_each(second, first, 0, vesica::Threads(2)), std::invalid_argument);
+}
+
+TEST(CppFace, ShapesOfTheCoreAndSingleOnes) {
+  const std::vector<vesica::Rect<double>> rects{{0, 0, 1, 0, 1, 1}, {10, 0, 0.6, 0.8, 2, 1}};
+  const vesica::Capsule<double> capsules[] = {{20, 0, 22, 0, 0.5}};
+  const double corners[] = {30, -1, 32, -1, 32, 1, 30, 1};
+  const vesica_polygon_f64 zones[] = {{corners, corners + 1, 2 * sizeof(double), nullptr, 4}};
+  const vesica::Index<double> index({vesica::shapes(rects), vesica::shapes(capsules), vesica::shapes(zones)});
+  EXPECT_FALSE(index.has_invalid());
+  EXPECT_EQ(index.overlapping(vesica_point_f64{31, 0}), std::vector<std::int64_t>{3});
+  EXPECT_EQ(index.overlapping(vesica::Circle<double>{21, 1, 0.6}), std::vector<std::int64_t>{2});
+  EXPECT_EQ(index.nearest(vesica::Point<double>{3, 0}, 1)[0], std::pair(std::int64_t{0}, 2.0));
+  std::vector<std::int64_t> touched = index.touched(vesica_point_f64{-5, 0}, 1, 0, 26);
+  std::ranges::sort(touched);
+  EXPECT_EQ(touched, (std::vector<std::int64_t>{0, 1, 2}));
+  const auto hit = index.first_touched(vesica::Circle<double>{-5, 0, 1}, 1, 0);
+  ASSERT_TRUE(hit.has_value());
+  EXPECT_EQ(hit->first, 0);
+  EXPECT_EQ(hit->second.t, 3);
+  EXPECT_FALSE(index.first_touched(vesica::Circle<double>{-5, 0, 1}, -1, 0).has_value());
+  EXPECT_THROW(index.overlapping(vesica::Circle<double>{0, 0, -1}), std::invalid_argument);
 }
 
 }  // namespace
