@@ -347,7 +347,7 @@ class Pairs {
 
   Pairs(const Index<T>& a, const Index<T>& b, std::int32_t query)
       : a_(a), b_(b), query_(query), scratch_(vesica_join_scratch()) {}
-  /// Those at most a distance apart.
+  /// Pairs at most a distance apart.
   Pairs(const Index<T>& a, const Index<T>& b, T distance) : a_(a), b_(b), within_(distance), scratch_(0) {}
 
   class Iterator {

@@ -3479,10 +3479,10 @@ extern "C" {
     /// KLD take width^2 / 4: to have theirs, multiply the half sizes of rectangles by sqrt(3). The four distances are,
     /// with d = m_a - m_b and S = (S_a + S_b) / 2:
     ///
-    ///     BHATTACHARYYA     d'S^-1 d / 8 + log(det S / sqrt(det S_a det S_b)) / 2
+    ///     BHATTACHARYYA     d^T S^-1 d / 8 + log(det S / sqrt(det S_a det S_b)) / 2
     ///     HELLINGER         sqrt(1 - exp(-BHATTACHARYYA))
-    ///     KULLBACK_LEIBLER  (trace(S_b^-1 S_a) - 2 + d'S_b^-1 d + log(det S_b / det S_a)) / 2
-    ///     WASSERSTEIN       d'd + trace(S_a + S_b - 2 (S_a^1/2 S_b S_a^1/2)^1/2)
+    ///     KULLBACK_LEIBLER  (trace(S_b^-1 S_a) - 2 + d^T S_b^-1 d + log(det S_b / det S_a)) / 2
+    ///     WASSERSTEIN       d^T d + trace(S_a + S_b - 2 (S_a^1/2 S_b S_a^1/2)^1/2)
     ///
     /// Equal Gaussians have exactly 0. Exchanging the shapes changes no bit, except of KULLBACK_LEIBLER. Losses are
     /// made of these numbers in many ways, such as 1 - 1 / (1 + log(1 + x)).
@@ -3754,10 +3754,10 @@ extern "C" {
     /// KLD take width^2 / 4: to have theirs, multiply the half sizes of rectangles by sqrt(3). The four distances are,
     /// with d = m_a - m_b and S = (S_a + S_b) / 2:
     ///
-    ///     BHATTACHARYYA     d'S^-1 d / 8 + log(det S / sqrt(det S_a det S_b)) / 2
+    ///     BHATTACHARYYA     d^T S^-1 d / 8 + log(det S / sqrt(det S_a det S_b)) / 2
     ///     HELLINGER         sqrt(1 - exp(-BHATTACHARYYA))
-    ///     KULLBACK_LEIBLER  (trace(S_b^-1 S_a) - 2 + d'S_b^-1 d + log(det S_b / det S_a)) / 2
-    ///     WASSERSTEIN       d'd + trace(S_a + S_b - 2 (S_a^1/2 S_b S_a^1/2)^1/2)
+    ///     KULLBACK_LEIBLER  (trace(S_b^-1 S_a) - 2 + d^T S_b^-1 d + log(det S_b / det S_a)) / 2
+    ///     WASSERSTEIN       d^T d + trace(S_a + S_b - 2 (S_a^1/2 S_b S_a^1/2)^1/2)
     ///
     /// Equal Gaussians have exactly 0. Exchanging the shapes changes no bit, except of KULLBACK_LEIBLER. Losses are
     /// made of these numbers in many ways, such as 1 - 1 / (1 + log(1 + x)).
