@@ -133,6 +133,14 @@ int64_t pairs_in_step(const Array& a, const Array& b) noexcept {
   return a.count == 1 ? b.count : a.count;
 }
 
+/// The first of two codes in the order VESICA_E_SHAPE, VESICA_E_ARGUMENT, VESICA_E_RANGE, 0.
+inline int32_t more_severe(int32_t a, int32_t b) noexcept {
+  for (const int32_t error : {VESICA_E_SHAPE, VESICA_E_ARGUMENT}) {
+    if (a == error || b == error) return error;
+  }
+  return a != 0 ? a : b;
+}
+
 /// True if rows of `width` elements, row_stride elements apart, neither overlap nor leave the address space.
 inline bool rows_apart(int64_t rows, int64_t width, ptrdiff_t row_stride, ptrdiff_t element) noexcept {
   ptrdiff_t bytes;

@@ -59,14 +59,6 @@ void read(const vesica::batch::Shapes<T>& shapes, int64_t i, Element& out) noexc
   out.error = gaussian_of(shapes.kind, vesica::batch::body_at(shapes, i).number, out.gaussian);
 }
 
-/// The first of two codes in the order VESICA_E_SHAPE, VESICA_E_ARGUMENT, VESICA_E_RANGE, 0.
-int32_t more_severe(int32_t a, int32_t b) noexcept {
-  for (const int32_t error : {VESICA_E_SHAPE, VESICA_E_ARGUMENT}) {
-    if (a == error || b == error) return error;
-  }
-  return a != 0 ? a : b;
-}
-
 /// Results of arrays: how many are 0, and the error of the call.
 struct Answers {
   GaussianDistance which;
@@ -81,7 +73,7 @@ struct Answers {
     if (code == 0) code = gaussian::rounded_to(result, out);
     if (code != 0) out = std::numeric_limits<T>::quiet_NaN();
     equal += code == 0 && out == 0;
-    if (code != 0) error = more_severe(error, code);
+    error = more_severe(error, code);
   }
   int64_t result() const noexcept { return error != 0 ? error : equal; }
 };

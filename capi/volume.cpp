@@ -110,8 +110,7 @@ struct Prisms {
   }
 };
 
-/// Results of arrays: how many are above 0, and the error of the call, in the order VESICA_E_SHAPE, VESICA_E_ARGUMENT,
-/// VESICA_E_RANGE.
+/// Results of arrays: how many are above 0, and the error of the call.
 struct Volumes {
   int32_t ratio;
   int64_t positive = 0;
@@ -121,9 +120,7 @@ struct Volumes {
   void answer(const Prism& p, const Prism& q, T& number) noexcept {
     const int32_t code = finish_volume_ratio(ratio, p, q, number);
     positive += number > 0;
-    const bool is_worse =
-        code == VESICA_E_SHAPE || (code == VESICA_E_ARGUMENT && error != VESICA_E_SHAPE) || error == 0;
-    if (code != 0 && is_worse) error = code;
+    error = more_severe(error, code);
   }
   int64_t result() const noexcept { return error != 0 ? error : positive; }
 };
