@@ -83,11 +83,10 @@ std::vector<double> some_row(std::int32_t kind, Random& random) {
 /// A shape's numbers and their struct, in one scalar.
 template <class T>
 struct Shape {
-  using Polygon = std::conditional_t<std::is_same_v<T, float>, vesica_polygon_f32, vesica_polygon_f64>;
   std::int32_t kind;
   std::vector<T> numbers;
   std::vector<std::int32_t> rings;
-  Polygon path{};
+  polygons::PolygonOf<T> path{};
 
   Shape(std::int32_t of, Random& random) : kind(of) {
     const bool is_path = kind == VESICA_POLYGON || kind == VESICA_POLYLINE;

@@ -10,36 +10,13 @@
 #include <limits>
 #include <vector>
 
+#include "polygon/questions.hpp"
 #include "properties/random.hpp"
 
 namespace polygon_area_arrays {
 
+using polygons::Face;
 using properties::Random;
-
-template <class T>
-struct C;
-template <>
-struct C<double> {
-  using Polygon = vesica_polygon_f64;
-  using Shapes = vesica_shapes_f64;
-  static constexpr auto area = vesica_area_f64;
-  static constexpr auto area_many = vesica_area_many_f64;
-  static constexpr auto area_matrix = vesica_area_matrix_f64;
-  static constexpr auto ratio = vesica_ratio_f64;
-  static constexpr auto ratio_many = vesica_ratio_many_f64;
-  static constexpr auto ratio_matrix = vesica_ratio_matrix_f64;
-};
-template <>
-struct C<float> {
-  using Polygon = vesica_polygon_f32;
-  using Shapes = vesica_shapes_f32;
-  static constexpr auto area = vesica_area_f32;
-  static constexpr auto area_many = vesica_area_many_f32;
-  static constexpr auto area_matrix = vesica_area_matrix_f32;
-  static constexpr auto ratio = vesica_ratio_f32;
-  static constexpr auto ratio_many = vesica_ratio_many_f32;
-  static constexpr auto ratio_matrix = vesica_ratio_matrix_f32;
-};
 
 /// Rings of an array, each a polygon.
 template <class T>
@@ -52,8 +29,8 @@ struct Rings {
     rings.push_back(static_cast<std::int32_t>(xy.size() / 2));
   }
   std::int64_t count() const { return static_cast<std::int64_t>(rings.size()) - 1; }
-  typename C<T>::Shapes shapes() const {
-    typename C<T>::Shapes s{};
+  typename Face<T>::Shapes shapes() const {
+    typename Face<T>::Shapes s{};
     s.kind = VESICA_POLYGON;
     s.field[0] = xy.data();
     s.field[1] = xy.data() + 1;
@@ -62,7 +39,7 @@ struct Rings {
     s.rings = rings.data();
     return s;
   }
-  typename C<T>::Polygon operator[](std::int64_t i) const {
+  polygons::PolygonOf<T> operator[](std::int64_t i) const {
     const std::int32_t first = rings[static_cast<std::size_t>(i)], last = rings[static_cast<std::size_t>(i) + 1];
     return {xy.data() + 2 * first, xy.data() + 2 * first + 1, 2 * sizeof(T), nullptr, last - first};
   }
@@ -160,17 +137,17 @@ void compare_all(int most, double extent, std::uint64_t seed) {
     const auto b = some_rings<T>(random.integer(60, 140), most, extent, random);
     compare(
         a, b,
-        [](const auto& p, const auto& q, T* out) { return C<T>::area(VESICA_POLYGON, &p, VESICA_POLYGON, &q, out); },
-        C<T>::area_many, C<T>::area_matrix);
+        [](const auto& p, const auto& q, T* out) { return Face<T>::area(VESICA_POLYGON, &p, VESICA_POLYGON, &q, out); },
+        Face<T>::area_many, Face<T>::area_matrix);
     for (std::int32_t which = 0; which <= VESICA_RATIO_COMPLETE; ++which) {
       compare(
           a, b,
           [&](const auto& p, const auto& q, T* out) {
-            return C<T>::ratio(which, VESICA_POLYGON, &p, VESICA_POLYGON, &q, out);
+            return Face<T>::ratio(which, VESICA_POLYGON, &p, VESICA_POLYGON, &q, out);
           },
-          [&](const auto* p, const auto* q, T* out) { return C<T>::ratio_many(which, p, q, out); },
+          [&](const auto* p, const auto* q, T* out) { return Face<T>::ratio_many(which, p, q, out); },
           [&](const auto* p, const auto* q, T* out, std::ptrdiff_t stride) {
-            return C<T>::ratio_matrix(which, p, q, out, stride);
+            return Face<T>::ratio_matrix(which, p, q, out, stride);
           });
     }
   }

@@ -24,9 +24,6 @@ namespace polygon_memory {
 using namespace polygons;
 using batch_tests::Edge;
 using batch_tests::GuardedMemory;
-template <class T>
-using Struct = std::conditional_t<std::is_same_v<T, float>, vesica_polygon_f32, vesica_polygon_f64>;
-
 /// Vertices and offsets of a path, each against a guard page: x and y in turn, or a column each.
 template <class T>
 class Guarded {
@@ -46,7 +43,7 @@ class Guarded {
     view = {reinterpret_cast<const T*>(x), reinterpret_cast<const T*>(y), static_cast<std::ptrdiff_t>(stride),
             reinterpret_cast<const std::int32_t*>(rings), static_cast<std::int64_t>(path.ring_count())};
   }
-  Struct<T> view{};
+  PolygonOf<T> view{};
 
  private:
   GuardedMemory x_, y_, rings_;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 #include <vector>
 
 #include "capi/face.hpp"
@@ -13,6 +14,9 @@ namespace polygons {
 
 using capi_tests::Face;
 using Bytes = std::vector<unsigned char>;
+
+template <class T>
+using PolygonOf = std::conditional_t<std::is_same_v<T, float>, vesica_polygon_f32, vesica_polygon_f64>;
 
 struct Given {
   std::int32_t kind;
