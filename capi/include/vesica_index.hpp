@@ -256,8 +256,9 @@ class Index {
   std::vector<std::pair<std::int64_t, T>> nearest(const One& one, std::int64_t k,
                                                   T within = std::numeric_limits<T>::infinity()) const {
     const Shapes asked = array_of(one);
-    std::vector<std::int64_t> items(static_cast<std::size_t>(k));
-    std::vector<T> distance(static_cast<std::size_t>(k));
+    const auto room = static_cast<std::size_t>(std::max<std::int64_t>(k, 0));
+    std::vector<std::int64_t> items(room);
+    std::vector<T> distance(room);
     const auto n =
         index_face::checked(F::nearest(data(), sets(), set_count(), &asked, k, within, items.data(), distance.data()));
     std::vector<std::pair<std::int64_t, T>> found;
@@ -458,7 +459,7 @@ struct NearestOfEach {
 template <class T, class Run>
 NearestOfEach<T> nearest_of_each(const Index<T>& of, const Index<T>& index, std::int64_t k, const Run& run,
                                  std::type_identity_t<T> within = std::numeric_limits<T>::infinity()) {
-  const auto size = static_cast<std::size_t>(of.count() * k);
+  const auto size = static_cast<std::size_t>(std::max<std::int64_t>(of.count() * k, 0));
   NearestOfEach<T> found{k, std::vector<std::int64_t>(size), std::vector<T>(size)};
   index_face::run_parts(run, [&](std::int64_t part) {
     const std::int64_t result = index_face::Functions<T>::join_nearest(

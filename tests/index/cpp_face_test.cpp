@@ -115,7 +115,9 @@ TEST(CppFace, ExecutorsGiveTheSameBytesAndPairs) {
   }
   EXPECT_THROW(vesica::pairs_within(first, second, std::numeric_limits<double>::quiet_NaN()).all(Backwards()),
                std::invalid_argument);
-  EXPECT_THROW(vesica::nearest_of_each(second, first, 0, vesica::Threads(2)), std::invalid_argument);
+  for (const std::int64_t k : {0, -1})
+    EXPECT_THROW(vesica::nearest_of_each(second, first, k, vesica::Threads(2)), std::invalid_argument);
+  EXPECT_THROW(first.nearest(vesica_point_f64{0, 0}, -1), std::invalid_argument);
 }
 
 TEST(CppFace, ShapesOfTheCoreAndSingleOnes) {
