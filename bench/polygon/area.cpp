@@ -168,13 +168,17 @@ template <>
 struct Arrays<double> {
   using Shapes = vesica_shapes_f64;
   static constexpr auto iou_matrix = vesica_iou_matrix_f64;
+  using Polygon = vesica_polygon_f64;
   static constexpr auto iou_many = vesica_iou_many_f64;
+  static constexpr auto iou = vesica_iou_f64;
 };
 template <>
 struct Arrays<float> {
   using Shapes = vesica_shapes_f32;
   static constexpr auto iou_matrix = vesica_iou_matrix_f32;
+  using Polygon = vesica_polygon_f32;
   static constexpr auto iou_many = vesica_iou_many_f32;
+  static constexpr auto iou = vesica_iou_f32;
 };
 
 template <class T>
@@ -189,12 +193,13 @@ typename Arrays<T>::Shapes shapes(const std::vector<T>& xy, int n, std::size_t c
   return s;
 }
 
-/// IoU of arrays of polygons of radius 1 in a square of side 2 `near`, a pair: all pairs, and pairs in step.
+/// IoU of arrays of polygons of radius 1 in a square of side 2 `near`, a pair: all pairs, pairs in step, and by a call
+/// for each of the latter.
 template <class T>
 void arrays_row(int n, double near) {
   constexpr std::size_t count = 256;
   Random random(8);
-  std::vector<double> matrix_times, step_times;
+  std::vector<double> matrix_times, step_times, call_times;
   std::vector<T> out(count * count);
   std::int64_t positive = 0, drawn = 0;
   for (int pass = 0; pass < 20; ++pass) {
@@ -210,13 +215,23 @@ void arrays_row(int n, double near) {
     begin = Clock::now();
     Arrays<T>::iou_many(&first, &second, out.data());
     const std::chrono::duration<double, std::nano> of_step = Clock::now() - begin;
+    begin = Clock::now();
+    for (std::size_t i = 0; i < count; ++i) {
+      const T *const p = &a[2 * i * static_cast<std::size_t>(n)], *const q = &b[2 * i * static_cast<std::size_t>(n)];
+      const typename Arrays<T>::Polygon one{p, p + 1, 2 * sizeof(T), nullptr, n},
+          other{q, q + 1, 2 * sizeof(T), nullptr, n};
+      Arrays<T>::iou(VESICA_POLYGON, &one, VESICA_POLYGON, &other, &out[i]);
+    }
+    const std::chrono::duration<double, std::nano> of_calls = Clock::now() - begin;
     drawn += static_cast<std::int64_t>(count * count);
     matrix_times.push_back(of_matrix.count() / static_cast<double>(count * count));
     step_times.push_back(of_step.count() / static_cast<double>(count));
+    call_times.push_back(of_calls.count() / static_cast<double>(count));
   }
-  std::printf("%4d vertices, %s, %5.1f %% share an area:  iou matrix %.1f ns a pair, in step %.0f ns\n", n,
-              sizeof(T) == 8 ? "double" : "float ", 100.0 * static_cast<double>(positive) / static_cast<double>(drawn),
-              median(matrix_times), median(step_times));
+  std::printf(
+      "%4d vertices, %s, %5.1f %% share an area:  iou matrix %.1f ns a pair, in step %.0f ns, by calls %.0f ns\n", n,
+      sizeof(T) == 8 ? "double" : "float ", 100.0 * static_cast<double>(positive) / static_cast<double>(drawn),
+      median(matrix_times), median(step_times), median(call_times));
 }
 
 }  // namespace
