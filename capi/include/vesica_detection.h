@@ -97,7 +97,7 @@ VESICA_API int64_t vesica_assign_greedy_scratch(int64_t count, int64_t count_a, 
  * Returns: how many pairs are taken.
  * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (a number, an item or a size is out of range, the scratch is not aligned).
  * Nothing is written.
- * Cost: a sort of the values: 50 to 80 ns a pair.
+ * Cost: a sort of the values.
  */
 VESICA_API int64_t vesica_assign_greedy_f64(const int64_t *a, const int64_t *b, const double *values, int64_t count,
                                             int64_t count_a, int64_t count_b, void *scratch, int64_t scratch_size,
@@ -143,7 +143,7 @@ VESICA_API int64_t vesica_fuse_scratch(int64_t count);
  * cluster, a coordinate x of the mean is right to 4 u (n d + |x|) + n 2^-1074, d the largest difference from that of
  * the first box; a score to 4 u n times the highest; a direction to 4 u n, if all are within 45 degrees of the first.
  * The float function computes in double and rounds its results.
- * Cost: an index of the boxes; then about 1 us a box, and vesica_iou_f64 for each mean that its bounds meet.
+ * Cost: an index of the boxes, and vesica_iou_f64 for each mean that the bounds of a box meet.
  */
 VESICA_API int32_t vesica_fuse_f64(const vesica_shapes_f64 *shapes, const double *scores, const double *weights,
                                    const int32_t *labels, double threshold, int32_t fused_score, void *scratch,
@@ -301,7 +301,7 @@ VESICA_API int32_t vesica_average_precision_f64(int32_t rule, const double *scor
  * VESICA_E_SHAPE, VESICA_E_ARGUMENT (no such distance; or a size is 0, which only WASSERSTEIN takes), VESICA_E_RANGE
  * (the distance would overflow; or, except for WASSERSTEIN, one size is more than 2^400 times another).
  * Accuracy: a relative error of at most 24 u, and 2^-1074; also if the Gaussians are nearly equal, thin, or far apart.
- * Cost: 0.3 us; in a matrix 0.04 to 0.11 us a pair.
+ * Cost: a few roots and logarithms; in a matrix about a third of a call or less a pair.
  */
 VESICA_API int32_t vesica_gaussian_distance_f64(int32_t which, int32_t kind_a, const void *a, int32_t kind_b,
                                                 const void *b, double *out);
