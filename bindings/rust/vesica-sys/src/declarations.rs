@@ -3283,7 +3283,7 @@ extern "C" {
     /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (a number, an item or a size is out of range, the scratch is not
     /// aligned). Nothing is written.
     ///
-    /// Cost: a sort of the values: 50 to 80 ns a pair.
+    /// Cost: a sort of the values.
     ///
     /// Since: 0.1.
     pub fn vesica_assign_greedy_f64(a: *const i64, b: *const i64, values: *const f64, count: i64, count_a: i64,
@@ -3333,7 +3333,7 @@ extern "C" {
     /// of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is
     /// longer over shorter size.
     ///
-    /// Cost: an index of the boxes; then about 1 us a box, and vesica_iou_f64 for each mean that its bounds meet.
+    /// Cost: an index of the boxes, and vesica_iou_f64 for each mean that the bounds of a box meet.
     ///
     /// Since: 0.1.
     pub fn vesica_fuse_f64(shapes: *const Shapes<f64>, scores: *const f64, weights: *const f64, labels: *const i32,
@@ -3501,7 +3501,7 @@ extern "C" {
     /// largest of |dx| and |dy| between their centres and of their half lengths; "right to 4 u scale" means an error of
     /// at most 4 u times the scale. An aspect ratio is longer over shorter size.
     ///
-    /// Cost: 0.3 us; in a matrix 0.04 to 0.11 us a pair.
+    /// Cost: a few roots and logarithms; in a matrix about a third of a call or less a pair.
     ///
     /// Since: 0.1.
     pub fn vesica_gaussian_distance_f64(which: i32, kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
@@ -3578,7 +3578,7 @@ extern "C" {
     /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (a number, an item or a size is out of range, the scratch is not
     /// aligned). Nothing is written.
     ///
-    /// Cost: a sort of the values: 50 to 80 ns a pair.
+    /// Cost: a sort of the values.
     ///
     /// Since: 0.1.
     pub fn vesica_assign_greedy_f32(a: *const i64, b: *const i64, values: *const f32, count: i64, count_a: i64,
@@ -3620,7 +3620,7 @@ extern "C" {
     /// of their half lengths; "right to 4 u scale" means an error of at most 4 u times the scale. An aspect ratio is
     /// longer over shorter size.
     ///
-    /// Cost: an index of the boxes; then about 1 us a box, and vesica_iou_f32 for each mean that its bounds meet.
+    /// Cost: an index of the boxes, and vesica_iou_f32 for each mean that the bounds of a box meet.
     ///
     /// Since: 0.1.
     pub fn vesica_fuse_f32(shapes: *const Shapes<f32>, scores: *const f32, weights: *const f32, labels: *const i32,
@@ -3777,7 +3777,7 @@ extern "C" {
     /// between their centres and of their half lengths; "right to 4 u scale" means an error of at most 4 u times the
     /// scale. An aspect ratio is longer over shorter size.
     ///
-    /// Cost: 0.3 us; in a matrix 0.04 to 0.11 us a pair.
+    /// Cost: a few roots and logarithms; in a matrix about a third of a call or less a pair.
     ///
     /// Since: 0.1.
     pub fn vesica_gaussian_distance_f32(which: i32, kind_a: i32, a: *const c_void, kind_b: i32, b: *const c_void,
