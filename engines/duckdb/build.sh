@@ -17,11 +17,9 @@ if [ ! -d headers ]; then
   rm "duckdb-$version.tgz"
 fi
 
-# Paths with spaces come with backslashes, which read without -r takes away.
-# shellcheck disable=SC2162
-read -a flags < <(pkg-config --cflags --libs vesica)
+. "$common/linking.sh"
 "${CC:-cc}" -std=gnu99 -O2 -fPIC -shared -fvisibility=hidden -Wall -Wextra -Wconversion -Wshadow -Werror -isystem headers \
-  "-I$common" -o vesica.so "$here/vesica_duckdb.c" "$common"/*.c "${flags[@]}" -lm
+  "-I$common" -o vesica.so "$here/vesica_duckdb.c" "$common"/*.c "${linking[@]}" -lm
 
 # What DuckDB reads behind a library before it loads it: eight fields of 32 bytes, the last ones first, and the place of a
 # signature, which is empty.

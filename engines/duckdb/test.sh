@@ -3,6 +3,8 @@
 # test.sh MOVED WORK: the extension and pattern.sql in npm's DuckDB: pairs, bad input, a process that is killed.
 . "$(dirname "${BASH_SOURCE[0]}")/../../tests/install/prefix.sh"
 . "$here/../common/testing.sh"
+# The extension remembers where the library was when it was built.
+unset LD_LIBRARY_PATH
 . "$here/load.sh"
 "$here/build.sh" "$work"
 cd "$work"

@@ -57,7 +57,7 @@ static enum outcome checked(int32_t code, char* fault) {
   return failed;
 }
 
-// Returns room for so many bytes, or NULL.
+// Returns room for this number of bytes, or NULL.
 static char* room_of(struct bytes* bytes, size_t length) {
   if (length > bytes->room) {
     char* data = realloc(bytes->data, 2 * length);

@@ -3,8 +3,6 @@
 # build.sh FOLDER: the program join_mpi into FOLDER, against the library that pkg-config finds.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-# Paths with spaces come with backslashes, which read without -r takes away.
-# shellcheck disable=SC2162
-read -a flags < <(pkg-config --cflags --libs vesica)
+. "$here/../common/linking.sh"
 mpicc -std=c99 -O2 -Wall -Wextra -Wconversion -Wshadow -Wmissing-prototypes -Werror \
-  -o "$1/join_mpi" "$here"/*.c "${flags[@]}" -lm
+  -o "$1/join_mpi" "$here"/*.c "${linking[@]}" -lm

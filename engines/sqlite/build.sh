@@ -4,9 +4,7 @@
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 common=$here/../common
-# Paths with spaces come with backslashes, which read without -r takes away.
-# shellcheck disable=SC2162
-read -a flags < <(pkg-config --cflags --libs vesica)
+. "$common/linking.sh"
 warnings=(-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wmissing-prototypes -Werror)
 "${CC:-cc}" -std=c99 -O2 -fPIC -shared -fvisibility=hidden "${warnings[@]}" "-I$common" \
-  -o "$1/vesica_sqlite.so" "$here/vesica_sqlite.c" "$common"/*.c "${flags[@]}" -lm
+  -o "$1/vesica_sqlite.so" "$here/vesica_sqlite.c" "$common"/*.c "${linking[@]}" -lm

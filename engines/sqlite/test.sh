@@ -3,6 +3,8 @@
 # test.sh MOVED WORK: the extension and pattern.sql in Debian's sqlite3: pairs, bad input, a killed writer.
 . "$(dirname "${BASH_SOURCE[0]}")/../../tests/install/prefix.sh"
 . "$here/../common/testing.sh"
+# The extension remembers where the library was when it was built.
+unset LD_LIBRARY_PATH
 "$here/build.sh" "$work"
 
 # sql [FILE.db]: the statements on standard input, with the extension.

@@ -37,7 +37,7 @@ static void return_shape(sqlite3_context* context, const struct shape* shape) {
   sqlite3_result_blob64(context, blob, bytes, sqlite3_free);
 }
 
-/// The shapes of a call, of which the vertices must be freed.
+/// The shapes of a call, whose vertices must be freed.
 struct arguments {
   struct shape s[2];
   struct vertices vertices[2];
