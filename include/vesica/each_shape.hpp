@@ -14,7 +14,7 @@
 #define VESICA_EACH_SHAPE_WITH_FORM(X) \
   X(point, Point) X(segment, Segment) X(circle, Circle) X(aabb, Aabb) X(rect, Rect) X(ellipse, Ellipse)
 
-/// Every shape that is a core with a radius (form/inflated.hpp), but for the circle.
+/// Every shape that is a core with a radius (form/inflated.hpp), except the circle.
 #define VESICA_EACH_SHAPE_INFLATED(X) X(capsule, Capsule) X(round_rect, RoundRect)
 
 /// Every shape, in the order of Kind.

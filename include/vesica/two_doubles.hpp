@@ -83,7 +83,7 @@ VESICA_INLINE TwoDoubles::Mask operator>=(TwoDoubles a, TwoDoubles b) noexcept {
 
 VESICA_INLINE TwoDoubles exchanged(TwoDoubles a) noexcept { return {a.second(), a.first()}; }
 VESICA_INLINE double sum(TwoDoubles a) noexcept { return a.first() + a.second(); }
-/// The sum of a's numbers, and that of b's.
+/// The sum of a's numbers, and the sum of b's.
 VESICA_INLINE TwoDoubles sums(TwoDoubles a, TwoDoubles b) noexcept { return firsts(a, b) + seconds(a, b); }
 
 VESICA_INLINE TwoDoubles abs(TwoDoubles a) noexcept {

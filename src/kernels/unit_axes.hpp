@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Axes of unit length but for rounding, as angles give them.
+// Axes of unit length up to rounding, as angles give them.
 #pragma once
 
 #include "kernels/guard.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two ellipses, or a circle and an ellipse, of unit axes but for rounding and not thin: errors are then small beside
+// Two ellipses, or a circle and an ellipse, of unit axes up to rounding and not thin: errors are then small beside
 // the polynomial's own two parts, and no sums of magnitudes are formed to bound them.
 #pragma once
 

@@ -126,7 +126,7 @@ class RingBlock {
   const Tally& tally() const noexcept { return tally_; }
 
  private:
-  /// From so many pairs on lanes are quicker than one call after the other.
+  /// The number of pairs from which on lanes are quicker than one call after the other.
   static constexpr std::int32_t worth_lanes = 4;
 
   BlockKernel<T> kernel(Repeat repeat) const noexcept {

@@ -82,7 +82,7 @@ class Index {
                           vesica_impact_f64& out) const {
     return vesica_index_cast_first_f64(bytes_.data(), &set_, 1, &one, vx, vy, end, &out);
   }
-  /// All items that are met, ascending, and how many cannot be told.
+  /// All items that are hit, ascending, and how many are undecided.
   std::int64_t cast(const vesica_shapes_f64& one, double vx, double vy, double end,
                     std::vector<std::int64_t>& met) const {
     std::int64_t page[5], state[4] = {}, errors = 0;
@@ -106,7 +106,7 @@ class Index {
   std::vector<Chunk> bytes_;
 };
 
-/// A shape met later than any number, one that lies there already, and one that is met early: whatever their order and
+/// A shape hit later than any number, one that lies there already, and one that is hit early: whatever their order and
 /// number, the far one does not hide the first.
 TYPED_TEST(Batches, FirstBesideContactBeyondTheNumbers) {
   using T = TypeParam;

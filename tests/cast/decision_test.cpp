@@ -22,7 +22,7 @@ bool meets(const Pair& p, const Motion& m, double time, int less = 0) {
   return oracle::meets(p.kind_a, p.a.data(), p.kind_b, p.b.data(), {m.vx, m.vy, time, less});
 }
 
-/// Of two such with an area the oracle is slow.
+/// The oracle is slow for two such shapes with an area.
 bool has_round_outline(int kind, const Numbers& n) { return properties::is_curved(kind, n); }
 
 /// By how many powers of two the numbers of a moving pair differ, zeros left out.

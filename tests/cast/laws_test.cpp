@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What holds without knowing any contact, over every workload: of answers and times to the bit.
+/// Laws that hold without knowing any contact, over every workload, for answers and times to the bit.
 #include <gtest/gtest.h>
 
 #include <cmath>

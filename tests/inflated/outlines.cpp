@@ -130,7 +130,7 @@ bool is_one_of(const std::vector<Point>& all, const Point& p) {
                      [&](const Point& q) { return hypot(Real(p.x - q.x), Real(p.y - q.y)) < same_place; });
 }
 
-/// Where an outline begins.
+/// The place where an outline begins.
 Point start(const Outline& o) {
   const Point corner = sum(sum(centre(o), Real(-o.hx), axis(o)), Real(-o.hy), across(o));
   const bool is_along = o.hx > 0;

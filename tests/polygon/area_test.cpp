@@ -187,7 +187,7 @@ TEST(PolygonArea, OfCells) {
   EXPECT_GT(nested, pairs / 100);
 }
 
-/// An AABB or a rectangle whose corners are numbers has the same area as a polygon of these, with every kind.
+/// An AABB or a rectangle whose corners are numbers has the same area as the polygon of its corners, with every kind.
 TEST(PolygonArea, OfBoxesAsPolygons) {
   Random random(162);
   int positive = 0, whole = 0;

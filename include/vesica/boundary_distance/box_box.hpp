@@ -25,7 +25,7 @@ VESICA_INLINE V limited(V x, V size) noexcept {
   return max(min(x, size), -size);
 }
 
-/// From the face across the first box's axis, or the one along it. `told`: true if the other is not as near.
+/// From the face across the first box's axis, or the one along it. `told`: true if the other is farther.
 template <class V, class Mask>
 VESICA_INLINE NestedBoxes<V> nested_at(const BoxPair<V>& p, Mask take_across, const Reach<V>& found,
                                        Mask told) noexcept {

@@ -102,7 +102,7 @@ VESICA_INLINE auto box_box(const Box<double>& a, const Box<double>& b, const Cen
 }
 #endif
 
-/// The gap tells whether the boxes cross or are disjoint; each box's own axes tell how far the other reaches out of it.
+/// The gap says whether the boxes cross or are disjoint; each box's own axes say how far the other reaches out of it.
 template <class V>
 VESICA_INLINE constexpr auto box_box_certain_facts(const Box<V>& a, const Box<V>& b, const Centre<V>& d) noexcept {
   const BoxBox<V> axes = separating_axes(a, b, d);

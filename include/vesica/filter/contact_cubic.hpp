@@ -164,7 +164,7 @@ VESICA_INLINE constexpr bool circles_apart(const Ellipse<double>& e, const Ellip
 VESICA_INLINE DecidedVerdict<bool> look_at_ellipses(const Ellipse<double>& e, const Ellipse<double>& f,
                                                     const Centre<double>& d) noexcept {
   using V = TwoDoubles;
-  // Of both shapes.
+  // Both shapes together.
   const V axis_e(e.ux, e.uy), axis_f(f.ux, f.uy), ux = firsts(axis_e, axis_f), uy = seconds(axis_e, axis_f);
   const V lengths_e(e.a, e.b), lengths_f(f.a, f.b), a = firsts(lengths_e, lengths_f), b = seconds(lengths_e, lengths_f);
   const V aa = a * a, bb = b * b;

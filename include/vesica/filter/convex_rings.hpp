@@ -171,7 +171,7 @@ VESICA_INLINE constexpr auto convex_rings(const Ring<V, n>& a, const Ring<V, n>&
 inline constexpr int undecided = -1;
 
 #if VESICA_HAS_TWO_DOUBLES
-/// Whether boxes meet, and what follows from them; the first number is the first polygon's.
+/// The answer of the boxes: do they meet, and what follows? The first number is the first polygon's.
 struct TwoBoxes {
   Aabb<TwoDoubles> box;
 

@@ -14,7 +14,7 @@ VESICA_INLINE constexpr V coarse() noexcept {
   return V(sizeof(T) == 4 ? T(0x1p-6) : T(0x1p-20));
 }
 
-/// What tells whether the first ellipse of a pencil lies within the second.
+/// The numbers that decide whether the first ellipse of a pencil lies within the second.
 template <class V>
 struct Nesting {
   V y;
@@ -33,7 +33,7 @@ VESICA_INLINE constexpr auto certainly_not_nested(const Nesting<V>& n) noexcept 
   return either(certainly_negative(n.top), n.beyond.value + n.slack < -n.beyond.error);
 }
 
-/// Of a pencil whose first ellipse has the lesser area, or an area equal but for rounding.
+/// The numbers of a pencil whose first ellipse has the lesser area, or an area equal up to rounding.
 ///
 /// Proved: the answers certainly_nested() and certainly_not_nested() are right despite all rounding. So relation and
 /// containment need the exact stage near contact alone.

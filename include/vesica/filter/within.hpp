@@ -37,7 +37,7 @@ VESICA_INLINE constexpr LeastSquare<V> least_square(V p0, V p1, V g0, V g1, V h0
   return {min(min(c0.low, c1.low), min(c2.low, c3.low)), min(min(c0.high, c1.high), min(c2.high, c3.high))};
 }
 
-/// Of a single point.
+/// A single point.
 template <class V>
 VESICA_INLINE constexpr LeastSquare<V> least_square(V p0, V p1, V e0, V e1) noexcept {
   const V x = positive_part(abs(p0) - e0), y = positive_part(abs(p1) - e1);
@@ -75,7 +75,7 @@ VESICA_INLINE constexpr auto point_box_within(const Box<V>& b, const Centre<V>& 
   return guarded(usable, least.high<reached.low, least.low> reached.high);
 }
 
-/// Two boxes, d from the centre of a to that of b.
+/// Two boxes. d: from the centre of a to the centre of b.
 template <class V>
 VESICA_INLINE constexpr auto box_box_within(const Box<V>& a, const Box<V>& b, const Centre<V>& d, V reach) noexcept {
   const BoxBox<V> axes = separating_axes(a, b, d);

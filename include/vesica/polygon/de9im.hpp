@@ -103,7 +103,7 @@ class RowMatrix : RowParts<T, Row> {
     if (has_length(e) && m.at[1] != 'F') ask_inside_edge(e, i, m);
   }
 
-  /// The places of b's outline inside edge i, but for those at other vertices of the polygon.
+  /// The places of b's outline inside edge i, except those at other vertices of the polygon.
   void ask_inside_edge(const Edge& e, std::int64_t i, const NineIntersections& m) noexcept {
     const Part from = place(start_of(e)), to = place(end_of(e));
     const bool stretch = m.at[1] == '1', enters = m.at[0] != 'F';

@@ -121,7 +121,7 @@ class Edges {
   }
 
   /// Calls visit(edge, i) for each edge that begins in a range, until it returns true; returns whether it did. Edges
-  /// without length are left out, but for the first of a ring, so that equal vertices take no time.
+  /// without length are left out except the first of a ring, so that equal vertices take no time.
   template <class Visit>
   bool for_edges(const Range& range, Visit visit) const noexcept {
     return for_rings(range, [&](const Range& vertices, std::int64_t first, std::int64_t last) {
@@ -142,7 +142,7 @@ class Edges {
       find_box({first, std::min(last + 1, vertices.last)}, part);
       const Point<double> start = vertex(last == vertices.last && closed_ ? vertices.first : first);
       extend(part, start.x, start.y);
-      // Equal vertices have no edges, but for the first of a ring.
+      // Equal vertices have no edges, except the first of a ring.
       if (part.min_x == part.max_x && part.min_y == part.max_y && first != vertices.first) return false;
       extend(box, part.min_x, part.min_y);
       extend(box, part.max_x, part.max_y);

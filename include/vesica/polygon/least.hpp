@@ -2,7 +2,7 @@
 /// The least distance over the edges of a path, or over pairs of edges of two paths.
 ///
 /// Bounds leave out only pairs that cannot be the least, however distances round. So the result is the least of what
-/// all pairs give, and its error is that of one pair.
+/// all pairs give, and its error is one pair's.
 #pragma once
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace vesica::detail::polygon {
 
 using Points = ClosestPoints<double>;
 
-/// The least distance found so far. Of equal ones it keeps that of the first edges, in whichever order they come.
+/// The least distance found so far. Among equal ones it keeps the first edges', in whichever order they come.
 class Least {
  public:
   /// `all` holds both shapes. A computed distance is within 4u of its size (nearest.hpp), a bound within 12u, and

@@ -24,7 +24,7 @@ VESICA_INLINE Box around(double cx, double cy, double extent_x, double extent_y)
   return {cx - x, cy - y, cx + x, cy + y};
 }
 
-/// A box that holds a valid shape, and is little larger than its bounds; an ellipse's is that of its rectangle.
+/// A box that holds a valid shape, and is little larger than its bounds; an ellipse has its rectangle's.
 VESICA_INLINE Box box_about(const Point<double>& s) noexcept { return {s.x, s.y, s.x, s.y}; }
 VESICA_INLINE Box box_about(const Segment<double>& s) noexcept { return box_of(s); }
 VESICA_INLINE Box box_about(const Circle<double>& s) noexcept { return around(s.cx, s.cy, s.r, s.r); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Where a point lies in a polygon: inside, on an edge or outside. Exact, also for points that are not stored.
+/// The place of a point in a polygon: inside, on an edge or outside. Exact, also for points that are not stored.
 #pragma once
 
 #include <vesica/polygon/inside.hpp>

@@ -8,7 +8,7 @@
 
 namespace vesica::detail::polygon {
 
-/// The sign of the turn from the direction of e to that of f, exact.
+/// The sign of the turn from the direction of e to the direction of f, exact.
 VESICA_COLD inline int exact_turn(const Edge& e, const Edge& f) noexcept {
   using exact::from_double;
   const auto difference = [](double to, double from) { return from_double(to) - from_double(from); };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Pairs of edges of two paths, but for those whose boxes settle the question. Consecutive edges are neighbours, so
+/// Pairs of edges of two paths, except those whose boxes settle the question. Consecutive edges are neighbours, so
 /// boxes about runs of them, in their order, need no sorting and are made within the call.
 #pragma once
 

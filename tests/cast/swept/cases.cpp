@@ -28,7 +28,7 @@ Vec operator*(double k, const Vec& a) { return {k * a.x, k * a.y}; }
 Vec perp(const Vec& a) { return {-a.y, a.x}; }
 double dot(const Vec& a, const Vec& b) { return a.x * b.x + a.y * b.y; }
 
-/// Of a whole length.
+/// A motion of a whole length.
 struct Whole {
   int x, y, length;
 };

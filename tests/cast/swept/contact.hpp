@@ -14,7 +14,7 @@ class Contact {
   virtual ~Contact() = default;
   /// Is there any at a time from 0 to t, t included?
   virtual bool by(const Time& t) const = 0;
-  /// Of shapes apart at 0: is there any from t on that comes before `next`, and none before t?
+  /// For shapes apart at 0: is there contact from t on that comes before `next`, and none before t?
   virtual bool begins_between(const Time& t, const Time& next) const = 0;
 };
 

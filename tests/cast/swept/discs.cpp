@@ -11,7 +11,7 @@
 namespace swept {
 namespace {
 
-/// Of the time at which |x + t w| comes down to r, an integer.
+/// The time at which |x + t w| comes down to r, an integer.
 class CornerEntry {
  public:
   CornerEntry(const Vector& x, const Vector& w, const Integer& r)
@@ -38,7 +38,7 @@ int sign_with_root(const Integer& x, const Integer& y, const Integer& z) {
   return first * cmp(x * x, y * y * z);
 }
 
-/// Of the time at which a side x y comes as near as r to the origin, somewhere between its ends.
+/// The time at which a side x y comes as near as r to the origin, somewhere between its ends.
 class SideEntry {
  public:
   SideEntry(const Vector& x, const Vector& y, const Vector& w, const Integer& r) : r_(r) {
@@ -110,7 +110,7 @@ class DiscAndPolygon : public Contact {
   bool ends_in_time_;
 };
 
-/// Where the ellipse is a disc.
+/// In the frame where the ellipse is a disc.
 Vector to_disc(const Figure& e, const Vector& x) { return e.is_disc ? x : Vector{cross(x, e.q), cross(e.p, x)}; }
 Integer radius(const Figure& e) { return e.is_disc ? e.p.x : cross(e.p, e.q); }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Whether an integer polynomial has a real root before some time.
+/// Has an integer polynomial a real root before some time?
 #pragma once
 
 #include <vector>
