@@ -5,7 +5,7 @@
 # Paths with spaces come with backslashes, which read without -r takes away.
 # shellcheck disable=SC2162
 read -a linking < <(pkg-config --cflags --libs vesica)
-libdir=$(pkg-config --variable=libdir vesica)
+libdir=$(realpath "$(pkg-config --variable=libdir vesica)")
 case $libdir in
   /usr/lib | /usr/lib/* | /usr/lib64 | /lib | /lib/* | /lib64) ;;
   *) linking+=("-Wl,-rpath,$libdir") ;;

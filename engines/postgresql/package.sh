@@ -16,7 +16,7 @@ export PKG_CONFIG_PATH PKG_CONFIG_SYSROOT_DIR=$work/library
 library=$(dpkg-deb -f "$out"/libvesica0_*.deb Version)
 
 cp -r "$here/../common" "$here" "$work"
-make -s -C "$work/postgresql" with_llvm=no install "DESTDIR=$work/package"
+make -s -C "$work/postgresql" with_llvm=no RPATH= install "DESTDIR=$work/package"
 strip --strip-unneeded "$work"/package/usr/lib/postgresql/15/lib/vesica.so
 install -D -m 644 "$here/README.md" "$work/package/usr/share/doc/postgresql-15-vesica/README.md"
 install -D -m 644 "$here/../../packaging/debian/copyright" "$work/package/usr/share/doc/postgresql-15-vesica/copyright"
