@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# samples_test.sh MOVED WORK MODULES: every program that the site shows compiles, runs, and says what the page says.
+# samples_test.sh MOVED WORK MODULES PACKAGES: every program that the site shows compiles, runs, and says what the page
+# says. PACKAGES is where bindings/*/build.sh have built the packages of Go, Java and C#.
 . "$(dirname "${BASH_SOURCE[0]}")/../install/prefix.sh"
-root=$here/../.. samples=$root/docs/site/samples modules=$3
+root=$(cd "$here/../.." && pwd) modules=$3 packages=$4
+samples=$root/docs/site/samples
 failures=0
 /usr/bin/python3 -B "$root/bindings/declare" javascript python
 
@@ -22,8 +24,42 @@ says first.c "$work/in_c"
 "$CXX" -std=c++20 -Wall -Wextra -Wpedantic -Werror -o "$work/in_cpp" "$samples/first.cpp" "${flags[@]}"
 says first.cpp "$work/in_cpp"
 says first.py env PYTHONPATH="$root/bindings/python" PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 "$samples/first.py"
-rustc --edition 2021 -o "$work/in_rust" -L "$LD_LIBRARY_PATH" -l vesica "$samples/first.rs"
-says first.rs "$work/in_rust"
+
+mkdir -p "$work/rust/src"
+cp "$samples/first.rs" "$work/rust/src/main.rs"
+cat >"$work/rust/Cargo.toml" <<END
+[package]
+name = "first"
+version = "0.1.0"
+edition = "2021"
+[dependencies]
+vesica = { path = "$root/bindings/rust/vesica" }
+END
+says first.rs env CARGO_TARGET_DIR="$work/rust/target" cargo run --quiet --offline --manifest-path "$work/rust/Cargo.toml"
+
+mkdir "$work/go"
+cp "$samples/first.go" "$work/go/main.go"
+(cd "$work" && unzip -q "$packages"/go/vesica-go-*.zip)
+cat >"$work/go/go.mod" <<'END'
+module first
+
+go 1.19
+
+require example.org/vesica v0.0.0
+replace example.org/vesica => ../vesica-go
+END
+says first.go env -C "$work/go" GOFLAGS=-mod=mod GOPROXY=off GOCACHE="$work/cache" go run .
+
+jars=("$packages"/java/vesica-*.jar)
+cp "$samples/first.java" "$work/First.java"
+javac -Xlint:all -Werror -cp "${jars[0]}" -d "$work" "$work/First.java"
+says first.java java -cp "${jars[0]}:$work" First
+
+(cd "$work" && unzip -q "$packages"/csharp/vesica-csharp-*.zip)
+cp "$work"/vesica-csharp/Vesica.dll "$work"/vesica-csharp/libvesica.so "$work"
+mcs -langversion:latest -warn:4 -warnaserror -r:"$work/Vesica.dll" -out:"$work/First.exe" "$samples/first.cs"
+says first.cs mono "$work/First.exe"
+
 mkdir -p "$work/node_modules/vesica"
 cp "$root"/bindings/javascript/*.mjs "$root/bindings/javascript/package.json" "$modules/vesica.wasm" "$work/node_modules/vesica"
 cp "$modules/simd/vesica.wasm" "$work/node_modules/vesica/vesica-simd.wasm"
@@ -45,9 +81,9 @@ printf 'import { circle, load, rect } from "vesica";\nconst vesica = await load(
 node "$work/lines.mjs" || failures=1
 
 # What is on the page is what was run here.
-[ "$(find "$samples" -type f | wc -l)" = 5 ]
+[ "$(find "$samples" -type f | wc -l)" = 8 ]
 for sample in "$samples"/*; do
-  grep -q "<!-- sample $(basename "$sample") -->" "$root/docs/site/index.html" || { echo "the page lacks $sample"; failures=1; }
+  grep -q "\"${sample##*.}\": \"" "$root/docs/site/build.py" || { echo "the page lacks $sample"; failures=1; }
 done
 # The README's program is the same.
 diff <(awk '$0 == "```c" { inside = 1; next } $0 == "```" && inside { exit } inside' "$root/README.md") "$samples/first.c" || failures=1

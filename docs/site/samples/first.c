@@ -14,6 +14,6 @@ int main(void) {
   int32_t both = vesica_iou(&car, &person, &iou);
   if (hit < 0 || near < 0 || both < 0) return 1; /* vesica_strerror(hit) says why */
 
-  printf("overlap %d, distance %.6f, IoU %.6f\n", hit, gap.distance, iou);
+  printf("overlap %d, distance %.3f, IoU %.3f\n", hit, gap.distance, iou);
   return 0;
 }

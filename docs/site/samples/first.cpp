@@ -6,6 +6,6 @@ int main() {
   const vesica::Ellipse<double> person{1.5, 1, 1, 0, 1, 0.5};
   const vesica::Circle<double> post{5, 0, 0.5};
 
-  std::printf("overlap %d, distance %.6f, IoU %.6f\n", vesica::overlap(car, person),
+  std::printf("overlap %d, distance %.3f, IoU %.3f\n", vesica::overlap(car, person),
               vesica::nearest(car, post).distance, vesica::iou(car, person));
 }
