@@ -10,13 +10,11 @@ mkdir "$VESICA_ENGINES_DATA"
 echo "$(lscpu | sed -n 's/^Model name: *//p'), $(nproc) cores; load before: $(cut -d ' ' -f 1 /proc/loadavg)"
 echo '| engine | shapes | pairs | ns a shape | MiB | hash of the sorted pairs |'
 echo '|---|---|---|---|---|---|'
-programs=$here/../examples
-"$CC" -std=c99 -O2 "-I$programs/demo" "-I$here/common" -o "$work/join" "$programs"/join/*.c \
-  "$programs"/demo/{fields,line}.c "$here"/common/{geometry,vertices,wkt}.c "${flags[@]}" -lm
-"$work/join" "$data/a.csv" "$data/b.csv" 2>"$work/said" | tail -n +2 >"$work/pairs.csv"
-read -r _ memory < <(measure "$work/join" "$data/a.csv" "$data/b.csv" 2>/dev/null)
+one_machine=("$moved/bin/vesica-join" --threads 1 "$data/a.csv" "$data/b.csv")
+"${one_machine[@]}" 2>"$work/said" | tail -n +2 >"$work/pairs.csv"
+read -r _ memory < <(measure "${one_machine[@]}" 2>/dev/null)
 seconds=$(sed -n 's/.*indexed in \([0-9.]*\) s, joined in \([0-9.]*\) s.*/\1 \2/p' "$work/said" | awk '{ print $1 + $2 }')
-row 'one machine: `./run join`' "$seconds" "$memory" "$work/pairs.csv"
+row 'one machine: `vesica-join`' "$seconds" "$memory" "$work/pairs.csv"
 for engine in sqlite postgresql mpi dask duckdb; do
   "$here/$engine/bench.sh" "$1" "$work/$engine" || echo "$engine: failed" >&2
 done

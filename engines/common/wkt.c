@@ -2,8 +2,9 @@
 #include "wkt.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
+
+#include "number.h"
 
 static const char spaces[] = " \t\r\n";
 
@@ -20,8 +21,7 @@ static int take_mark(const char** text, char mark) {
 }
 
 static int take_number(const char** text, double* out) {
-  char* end;
-  *out = strtod(*text, &end);
+  const char* const end = parse_decimal(*text, out);
   if (end == *text) return 0;
   *text = end;
   return 1;

@@ -36,7 +36,9 @@ class VesicaConan(ConanFile):
         get(self, **self.conan_data["sources"][self.version], strip_root=True)
 
     def generate(self):
-        CMakeToolchain(self).generate()
+        toolchain = CMakeToolchain(self)
+        toolchain.cache_variables["VESICA_PROGRAMS"] = False
+        toolchain.generate()
 
     def build(self):
         cmake = CMake(self)

@@ -9,7 +9,7 @@ out=$(cd "$1" && pwd)
 # dpkg-buildpackage wants the folder debian at the top. The build is done in a copy that has it there, so that nothing of
 # it is left in this tree; DIRECTORY may lie in build/.
 work=$out/work
-rm -rf "$work" "$out"/vesica_* "$out"/libvesica*
+rm -rf "$work" "$out"/vesica_* "$out"/vesica-tools* "$out"/libvesica*
 mkdir -p "$work/vesica"
 tar -C "$root" --exclude=./build --exclude=./.git --exclude=./debian --exclude=__pycache__ -cf - . | tar -C "$work/vesica" -xf -
 cp -r "$work/vesica/packaging/debian" "$work/vesica/debian"
@@ -20,5 +20,5 @@ if ! (cd "$work/vesica" && dpkg-buildpackage --no-sign --jobs-force="$cores") >"
   echo "build.sh: failed; all of it is in $out/build.log" >&2
   exit 1
 fi
-mv "$work"/vesica_* "$work"/libvesica* "$out"
+mv "$work"/vesica_* "$work"/vesica-tools* "$work"/libvesica* "$out"
 rm -rf "$work"

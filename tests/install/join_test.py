@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""join_test.py JOIN: what it answers for files good and bad, in the folder it is called in."""
+"""join_test.py PROGRAM: what vesica-join answers for files good and bad, in the folder it is called in."""
 import contextlib
+import csv
 import ctypes
 import json
 import os
@@ -238,7 +239,7 @@ for geometry, complaint in (
 ):
     feature = '{"type":"Feature","geometry":\n%s}' % geometry
     collection = write("bad.json", '{"type":"FeatureCollection","features":[\n{"type":"Feature","geometry":null},%s]}' % feature)
-    refused(geometry, f"bad.json:3: feature 1: {complaint}\njoin: nothing is written: --skip-bad goes on without bad shapes\n", collection)
+    refused(geometry, f"bad.json:3: feature 1: {complaint}\nvesica-join: nothing is written: --skip-bad goes on without bad shapes\n", collection)
     check(f"{geometry}, skipped", [], pairs(geometry, "--skip-bad", collection))
 for document, complaint in (
     ('{"type":"Point","coordinates":[0,0]} [1]', "line 1: '{' is missing"),
@@ -267,7 +268,7 @@ bad.txt:4: shape A, number 2 of 2 is missing
 bad.txt:5: '0' after the shape
 bad.txt:6: shape A (point) is invalid: a number is NaN or infinite
 """
-skipping = "join: nothing is written: --skip-bad goes on without bad shapes\n"
+skipping = "vesica-join: nothing is written: --skip-bad goes on without bad shapes\n"
 refused("bad lines", complaints + skipping, bad)
 check("--skip-bad", [(0, 6)], pairs("--skip-bad", "--skip-bad", bad))
 check("what --skip-bad says", complaints, "".join(run("--skip-bad", bad)[2].splitlines(True)[:5]))
@@ -282,7 +283,6 @@ for line, complaint in (
     ("POINT (1 2) x", "'x' after the shape"),
     ("POINT (1 2, 3 4)", "a point with 2 positions"),
     ("LINESTRING (1 2, 3)", "not positions of two numbers in parentheses"),
-    ("LINESTRING EMPTY", "unknown kind 'LINESTRING'"),
     ("POLYGON (0 0, 1 1, 0 1)", "not positions of two numbers in parentheses"),
     ("POLYGON ((0 0, 1 0, 1 1, 0 1)", "')' is missing"),
     ("POLYGON ((0 0, 1 nan, 1 1))", "shape A (polygon) is invalid: a number is NaN or infinite"),
@@ -303,6 +303,172 @@ complaint = "bad.npy: row 3: shape A (circle) is invalid: a size is negative\n"
 refused("a bad row", complaint + skipping, "bad.npy", "--kind", "circle")
 check("rows left", 6, len(pairs("rows left", "bad.npy", "--kind", "circle", "--skip-bad")))
 
+# ---- Tables ---------------------------------------------------------------------------------------------------------
+known_pairs = pairs("a table's shapes as lines", write("lines.txt", "circle 0 0 2\ncircle 9 9 1\ncircle 1 1 1\n"))
+check("a table's shapes as lines", [(0, 2)], known_pairs)
+table = "id,cx,name,cy,r\nx,0,none,0,2\ny,9,\"a, b\",9,1\n\"z \"\"3\"\"\",1,\"two\nlines\",1,1\n"
+for what, content in (
+    ("a table", table),
+    ("CR LF", table.replace("\n", "\r\n")),
+    ("no last line end", table.rstrip()),
+    ("byte order mark", "\ufeff" + table),
+    ("blank lines", table + "\n\n"),
+    ("semicolons", "id;cx;name;cy;r\nx;0;a,b;0;2\ny;9;;9;1\n\"z \"\"3\"\"\";1;;1;1"),
+    ("tabs and spaces", "id\tcx\tname\tcy\tr\nx\t 0 \t\t0\t2\ny\t9\t\t9\t1\n\"z \"\"3\"\"\"\t1\t\t1\t1"),
+):
+    circles = write("circles.csv", content)
+    check(what, known_pairs, pairs(what, circles))
+    check(f"{what}: ids", (0, 'a_id,b_id\nx,"z ""3"""\n'), run("--id", "id", circles)[:2])
+check("--delimiter", known_pairs, pairs("--delimiter", "--delimiter=|", write("bars.csv", table.replace("a, b", "ab").replace(",", "|"))))
+own = write("own.csv", "e,n,radius\n0,0,2\n9,9,1\n1,1,1\n")
+check("own names", known_pairs, pairs("own names", "--shape", "cx=e,cy=n,r=radius", own))
+check("own names by kind", known_pairs, pairs("by kind", "--shape=e,n,radius", "--kind=circle", own))
+in_text = "ID,Shape,note\n7,POLYGON ((0 0,8 0,8 8,0 8,0 0)),\n8,,empty\n9,POINT EMPTY,\n10,\"POINT (1 1)\",\n"
+in_text = in_text.replace("POLYGON ((0 0,8 0,8 8,0 8,0 0))", '"POLYGON ((0 0,8 0,8 8,0 8,0 0))"')
+check("well-known text in a table", [(0, 3)], pairs("text", "--shape", "Shape", write("text.csv", in_text)))
+check("its ids", (0, "7,10\n"), run("--shape=Shape", "--id=ID", "--no-header", "text.csv")[:2])
+check("by its usual name", [(0, 3)], pairs("usual", write("usual.csv", in_text.replace("Shape", "WKT"))))
+write("one.csv", "wkt,ID\nPOINT(8 8),\n")
+check("ids of one file", (0, "a_id,b_from_0\n7,0\n"), run("text.csv", "one.csv", "--shape=Shape", "--shape=wkt", "--id=ID", "--id=")[:2])
+# Rectangles by full size and angle: 4 x 2, a quarter turn of it, and the same upright.
+boxes_by_angle = "cx,cy,w,h,angle_deg\n0,0,4,2,0\n0,0,4,2,90\n0,0,2,4,0\n"
+corners = write("corners.txt", "point 2 1\npoint 1 2\npoint 2.0000000000000004 1\npoint 1 -2\n")
+check("degrees", [(0, 0), (1, 1), (1, 3), (2, 1), (2, 3)], pairs("degrees", write("boxes.csv", boxes_by_angle), corners))
+check("reversed columns", [(0, 0), (1, 1), (1, 3), (2, 1), (2, 3)], pairs("reversed", "--shape", "angle_deg,h,w,cy,cx", "--shape=", "boxes.csv", corners))
+check("upright", [(0, 0), (1, 0), (2, 1), (2, 3)], pairs("upright", "--shape=cx,cy,w,h", "--shape=", "boxes.csv", corners))
+check("half a turn in radians", [(0, 0), (0, 2)], pairs("radians", write("radians.csv", "cx,cy,w,h,angle\n0,0,4.1,2.1,3.141592653589793\n"), corners))
+check("ellipses", [(0, 0)], pairs("ellipses", write("ellipses.csv", "cx,cy,a,b,angle_deg\n0,0,4,2,90\n"), write("on.txt", "point 0 4\npoint 4 0\n")))
+numpy.save("boxes.npy", numpy.array([[0, 0, 4, 2, 0], [0, 0, 4, 2, 90.0]]))
+check("degrees in an array", [(0, 0), (1, 1), (1, 3)], pairs("array", "--shape=cx,cy,w,h,angle_deg", "--shape=", "boxes.npy", corners))
+for complaint, content, *arguments in (
+    (":3: column 'r': 'big' is not a number", "cx,cy,r\n0,0,1\n0,0,big\n"),
+    (":3: column 'r' is empty", "cx,cy,r\n0,0,1\n0,0,\n"),
+    (":3: 4 fields, but 3 names in the first line", "cx,cy,r\n0,0,1\n0,0,1,1\n"),
+    (":3: 2 fields, but 3 names in the first line", "cx,cy,r\n0,0,1\n0,0\n"),
+    (":4: shape A (circle) is invalid: a size is negative", 'id,cx,cy,r\n"1\n2",0,0,1\n3,0,0,-1\n'),
+    (":2: shape A (rect) is invalid: a size is negative", "cx,cy,w,h,angle\n0,0,-1,2,3\n"),
+    (":2: shape A (rect) is invalid: a number is NaN or infinite", "cx,cy,w,h,angle\n0,0,1,2,inf\n"),
+    (":3: a quote without end", 'cx,cy,r\n0,0,1\n0,0,"1\n0,0,1\n'),
+    (":3: text after a quoted field", 'cx,cy,r\n0,0,1\n0,0,"1"1\n'),
+    (":3: a NUL byte: this is not a text file", "cx,cy,r\n0,0,1\n0,0,1\0\n"),
+    (":2: column 'wkt': ')' is missing", 'wkt,name\n"POLYGON ((0 0, 1 0, 1 1, 0 1)",a\n'),
+    (":2: column 'wkt': 'CURVE (0 0)' is no POINT, LINESTRING or POLYGON", "wkt,name\nCURVE (0 0),a\n"),
+    (": no column 'radius' among cx, cy, r", "cx,cy,r\n", "--shape", "cx,cy,r=radius"),
+    (": no column 'text' among cx, cy, r", "cx,cy,r\n", "--shape", "text"),
+    (": no column 'id'", "cx,cy,r\n", "--id", "id"),
+    (": --shape: 'cx,cy' are the numbers of no kind (--help)", "cx,cy,r\n", "--shape", "cx,cy"),
+    (": --shape: a name is missing or too long", "cx,cy,r\n", "--shape", "cx,,cy"),
+    (": its columns are those of no kind: --shape tells which", "id,value\n1,2\n"),
+    (": its columns are not those of rect: --shape tells which", "cx,cy,r\n1,2,3\n", "--kind=rect"),
+    (": more than 1024 columns", ",".join(map(str, range(1025))), "--shape=wkt"),
+):
+    name = write("bad.csv", content)
+    refused(complaint, f"bad.csv{complaint}\n" + (skipping if complaint[1].isdigit() else ""), name, *arguments)
+
+# ---- Ids of GeoJSON -----------------------------------------------------------------------------------------------------
+def feature(geometry, properties, **others):
+    return {"type": "Feature", "geometry": geometry, "properties": properties, **others}
+
+
+spot = {"type": "Point", "coordinates": [1, 1]}
+collection = {"type": "FeatureCollection", "features": [
+    feature(spot, {"n": {"name": "wrong"}, "name": 'Z\u00fcrich, "\U0001f600"\n'}, id=5),
+    feature({"type": "GeometryCollection", "geometries": [spot, {"type": "Point", "coordinates": [9, 9]}]}, {"name": 2.50}, id="six"),
+    feature(None, {"name": None}, id=7),
+]}  # fmt: skip
+for ascii_only in (True, False):
+    write("ids.json", json.dumps(collection, ensure_ascii=ascii_only))
+    check("ids of features", (0, "a_id,b_id\n5,six\n"), run("--id", "id", "ids.json")[:2])
+    check("ids of properties", (0, 'a_id,b_id\n"Z\u00fcrich, ""\U0001f600""\n",2.5\n'), run("--id", "name", "ids.json")[:2])
+refused("no id", "noid.json: shape 0: no 'name' in its feature\n", "--id=name", write("noid.json", json.dumps(feature(spot, {}))))
+refused("ids of an array", "quads.npy: --id: arrays have none\n", "--id=name", "quads.npy")
+
+# ---- Distances ------------------------------------------------------------------------------------------------------------
+def measured(one, other):
+    a, b = ((ctypes.c_double * len(numbers))(*numbers) for _, numbers in (one, other))
+    out = (ctypes.c_double * 8)()
+    assert library.vesica_nearest_f64(KINDS.index(one[0]), a, KINDS.index(other[0]), b, out) == 0
+    return out[0]
+
+
+plain = [shape for shape in shapes_a if shape[0] in ("point", "circle", "aabb")]
+others = [shape for shape in shapes_b if shape[0] in ("point", "circle", "aabb")]
+one, two = write("plain.txt", text(plain)), write("others.txt", text(others))
+distances = [[measured(p, q) for q in others] for p in plain]
+within = [(i, j) for i, row in enumerate(distances) for j, distance in enumerate(row) if distance <= 1.5]
+check("--within", within, pairs("--within", "--within", "1.5", one, two))
+
+
+def neighbours(rows, count, most, alone):
+    for i, row in enumerate(rows):
+        found = sorted((distance, j) for j, distance in enumerate(row) if distance <= most and not (alone and i == j))
+        yield from ((i, j, distance) for distance, j in found[:count])
+
+
+def nearest(what, *arguments):
+    status, out, err = run(*arguments)
+    lines = out.splitlines()
+    check(f"{what}: status and header", (0, "a_from_0,b_from_0,distance"), (status, lines[0] if lines else err))
+    found = [(int(a), int(b), float(distance)) for a, b, distance in (line.split(",") for line in lines[1:])]
+    check(f"{what}: --count", f"{len(found)}\n", run("--count", *arguments)[1])
+    return sorted(found)
+
+
+# Items are numbered kind by kind, so among equally near ones the file's order does not decide.
+for count, most in ((1, 1e9), (4, 2.0), (1000, 1e9)):
+    for rows, files in ((distances, (one, two)), ([[measured(p, q) for q in plain] for p in plain], (one,))):
+        expected = list(neighbours(rows, count, most, len(files) == 1))
+        found = nearest(f"{count} nearest", "--nearest", str(count), f"--within={most}", *files)
+        check(f"{count} nearest: distances", sorted((i, d) for i, _, d in expected), sorted((i, d) for i, _, d in found))
+        check(f"{count} nearest: shapes", [], [each for each in found if rows[each[0]][each[1]] != each[2]])
+        check(f"{count} nearest: twice", len(found), len({each[:2] for each in found}))
+
+# ---- Standard input, and where output goes ----------------------------------------------------------------------------------
+for name in (a, circles, "numbered.json", "aligned.npy"):
+    with open(name, "rb") as file:
+        expected_output = run(name, b)[1]
+        check(f"{name} on standard input", expected_output, subprocess.run([sys.argv[1], "-", b], stdin=file, capture_output=True, text=True).stdout)
+    piped = subprocess.run([sys.argv[1], b, "-"], input=open(name, "rb").read(), capture_output=True).stdout
+    check(f"{name} in a pipe", run(b, name)[1].encode(), piped)
+complaint = subprocess.run([sys.argv[1], "-"], input="point 0\n", capture_output=True, text=True).stderr.splitlines()[0]
+check("a complaint of standard input", "standard input:1: shape A, number 2 of 2 is missing", complaint)
+check("--output", (0, ""), run("--output", "pairs.csv", a, b)[:2])
+check("its file", run(a, b)[1], open("pairs.csv").read())
+check("--quiet", "", run("--quiet", a, b)[2])
+run("--binary", "--output=pairs.bin", a, b)
+check("--binary", pairs("text", a, b), sorted(map(tuple, numpy.fromfile("pairs.bin", "i8").reshape(-1, 2).tolist())))
+run("--binary", "--output=pairs.bin", "--nearest=2", one, two)
+rows = numpy.fromfile("pairs.bin", [("a", "i8"), ("b", "i8"), ("distance", "f8")])
+check("--binary with distances", nearest("text", "--nearest=2", one, two), sorted(map(tuple, rows.tolist())))
+
+# ---- Threads: files of several pieces, the same bytes with any number --------------------------------------------------------
+many = [(f"n{i}", rng.random() * 300, rng.random() * 300, rng.random()) for i in range(60000)]
+quoted = 'a "quote", \n and lines\n\n'
+with open("many.csv", "w", newline="") as file:
+    rows = csv.writer(file)
+    rows.writerow(("name", "note", "cx", "cy", "r"))
+    rows.writerows((name, quoted * rng.randrange(4), *numbers) for name, *numbers in many)
+check("several pieces", True, os.path.getsize("many.csv") > 4 << 20)
+with open("long.csv", "w") as file:  # a line of more than two pieces
+    file.write(f'id,note,cx,cy,r\n1,,0,0,1\n2,"{quoted.replace(chr(34), chr(34) * 2) * 200000}",0,0,1\n3,,0,0,1\n4,,0,0,wide\n')
+write("many.txt", "".join(f"circle {x!r} {y!r} {r!r}\n" for _, x, y, r in many))
+write("many.wkt", "".join(f"POLYGON (({x!r} {y!r},{x + r!r} {y!r},{x!r} {y + r!r}))\n" for _, x, y, r in many))
+names = [name for name, *_ in many]
+in_lines = run("--threads=1", "many.txt")[1]
+renamed = "a_id,b_id\n" + "".join(",".join(names[int(each)] for each in line.split(",")) + "\n" for line in in_lines.splitlines()[1:])
+for threads in ("1", "2", "7"):
+    use = ("--threads", threads)
+    check(f"{threads} threads: lines", in_lines, run(*use, "many.txt")[1])
+    check(f"{threads} threads: a table", in_lines, run(*use, "many.csv")[1])
+    check(f"{threads} threads: ids", renamed, run(*use, "many.csv", "--id=name")[1])
+    for question in (("--nearest=2",), ("--within=0.1",), ("--contains",), ("--binary", "--output=/dev/stdout")):
+        check(f"{threads} threads: {question}", subprocess.run([sys.argv[1], "--threads=3", *question, "many.txt"], capture_output=True).stdout,
+              subprocess.run([sys.argv[1], *use, *question, "many.csv"], capture_output=True).stdout)
+    check(f"{threads} threads: polygons", run("--threads=3", "many.wkt")[1], run(*use, "many.wkt")[1])
+    line = 2 + 2 + 3 * 200000
+    refused(f"{threads} threads: a long line", f"long.csv:{line + 1}: column 'r': 'wide' is not a number\n" + skipping, *use, "long.csv")
+    check(f"{threads} threads: the others", "3\n", run(*use, "--skip-bad", "--count", "long.csv")[1])
+
 # ---- Arrays that are no shapes, cut off anywhere, or lie about their size -------------------------------------------
 def unusable(what, complaint, array, *arguments):
     numpy.save("unusable.npy", array)
@@ -311,11 +477,11 @@ def unusable(what, complaint, array, *arguments):
 
 unusable("integers", "its numbers are not float64 or float32", numpy.zeros((2, 2), int), "--kind", "point")
 unusable("columns", "3 columns, but point has 2 numbers", numpy.zeros((2, 3)), "--kind", "point")
-unusable("no kind", "an array of plain numbers: --kind tells what a row is", numpy.zeros((2, 3)))
+unusable("no kind", "plain numbers: --kind or --shape tells what a row is", numpy.zeros((2, 3)))
 unusable("one dimension", "not an array of two dimensions", numpy.zeros(4), "--kind", "point")
 unusable("column by column", "its columns lie one after the other: save it row by row", numpy.zeros((2, 2), order="F"), "--kind", "point")
-unusable("no fields", "its fields are those of no kind: --kind tells which", numpy.zeros(2, [("a", "f8")]))
-unusable("another kind's", "no field 'r'", numpy.zeros(2, [("cx", "f8"), ("cy", "f8")]), "--kind", "circle")
+unusable("no fields", "its columns are those of no kind: --shape tells which", numpy.zeros(2, [("a", "f8")]))
+unusable("another kind's", "its columns are not those of circle: --shape tells which", numpy.zeros(2, [("cx", "f8"), ("cy", "f8")]), "--kind", "circle")
 unusable("field of integers", "field 'x' is not of float64 or float32", numpy.zeros(2, [("x", "i8"), ("y", "f8")]))
 unusable("nested", "a type of elements that cannot be read here", numpy.zeros(2, [("x", "f8", 2), ("y", "f8")]))
 unusable("vertices alone", "an array of vertices: offsets tell which are of one shape (--help)", numpy.zeros((2, 2)), "--kind", "polygon")
@@ -355,13 +521,34 @@ for megabytes in (12, 16, 20, 24, 28, 200):
 check("outcomes with little memory", {0, 2}, outcomes)
 refused("missing file", "nowhere: cannot read: No such file or directory\n", "nowhere")
 refused("directory", ".: cannot read: Is a directory\n", ".")
-for arguments in ((), ("--kind",), ("--kind", "square", a), ("--all", a), (a, a, a)):
-    status, out, err = run(*arguments)
-    check(f"{arguments}", (2, "", "usage: join"), (status, out, err[:11]))
-check("--help", (0, "usage: join", ""), (lambda done: (done[0], done[1][:11], done[2]))(run("--help")))
+for complaint, *arguments in (
+    ("a file is missing (--help)",),
+    ("--kind: its value is missing", "--kind"),
+    ("--kind: unknown kind 'square'", "--kind", "square", a),
+    ("unknown option '--all' (--help)", "--all", a),
+    ("unknown option '-k' (--help)", "-k", a),
+    ("unknown option '--contain': --contains?", "--contain", a),
+    ("unknown option '--neares': --nearest?", "--neares=3", a),
+    ("unknown option '--shpae': --shape?", "--shpae", "wkt", a),
+    ("'b.txt' would be a third file", a, a, b),
+    ("--count takes no value", "--count=3", a),
+    ("--within: '1m' is not a number", "--within", "1m", a),
+    ("--within: 'nan' is not a number", "--within=nan", a),
+    ("--within: less than 0, beside --nearest", "--within=-1", "--nearest=1", a),
+    ("--nearest: '0' is not a whole number from 1 to 2147483646", "--nearest", "0", a),
+    ("--threads: '257' is not a whole number from 1 to 256", "--threads=257", a),
+    ("--delimiter: '::' is not a character, or `tab`", "--delimiter=::", a),
+    ("--id: more than two", "--id=a", "--id=b", "--id=c", a),
+    ("more than one question: --contains, --inside, --interiors, --bounds, --within or --nearest", "--within=1", "--bounds", a),
+    ("--binary writes numbers, and --id text", "--binary", "--id=x", a),
+    ("standard input can be one file only", "-", "-"),
+    ("nowhere/pairs: cannot write: No such file or directory", "--output=nowhere/pairs", a),
+):
+    refused(complaint, f"vesica-join: {complaint}\n", *arguments)
+check("--help", (0, "usage: vesica-join", ""), (lambda done: (done[0], done[1][:18], done[2]))(run("--help")))
 with open("/dev/full", "w") as full:
     done = subprocess.run([sys.argv[1], a], stdout=full, stderr=subprocess.PIPE, text=True)
-check("a full disk", (2, "join: cannot write the pairs\n"), (done.returncode, done.stderr))
+check("a full disk", (2, "vesica-join: cannot write the pairs\n"), (done.returncode, done.stderr))
 
 # ---- What a terminal shows ----------------------------------------------------------------------------------------
 # Progress is shown after half a second: the pipe is full for longer, however quick the machine.

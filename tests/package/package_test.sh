@@ -5,7 +5,7 @@
 #   - with VESICA_TWICE=1: two builds in folders of different names and depths give the same packages, byte for byte
 #   - lintian has nothing to say, pedantry and experiments included, and nothing is overridden
 #   - every exported function has a manual page, and groff has no warning about any
-#   - unpacked under another root: pkg-config, CMake and a C program
+#   - unpacked under another root: pkg-config, CMake, a C program and vesica-join
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 [ $# = 1 ] || { echo 'usage: package_test.sh WORK' >&2; exit 2; }
@@ -47,7 +47,7 @@ if grep -v '^N: ' "$work/lintian"; then fail 'lintian has something to say'; fi
 
 step 'unpack'
 unpacked=$work/root
-for package in "$first"/libvesica0_*.deb "$first"/libvesica-dev_*.deb; do dpkg-deb -x "$package" "$unpacked"; done
+for package in "$first"/libvesica0_*.deb "$first"/libvesica-dev_*.deb "$first"/vesica-tools_*.deb; do dpkg-deb -x "$package" "$unpacked"; done
 libdir=$(dirname "$(find "$unpacked" -name libvesica.so)")
 [ -n "$(find "$unpacked/usr/lib" -path "*/$(dpkg-architecture -q DEB_HOST_MULTIARCH)/libvesica.so.0")" ] ||
   fail 'the library is not in the multiarch folder'
@@ -65,7 +65,7 @@ done
 while read -r name; do
   [ -e "$pages/$name.3.gz" ] || fail "$name has no manual page"
 done <"$work/names"
-for page in "$pages"/*; do
+for page in "$pages"/* "$unpacked"/usr/share/man/man1/vesica-join.1.gz; do
   complaint=$(LC_ALL=C.UTF-8 MANROFFSEQ='' MANWIDTH=80 man --warnings -E UTF-8 -l -Tutf8 -Z "$page" 2>&1 >/dev/null)
   [ -z "$complaint" ] || fail "$page: $complaint"
 done
@@ -80,6 +80,12 @@ export LD_LIBRARY_PATH=$libdir
 cc -std=c99 -Wall -Wextra -Werror -isystem "$unpacked/usr/include" -o "$work/c_user" \
   "$root/tests/install/consumer/c_user.c" -L"$libdir" "$flags"
 "$work/c_user"
+
+step 'vesica-join'
+program=$unpacked/usr/bin/vesica-join
+if readelf -d "$program" | grep -E 'RPATH|RUNPATH'; then fail 'the program names a place of its own for the library'; fi
+printf 'id,cx,cy,r\na,0,0,1\nb,2,0,1\n' >"$work/circles.csv"
+[ "$("$program" --quiet --no-header --id id "$work/circles.csv")" = a,b ] || fail 'vesica-join does not find the pair'
 
 step 'find_package'
 cmake -S "$root/tests/install/consumer" -B "$work/consumer" -DCMAKE_PREFIX_PATH="$unpacked/usr" >"$work/consumer.log"

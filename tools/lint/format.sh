@@ -9,7 +9,7 @@ command -v $tool >/dev/null || { echo "format: no $tool: nothing can be checked"
 
 # The public headers are C, laid out by hand: one operand a line where it helps. bindings/declare writes
 # declarations.h, and the folders `generated`.
-mapfile -d '' -t files < <(find include src capi bindings engines examples tests tools bench docs \
+mapfile -d '' -t files < <(find include src capi bindings engines examples programs tests tools bench docs \
   \( -name build -o -name generated \) -prune -o -type f \
   ! -path 'capi/include/vesica*.h' ! -path 'bindings/go/declarations.h' \
   \( -name '*.c' -o -name '*.h' -o -name '*.cpp' -o -name '*.hpp' -o -name '*.cu' -o -name '*.cuh' \) -print0)

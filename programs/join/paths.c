@@ -3,7 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "fields.h"
 #include "npy_header.h"
 #include "source.h"
 
@@ -108,11 +107,10 @@ static int end_path(struct coordinates* c) {
   struct source* source = c->source;
   struct shape shape = {.kind = source->kind == VESICA_POLYLINE ? VESICA_POLYLINE : VESICA_POLYGON};
   struct fault fault;
-  char where[4096];
-  const int good = is_valid(source, &shape, &fault);
-  if (!good) snprintf(where, sizeof where, "%s: shape %lld", source->path, (long long)source->shapes.count);
-  if (source->shapes.count % 1024 == 0) show_reading(source);
-  return take_shape(source, where, good ? &shape : NULL, &fault);
+  const int good = check_shape(&shape, &source->vertices, source->name, &fault);
+  if (!good) complain_of_shape(source, &fault, ": shape %lld", (long long)source->shapes.count);
+  if (source->shapes.count % 1024 == 0) show_reading(source, c->at * (int64_t)c->header.row_bytes);
+  return take_shape(source, good ? &shape : NULL);
 }
 
 static int take_equal_paths(struct coordinates* c, int64_t count, int64_t each) {

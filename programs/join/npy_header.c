@@ -5,7 +5,6 @@
 #include <string.h>
 #include <vesica.h>
 
-#include "fields.h"
 #include "shapes.h"
 
 enum { most_extents = 3, most_fields = 64, most_header = 65535, most_name = 32 };
@@ -22,15 +21,6 @@ struct record {
   struct field fields[most_fields];
   size_t bytes;
 };
-
-static const char* const names[kind_count][most_numbers] = {{"x", "y"},
-                                                            {"x0", "y0", "x1", "y1"},
-                                                            {"cx", "cy", "r"},
-                                                            {"min_x", "min_y", "max_x", "max_y"},
-                                                            {"cx", "cy", "ux", "uy", "hx", "hy"},
-                                                            {"cx", "cy", "ux", "uy", "a", "b"},
-                                                            {"x0", "y0", "x1", "y1", "r"},
-                                                            {"cx", "cy", "ux", "uy", "hx", "hy", "r"}};
 
 // The dictionary as text, without the magic number and version in front of it.
 static int read_dictionary(FILE* file, char* text, struct fault* fault) {
@@ -115,59 +105,36 @@ static int parse_extents(const char* text, int64_t extents[most_extents]) {
   return *text == ')' ? count : 0;
 }
 
-static const struct field* find_field(const struct record* record, const char* name) {
-  for (int i = 0; i < record->count; i++) {
-    if (strcmp(record->fields[i].name, name) == 0) return &record->fields[i];
-  }
-  return NULL;
-}
-
-static int has_fields_of(const struct record* record, int32_t kind) {
-  for (int i = 0; i < vesica_field_count(kind); i++) {
-    if (!find_field(record, names[kind][i])) return 0;
-  }
-  return 1;
-}
-
-// Finds the kind with most fields among those whose fields are all there: a capsule has a segment's and one more.
-static int find_record_kind(const struct record* record, int32_t* out, struct fault* fault) {
-  int found = 0, most = 0;
-  for (int32_t kind = 0; kind < kind_count; kind++) {
-    const int fields = vesica_field_count(kind);
-    if (!has_fields_of(record, kind) || fields < most) continue;
-    found = fields > most ? 1 : found + 1;
-    most = fields;
-    *out = kind;
-  }
-  if (found == 1) return 1;
-  return fail(fault, "its fields are those of %s kind: --kind tells which", found == 0 ? "no" : "more than one");
-}
-
-static int locate_in_record(const struct record* record, struct npy_header* header, struct fault* fault) {
-  if (header->kind < 0 && !find_record_kind(record, &header->kind, fault)) return 0;
-  for (int i = 0; i < vesica_field_count(header->kind); i++) {
-    const char* name = names[header->kind][i];
-    const struct field* field = find_field(record, name);
-    if (!field) return fail(fault, "no field '%s'", name);
-    if (!field->is_number) return fail(fault, "field '%s' is not of float64 or float32", name);
+static int locate_in_record(const struct record* record, const char* columns, int32_t kind, struct npy_header* header,
+                            struct fault* fault) {
+  const char* names[most_fields];
+  struct layout layout;
+  for (int i = 0; i < record->count; i++) names[i] = record->fields[i].name;
+  if (!find_layout(columns, kind, names, record->count, &layout, fault)) return 0;
+  if (layout.form->count == 0) return fail(fault, "a column of an array is no well-known text");
+  for (int i = 0; i < layout.form->count; i++) {
+    const struct field* field = &record->fields[layout.columns[i]];
+    if (!field->is_number) return fail(fault, "field '%s' is not of float64 or float32", field->name);
     header->numbers[i] = field->number;
   }
+  header->form = layout.form;
   header->row_bytes = record->bytes;
   return 1;
 }
 
-static int locate_in_row(const struct field* field, int64_t columns, struct npy_header* header, struct fault* fault) {
-  if (header->kind < 0) return fail(fault, "an array of plain numbers: --kind tells what a row is");
+static int locate_in_row(const struct field* field, int64_t count, const char* columns, int32_t kind,
+                         struct npy_header* header, struct fault* fault) {
+  struct layout layout;
+  if (count > most_fields) return fail(fault, "more than %d columns", most_fields);
+  if (!find_layout(columns, kind, NULL, (int)count, &layout, fault)) return 0;
+  if (layout.form->count != count) return fail(fault, "%d columns, but --shape has others", (int)count);
   if (!field->is_number) return fail(fault, "its numbers are not float64 or float32");
-  if (columns != vesica_field_count(header->kind)) {
-    return fail(fault, "%lld columns, but %s has %d numbers", (long long)columns, vesica_kind_name(header->kind),
-                vesica_field_count(header->kind));
-  }
-  for (int i = 0; i < columns; i++) {
+  for (int i = 0; i < count; i++) {
     header->numbers[i] = field->number;
-    header->numbers[i].offset = (size_t)i * (size_t)field->number.bytes;
+    header->numbers[i].offset = (size_t)layout.columns[i] * (size_t)field->number.bytes;
   }
-  header->row_bytes = (size_t)columns * (size_t)field->number.bytes;
+  header->form = layout.form;
+  header->row_bytes = (size_t)count * (size_t)field->number.bytes;
   return 1;
 }
 
@@ -186,7 +153,7 @@ double npy_number(const unsigned char* row, const struct npy_number* number) {
   float single;
   memcpy(&wide, &bits, sizeof wide);
   memcpy(&single, &narrow, sizeof single);
-  return number->bytes == sizeof wide ? wide : single;
+  return number->bytes == sizeof wide ? wide : (double)single;
 }
 
 int64_t npy_integer(const unsigned char* row, const struct npy_number* number) {
@@ -222,12 +189,12 @@ int read_npy_integers_header(FILE* file, struct npy_header* header, struct fault
   return 1;
 }
 
-int read_npy_header(FILE* file, int32_t kind, struct npy_header* header, struct fault* fault) {
+int read_npy_header(FILE* file, const char* columns, int32_t kind, struct npy_header* header, struct fault* fault) {
   static char dictionary[most_header + 1];
   static struct record record;
   const char *type, *order, *extents;
   int64_t shape[most_extents];
-  int is_record, count;
+  int is_record, count, is_path;
   memset(&record, 0, sizeof record);
   if (!read_dictionary(file, dictionary, fault)) return 0;
   type = find_value(dictionary, "'descr':");
@@ -242,11 +209,15 @@ int read_npy_header(FILE* file, int32_t kind, struct npy_header* header, struct 
   if (is_record ? count != 1 : count != 2 && (count != 3 || (kind >= 0 && !has_vertices(kind)))) {
     return fail(fault, "not an array of %s", is_record ? "records in one row" : "two dimensions");
   }
-  header->kind = count == 3 || has_vertices(kind) ? VESICA_POINT : kind;
+  is_path = count == 3 || has_vertices(kind);
+  if (is_path) {
+    kind = VESICA_POINT;
+    columns = NULL;
+  }
   header->rows = shape[0];
   header->each = 0;
   if (count == 3 && !spread_positions(shape, header, fault)) return 0;
   if (!is_record && *order == 'T') return fail(fault, "its columns lie one after the other: save it row by row");
-  return is_record ? locate_in_record(&record, header, fault)
-                   : locate_in_row(&record.fields[0], shape[count - 1], header, fault);
+  return is_record ? locate_in_record(&record, columns, kind, header, fault)
+                   : locate_in_row(&record.fields[0], shape[count - 1], columns, kind, header, fault);
 }

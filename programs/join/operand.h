@@ -17,7 +17,7 @@ struct operand {
 void* aligned_memory(int64_t bytes);
 
 /// Builds the index of the shapes, which must outlive it. Returns 1, or 0 where memory is short or shapes are too many.
-int build_operand(const struct shapes* shapes, struct operand* operand);
+int build_operand(const struct shapes* shapes, int threads, struct operand* operand);
 
 void free_operand(struct operand* operand);
 
