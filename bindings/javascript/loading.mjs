@@ -48,6 +48,12 @@ function bytesFrom(source) {
   return source instanceof URL ? bytesAt(source) : source;
 }
 
+/** Refuses options that load() does not have: a misspelt one would be ignored. */
+export function refuseUnknown(options, names) {
+  const [name] = Object.keys(options);
+  if (name !== undefined) throw new TypeError(`load() has no option '${name}', only ${names}`);
+}
+
 // A module whose only function makes a vector: () -> v128, i8x16.splat of 0.
 const vectorModule = new Uint8Array([
   0, 0x61, 0x73, 0x6d, 1, 0, 0, 0, // magic, version

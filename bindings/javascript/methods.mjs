@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The named methods, by a module of their own: for teaching and comparison. methods.d.ts describes every call.
 import { VesicaError } from './library.mjs';
-import { exportsOf } from './loading.mjs';
+import { exportsOf, refuseUnknown } from './loading.mjs';
 import { Memory, Room } from './memory.mjs';
 import { numbersOf } from './shapes.mjs';
 
@@ -173,5 +173,7 @@ for (const [name, method] of Object.entries(methods)) {
 }
 
 /** Loads vesica-methods.wasm beside this file, or `module`. */
-export const loadMethods = async ({ module } = {}) =>
-  new Methods(await exportsOf(module, () => new URL('./vesica-methods.wasm', import.meta.url)));
+export const loadMethods = async ({ module, ...others } = {}) => {
+  refuseUnknown(others, 'module');
+  return new Methods(await exportsOf(module, () => new URL('./vesica-methods.wasm', import.meta.url)));
+};

@@ -37,6 +37,12 @@ test('a module is an address, an answer, bytes or compiled', async () => {
   }
 });
 
+test('an option that is not there is refused', async () => {
+  for (const by of [load, loadBare, loadOverlap, loadMethods]) {
+    await assert.rejects(by({ module: bytes, only: 'overlap' }), /TypeError: load\(\) has no option 'only', only module/);
+  }
+});
+
 test('what is no module is an error that says where it was', async () => {
   for (const by of [load, loadOverlap, loadBare, loadMethods]) {
     await assert.rejects(by({ module: at('absent') }), /absent: 404 Not Found; load\(\{ module \}\) takes/);
