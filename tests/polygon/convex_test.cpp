@@ -12,6 +12,7 @@
 #include <vesica/polygon/overlap.hpp>
 #include <vesica/polygon/relation.hpp>
 
+#include "polygon/questions.hpp"
 #include "polygon/shapes.hpp"
 #include "properties/random.hpp"
 
@@ -21,65 +22,41 @@ using namespace polygons;
 namespace path = vesica::detail::polygon;
 
 template <class T>
-struct C;
-template <>
-struct C<double> {
-  using Polygon = vesica_polygon_f64;
-  using Shapes = vesica_shapes_f64;
-  static std::int32_t overlap(const Polygon& a, const Polygon& b) {
-    return vesica_overlap_f64(VESICA_POLYGON, &a, VESICA_POLYGON, &b);
-  }
-  static std::int32_t insides(const Polygon& a, const Polygon& b) {
-    return vesica_interiors_overlap_f64(VESICA_POLYGON, &a, VESICA_POLYGON, &b);
-  }
-  static constexpr auto many = vesica_overlap_many_f64;
-  static constexpr auto insides_many = vesica_interiors_overlap_many_f64;
-  static constexpr auto matrix = vesica_overlap_matrix_f64;
-  static constexpr auto select = vesica_overlap_select_f64;
-};
-template <>
-struct C<float> {
-  using Polygon = vesica_polygon_f32;
-  using Shapes = vesica_shapes_f32;
-  static std::int32_t overlap(const Polygon& a, const Polygon& b) {
-    return vesica_overlap_f32(VESICA_POLYGON, &a, VESICA_POLYGON, &b);
-  }
-  static std::int32_t insides(const Polygon& a, const Polygon& b) {
-    return vesica_interiors_overlap_f32(VESICA_POLYGON, &a, VESICA_POLYGON, &b);
-  }
-  static constexpr auto many = vesica_overlap_many_f32;
-  static constexpr auto insides_many = vesica_interiors_overlap_many_f32;
-  static constexpr auto matrix = vesica_overlap_matrix_f32;
-  static constexpr auto select = vesica_overlap_select_f32;
-};
+std::int32_t overlap(const PolygonOf<T>& a, const PolygonOf<T>& b) {
+  return Face<T>::overlap(VESICA_POLYGON, &a, VESICA_POLYGON, &b);
+}
+template <class T>
+std::int32_t insides_overlap(const PolygonOf<T>& a, const PolygonOf<T>& b) {
+  return Face<T>::interiors_overlap(VESICA_POLYGON, &a, VESICA_POLYGON, &b);
+}
 
 /// n vertices, x y x y ...
 template <class T>
 using Numbers = std::vector<T>;
 
 template <class T>
-typename C<T>::Polygon view(const T* xy, std::int64_t n) {
+PolygonOf<T> view(const T* xy, std::int64_t n) {
   return {xy, xy + 1, 2 * sizeof(T), nullptr, n};
 }
 template <class T>
-vesica::Polygon<T> core(const typename C<T>::Polygon& p) {
+vesica::Polygon<T> core(const PolygonOf<T>& p) {
   return {p.x, p.y, p.stride, p.rings, p.count};
 }
 
 /// Answers by the edges, without the filter.
 template <class T>
-std::int32_t by_edges(const typename C<T>::Polygon& a, const typename C<T>::Polygon& b) {
+std::int32_t by_edges(const PolygonOf<T>& a, const PolygonOf<T>& b) {
   return path::overlap_or_error(path::Edges<T>(core<T>(a)), path::Edges<T>(core<T>(b)));
 }
 template <class T>
-std::int32_t insides_by_edges(const typename C<T>::Polygon& a, const typename C<T>::Polygon& b) {
+std::int32_t insides_by_edges(const PolygonOf<T>& a, const PolygonOf<T>& b) {
   return path::interiors_overlap_or_error(path::Edges<T>(core<T>(a)), path::Edges<T>(core<T>(b)));
 }
 
 /// Arrays of as many vertices each.
 template <class T>
-typename C<T>::Shapes array(const Numbers<T>& xy, std::int64_t each) {
-  typename C<T>::Shapes s{};
+typename Face<T>::Shapes array(const Numbers<T>& xy, std::int64_t each) {
+  typename Face<T>::Shapes s{};
   s.kind = VESICA_POLYGON;
   s.count = static_cast<std::int64_t>(xy.size()) / (2 * each);
   s.stride = 2 * sizeof(T);
@@ -95,19 +72,19 @@ int check(const Numbers<T>& a, const Numbers<T>& b, int n) {
   const auto first = array(a, n), second = array(b, n);
   const auto count = static_cast<std::size_t>(first.count);
   std::vector<std::uint8_t> many(count), insides(count);
-  EXPECT_GE(C<T>::many(&first, &second, many.data()), 0);
-  EXPECT_GE(C<T>::insides_many(&first, &second, insides.data()), 0);
+  EXPECT_GE(Face<T>::overlap_many(&first, &second, many.data()), 0);
+  EXPECT_GE(Face<T>::interiors_overlap_many(&first, &second, insides.data()), 0);
   int met = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t at = 2 * i * static_cast<std::size_t>(n);
     const auto p = view(&a[at], n), q = view(&b[at], n);
     const std::int32_t expected = by_edges<T>(p, q), inner = insides_by_edges<T>(p, q);
     met += expected;
-    EXPECT_EQ(C<T>::overlap(p, q), expected) << i;
-    EXPECT_EQ(C<T>::overlap(q, p), expected) << i;
+    EXPECT_EQ(overlap<T>(p, q), expected) << i;
+    EXPECT_EQ(overlap<T>(q, p), expected) << i;
     EXPECT_EQ(many[i], expected) << i;
     if (expected >= inner) {  // of rings that cross themselves the edges may find insides that meet where rings do not
-      EXPECT_EQ(C<T>::insides(p, q), inner) << i;
+      EXPECT_EQ(insides_overlap<T>(p, q), inner) << i;
       EXPECT_EQ(insides[i], inner) << i;
     }
     if (testing::Test::HasFailure()) return met;
@@ -316,12 +293,12 @@ void check_invalid() {
           b[at + static_cast<std::size_t>(k)] = wrong;
           const auto first = array(a, n), second = array(b, n);
           std::vector<std::uint8_t> out(20, 9), matrix(400, 9);
-          EXPECT_EQ(C<T>::many(&first, &second, out.data()), VESICA_E_SHAPE);
-          EXPECT_EQ(C<T>::many(&second, &first, out.data()), VESICA_E_SHAPE);
-          EXPECT_EQ(C<T>::matrix(&first, &second, matrix.data(), 20), VESICA_E_SHAPE);
-          EXPECT_EQ(C<T>::matrix(&second, &first, matrix.data(), 20), VESICA_E_SHAPE);
-          EXPECT_EQ(C<T>::overlap(view(&a[at], n), view(&b[at], n)), VESICA_E_SHAPE);
-          EXPECT_EQ(C<T>::overlap(view(&b[at], n), view(&a[at], n)), VESICA_E_SHAPE);
+          EXPECT_EQ(Face<T>::overlap_many(&first, &second, out.data()), VESICA_E_SHAPE);
+          EXPECT_EQ(Face<T>::overlap_many(&second, &first, out.data()), VESICA_E_SHAPE);
+          EXPECT_EQ(Face<T>::overlap_matrix(&first, &second, matrix.data(), 20), VESICA_E_SHAPE);
+          EXPECT_EQ(Face<T>::overlap_matrix(&second, &first, matrix.data(), 20), VESICA_E_SHAPE);
+          EXPECT_EQ(overlap<T>(view(&a[at], n), view(&b[at], n)), VESICA_E_SHAPE);
+          EXPECT_EQ(overlap<T>(view(&b[at], n), view(&a[at], n)), VESICA_E_SHAPE);
           EXPECT_EQ(out[11], 0);
           EXPECT_EQ(out[10], by_edges<T>(view(&a[at] - 2 * n, n), view(&b[at] - 2 * n, n)));
           ASSERT_FALSE(testing::Test::HasFailure()) << wrong << " at " << k << " of " << n << ", away " << away;
@@ -347,7 +324,7 @@ TEST(PolygonConvex, GreatestNumbers) {
           first.insert(first.end(), p->begin(), p->end());
           second.insert(second.end(), q->begin(), q->end());
         }
-        EXPECT_EQ(C<double>::overlap(s, u), by_edges<double>(s, u));
+        EXPECT_EQ(overlap<double>(s, u), by_edges<double>(s, u));
         check(first, second, 4);
       }
     }
