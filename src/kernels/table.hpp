@@ -181,7 +181,7 @@ VESICA_HIDDEN extern const KernelTable* chosen_kernels;
 
 /// The calls of the chosen instruction set; null if it has none, or none is chosen yet.
 inline const CallTable* chosen_calls() noexcept {
-#if defined(__x86_64__)
+#if defined(__x86_64__) && !defined(VESICA_PORTABLE_ONLY)
   if (__atomic_load_n(&chosen_kernels, __ATOMIC_RELAXED) == &kernels_avx512) return &kernels_avx512_calls;
 #endif
   return nullptr;

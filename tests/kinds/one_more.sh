@@ -1,14 +1,15 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# one_more.sh FOLDER PYTHON: builds the library in that folder with one more kind (dummy.hpp), and asks every function
-# that takes kinds with it.
+# one_more.sh FOLDER PYTHON: builds the library in that folder with one more kind (dummy.hpp), without optimisation and
+# for no processor in particular, and asks every function that takes kinds with it.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 root=$here/../..
 mkdir -p "$1"
-if ! { cmake -S "$root" -B "$1" -G Ninja -DCMAKE_BUILD_TYPE=Release -DVESICA_DEVELOPER=ON \
-  "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG" "-DCMAKE_CXX_FLAGS=-include $here/dummy.hpp" && cmake --build "$1" --target vesica; } >"$1/build.log" 2>&1; then
+if ! { cmake -S "$root" -B "$1" -G Ninja -DCMAKE_BUILD_TYPE=Debug -DVESICA_DEVELOPER=ON \
+  -DCMAKE_CXX_FLAGS_DEBUG= \
+  -DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=generic "-DCMAKE_CXX_FLAGS=-DVESICA_PORTABLE_ONLY -include $here/dummy.hpp" && cmake --build "$1" --target vesica; } >"$1/build.log" 2>&1; then
   cat "$1/build.log"
   exit 1
 fi
