@@ -117,7 +117,7 @@ def called(description):
     return [
         entry
         for entry in description.functions
-        if not entry.stem.startswith(pairs) and entry.stem not in ("shapes_from_records", "index_step")
+        if not entry.stem.startswith(pairs) and entry.stem != "shapes_from_records"
     ]
 
 

@@ -228,7 +228,7 @@ def called(description):
     return [
         entry
         for entry in description.functions
-        if not entry.stem.startswith(pairs) and entry.stem not in ("shapes_from_records", "index_step", "isa_name")
+        if not entry.stem.startswith(pairs) and entry.stem not in ("shapes_from_records", "isa_name")
     ]
 
 

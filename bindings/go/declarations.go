@@ -930,6 +930,14 @@ func cIndexBuild(wide bool, sets C.vesica_go_sets, setCount C.int32_t, index *C.
 	return C.go_index_build_f32(sets, setCount, index, indexSize, scratch, scratchSize)
 }
 
+func cIndexStep(wide bool, step C.int32_t, part C.int64_t, parts C.int64_t, sets C.vesica_go_sets, setCount C.int32_t,
+	index *C.char, indexSize C.int64_t, scratch *C.char, scratchSize C.int64_t) C.int64_t {
+	if wide {
+		return C.go_index_step_f64(step, part, parts, sets, setCount, index, indexSize, scratch, scratchSize)
+	}
+	return C.go_index_step_f32(step, part, parts, sets, setCount, index, indexSize, scratch, scratchSize)
+}
+
 func cIndexSelect(wide bool, index *C.char, sets C.vesica_go_sets, setCount C.int32_t, one C.vesica_go_view,
 	out *C.char, capacity C.int64_t, state *C.char) C.int64_t {
 	if wide {

@@ -960,6 +960,22 @@ static inline int64_t go_index_build_f32(vesica_go_sets sets, int32_t set_count,
     return vesica_index_build_f32(of_sets, set_count, (void *)index, index_size, (void *)scratch, scratch_size);
 }
 
+static inline int64_t go_index_step_f64(int32_t step, int64_t part, int64_t parts, vesica_go_sets sets,
+    int32_t set_count, char *index, int64_t index_size, char *scratch, int64_t scratch_size) {
+    vesica_shapes_f64 of_sets[64];
+    memcpy(of_sets, &sets, sizeof of_sets);
+    return vesica_index_step_f64(step, part, parts, of_sets, set_count, (void *)index, index_size, (void *)scratch,
+        scratch_size);
+}
+
+static inline int64_t go_index_step_f32(int32_t step, int64_t part, int64_t parts, vesica_go_sets sets,
+    int32_t set_count, char *index, int64_t index_size, char *scratch, int64_t scratch_size) {
+    vesica_shapes_f32 of_sets[64];
+    memcpy(of_sets, &sets, sizeof of_sets);
+    return vesica_index_step_f32(step, part, parts, of_sets, set_count, (void *)index, index_size, (void *)scratch,
+        scratch_size);
+}
+
 static inline int64_t go_index_select_f64(const char *index, vesica_go_sets sets, int32_t set_count, vesica_go_view one,
     char *out, int64_t capacity, char *state) {
     vesica_shapes_f64 of_sets[64];

@@ -59,9 +59,16 @@ func newIndex[T Float](arrays []Array[T]) (*Index[T], error) {
 }
 
 // NewIndex leaves invalid shapes out; Incomplete tells.
-func NewIndex[T Float](arrays ...Array[T]) (*Index[T], error) {
+func NewIndex[T Float](arrays ...Array[T]) (*Index[T], error) { return NewIndexParallel(1, arrays...) }
+
+// NewIndexParallel is NewIndex by so many goroutines; 0 stands for all processors, as far as that pays. The bytes are
+// the same.
+func NewIndexParallel[T Float](threads int, arrays ...Array[T]) (*Index[T], error) {
 	index, err := newIndex(arrays)
 	if err != nil {
+		return nil, err
+	}
+	if threads, err = threadsFor(threads, index.items); err != nil {
 		return nil, err
 	}
 	size, err := count(C.vesica_index_size(C.int64_t(index.items)))
@@ -73,8 +80,7 @@ func NewIndex[T Float](arrays ...Array[T]) (*Index[T], error) {
 		return nil, err
 	}
 	memory, room := aligned(size), aligned(scratch)
-	used, err := count(cIndexBuild(isWide[T](), index.sets, index.count, first(memory), C.int64_t(size), first(room),
-		C.int64_t(scratch)))
+	used, err := count(index.build(threads, memory, room))
 	if index.Incomplete = err == ErrShape; index.Incomplete {
 		used, err = count(C.vesica_index_bytes(unsafe.Pointer(first(memory))))
 	}
@@ -84,6 +90,32 @@ func NewIndex[T Float](arrays ...Array[T]) (*Index[T], error) {
 	index.bytes = aligned(used)
 	copy(index.bytes, memory)
 	return index, nil
+}
+
+// build gives what the library does.
+func (x *Index[T]) build(threads int, memory, scratch []byte) C.int64_t {
+	size, room := C.int64_t(len(memory)), C.int64_t(len(scratch))
+	if threads == 1 {
+		return cIndexBuild(isWide[T](), x.sets, x.count, first(memory), size, first(scratch), room)
+	}
+	code := C.int64_t(0)
+	for step := 0; step <= 4 && code >= 0; step++ {
+		parts := threads
+		if step == 0 || step == 4 {
+			parts = 1
+		}
+		codes := make([]C.int64_t, parts)
+		eachPart(threads, parts, func(part int) {
+			codes[part] = cIndexStep(isWide[T](), C.int32_t(step), C.int64_t(part), C.int64_t(parts), x.sets, x.count,
+				first(memory), size, first(scratch), room)
+		})
+		for _, code = range codes {
+			if code < 0 {
+				break
+			}
+		}
+	}
+	return code
 }
 
 // IndexFromBytes is the index whose bytes were saved, over the same shapes. They are checked and copied.
@@ -217,6 +249,28 @@ func (x *Index[T]) JoinPart(other *Index[T], query JoinQuery, part, parts int) (
 		}
 	}
 	return pairs, nil
+}
+
+// JoinParallel is Join by so many goroutines; 0 stands for all processors, as far as that pays. The pairs are the same,
+// in the same order.
+func (x *Index[T]) JoinParallel(other *Index[T], query JoinQuery, threads int) ([]Pair, error) {
+	threads, err := threadsFor(threads, x.items+other.items)
+	if err != nil {
+		return nil, err
+	}
+	parts := partsOfJoin(threads)
+	pairs, errs := make([][]Pair, parts), make([]error, parts)
+	eachPart(threads, parts, func(part int) { pairs[part], errs[part] = x.JoinPart(other, query, part, parts) })
+	all := pairs[0]
+	for part, err := range errs {
+		if err != nil {
+			return nil, err
+		}
+		if part > 0 {
+			all = append(all, pairs[part]...)
+		}
+	}
+	return all, nil
 }
 
 // JoinCount is how many pairs Join gives.

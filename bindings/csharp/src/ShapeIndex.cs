@@ -92,7 +92,19 @@ namespace Vesica
         }
 
         /// <summary>Invalid shapes are left out; Incomplete tells.</summary>
-        public ShapeIndex(params Shapes[] sets)
+        public ShapeIndex(params Shapes[] sets) : this(sets, 1)
+        {
+        }
+
+        /// <summary>An index built by so many threads of the pool; 0 stands for all processors, as far as that pays.
+        /// The bytes are the same.</summary>
+        public static ShapeIndex BuildParallel(int threads, params Shapes[] sets)
+        {
+            if (threads < 0) throw new ArgumentException(threads + " threads");
+            return new ShapeIndex(sets, threads);
+        }
+
+        private ShapeIndex(Shapes[] sets, int threads)
         {
             this.sets = sets = Sets(sets);
             wide = sets[0].IsDouble;
@@ -103,11 +115,27 @@ namespace Vesica
             using (var pinned = new Pinned(sets))
                 fixed (View* views = pinned.Views)
                 {
-                    long code = Native.IndexBuild(
-                        wide, views, sets.Length, held.Address, memory.Size, scratch.Address, scratch.Size);
+                    long code = Build(Threads.Count(threads, Count), views, held.Address, scratch);
                     Incomplete = code == (long)ErrorCode.Shape;
                     if (!Incomplete) Native.Checked(code);
                 }
+        }
+
+        private long Build(int threads, View* views, byte* index, Memory scratch)
+        {
+            byte* with = scratch.Address;
+            if (threads == 1)
+                return Native.IndexBuild(wide, views, sets.Length, index, memory.Size, with, scratch.Size);
+            long code = 0;
+            for (int step = 0; step <= 4 && code >= 0; ++step)
+            {
+                int now = step, parts = step == 0 || step == 4 ? 1 : threads;
+                var codes = new long[parts];
+                Threads.EachPart(threads, parts, part => codes[part] = Native.IndexStep(
+                    wide, now, part, parts, views, sets.Length, index, memory.Size, with, scratch.Size));
+                code = codes.Any(each => each < 0) ? codes.First(each => each < 0) : codes[0];
+            }
+            return code;
         }
 
         private ShapeIndex(byte[] bytes, Shapes[] sets)
@@ -307,6 +335,19 @@ namespace Vesica
         public Pair[] Join(ShapeIndex other, JoinQuery query = JoinQuery.Overlap, long part = 0, long parts = 1)
         {
             return Pairs((p, q, s) => Ask(other, query, part, parts, p, q, PairsACall, s));
+        }
+
+        /// <summary>Join by so many threads of the pool; 0 stands for all processors, as far as that pays. The pairs
+        /// are the same, in the same order.</summary>
+        public Pair[] JoinParallel(ShapeIndex other, JoinQuery query = JoinQuery.Overlap, int threads = 0)
+        {
+            if (other == null) throw new ArgumentNullException("other");
+            if (threads < 0) throw new ArgumentException(threads + " threads");
+            int count = Threads.Count(threads, Count + other.Count);
+            int parts = count == 1 ? 1 : checked(8 * count); // some take longer than others
+            var found = new Pair[parts][];
+            Threads.EachPart(count, parts, part => found[part] = Join(other, query, part, parts));
+            return found.SelectMany(pairs => pairs).ToArray();
         }
 
         /// <summary>All pairs of an item of this index and one of another that are at most so far apart, as Join gives

@@ -580,6 +580,49 @@ internal static unsafe class Arguments
         }
     }
 
+    private static Shapes Scattered(int seed, int n, bool wide)
+    {
+        var random = new Random(seed);
+        var numbers = new double[6 * n];
+        for (int i = 0; i < numbers.Length; i += 6)
+        {
+            numbers[i] = 300 * random.NextDouble();
+            numbers[i + 1] = 300 * random.NextDouble();
+            numbers[i + 2] = 1;
+            numbers[i + 3] = random.NextDouble();
+            numbers[i + 4] = 0.5;
+            numbers[i + 5] = 0.3;
+        }
+        if (seed == 2) numbers[4] = -1;
+        return wide ? Shapes.Of(Kind.Rect, numbers)
+            : Shapes.Of(Kind.Rect, numbers.Select(number => (float)number).ToArray());
+    }
+
+    private static void AnyNumberOfThreads(bool wide)
+    {
+        Shapes a = Scattered(1, 60000, wide), b = Scattered(2, 70000, wide);
+        using (ShapeIndex alone = new ShapeIndex(a), other = new ShapeIndex(b))
+        using (var odd = new ShapeIndex(Scattered(1, 9, !wide)))
+        {
+            Pair[] pairs = alone.Join(other);
+            Check(pairs.Length > 60000 && pairs.Length == alone.JoinCount(other), "pairs");
+            for (int threads = 0; threads < 6; ++threads)
+                using (var first = ShapeIndex.BuildParallel(threads, a))
+                using (var second = ShapeIndex.BuildParallel(threads, b))
+                {
+                    Check(first.ToBytes().SequenceEqual(alone.ToBytes()), "bytes by " + threads + " threads");
+                    Check(second.ToBytes().SequenceEqual(other.ToBytes()), "bytes by " + threads + " threads");
+                    Check(!first.Incomplete && second.Incomplete, "invalid shapes by " + threads + " threads");
+                    Pair[] found = first.JoinParallel(second, JoinQuery.Overlap, threads);
+                    Check(found.Select(pair => pair.A).SequenceEqual(pairs.Select(pair => pair.A)), "first items");
+                    Check(found.Select(pair => pair.B).SequenceEqual(pairs.Select(pair => pair.B)), "second items");
+                }
+            Refused<ArgumentException>("-1 threads", () => ShapeIndex.BuildParallel(-1, a));
+            Refused<ArgumentException>("-1 threads", () => alone.JoinParallel(other, JoinQuery.Overlap, -1));
+            Refused<ArgumentException>("double", () => alone.JoinParallel(odd, JoinQuery.Overlap, 3));
+        }
+    }
+
     /// <summary>FILE of calls, and how many random calls; or nothing, to see whether the library is new
     /// enough.</summary>
     private static int Main(string[] arguments)
@@ -605,6 +648,8 @@ internal static unsafe class Arguments
         Topologies();
         CapsulesAndRoundedRectangles();
         NothingIsCopied();
+        AnyNumberOfThreads(true);
+        AnyNumberOfThreads(false);
         AnyArguments(arguments.Length > 1 ? int.Parse(arguments[1]) : 5000);
         Console.WriteLine("arguments: as they should be");
         return 0;

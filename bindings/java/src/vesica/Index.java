@@ -28,14 +28,41 @@ public final class Index {
 
   /** Invalid shapes are left out; {@link #incomplete} tells. */
   public Index(Shapes... shapes) {
-    sets = new Sets(shapes);
+    this(1, new Sets(shapes));
+  }
+
+  private Index(int threads, Sets sets) {
+    this.sets = sets;
     ByteBuffer room = aligned(checked(Native.indexSize(sets.count)));
     ByteBuffer scratch = aligned(checked(Native.indexScratch(sets.count)));
-    long code = Native.indexBuild(sets.wide, sets, room, room.capacity(), scratch, scratch.capacity());
+    long code = build(threads, sets, room, scratch);
     incomplete = code == ErrorCode.SHAPE.value;
     if (!incomplete) checked(code);
     int used = (int) checked(Native.indexBytes(room));
     memory = aligned(used).put(0, room, 0, used);
+  }
+
+  /**
+   * An index built by so many threads, this one and some of the common pool; 0 stands for all processors, as far as
+   * that pays. The bytes are the same.
+   */
+  public static Index buildParallel(int threads, Shapes... shapes) {
+    Sets sets = new Sets(shapes);
+    return new Index(Threads.count(threads, sets.count), sets);
+  }
+
+  private static long build(int threads, Sets sets, ByteBuffer room, ByteBuffer scratch) {
+    int size = room.capacity(), scratchSize = scratch.capacity();
+    if (threads == 1) return Native.indexBuild(sets.wide, sets, room, size, scratch, scratchSize);
+    long code = 0;
+    for (int step = 0; step <= 4 && code >= 0; step++) {
+      int now = step, parts = step == 0 || step == 4 ? 1 : threads;
+      long[] codes = new long[parts];
+      Threads.eachPart(threads, parts, part -> codes[part] =
+          Native.indexStep(sets.wide, now, part, parts, sets, room, size, scratch, scratchSize));
+      code = Arrays.stream(codes).filter(each -> each < 0).findFirst().orElse(codes[0]);
+    }
+    return code;
   }
 
   private Index(byte[] bytes, Sets sets) {
@@ -180,6 +207,22 @@ public final class Index {
   /** One of some parts of a join, which threads may ask at the same time. One after the other they are the join. */
   public long[][] join(Index other, JoinQuery query, long part, long parts) {
     return pairs((a, b, state) -> ask(other, query, part, parts, a, b, state));
+  }
+
+  /**
+   * {@link #join} by so many threads, this one and some of the common pool; 0 stands for all processors, as far as that
+   * pays. The pairs are the same, in the same order.
+   */
+  public long[][] joinParallel(Index other, JoinQuery query, int threads) {
+    int count = Threads.count(threads, sets.count + other.sets.count);
+    int parts = count == 1 ? 1 : Math.multiplyExact(8, count);  // some take longer than others
+    long[][][] found = new long[parts][][];
+    Threads.eachPart(count, parts, part -> found[part] = join(other, query, part, parts));
+    return new long[][] {together(found, 0), together(found, 1)};
+  }
+
+  private static long[] together(long[][][] found, int side) {
+    return Arrays.stream(found).flatMapToLong(pairs -> Arrays.stream(pairs[side])).toArray();
   }
 
   /**

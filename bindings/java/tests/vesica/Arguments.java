@@ -393,6 +393,39 @@ final class Arguments {
     return out;
   }
 
+  private static Shapes scattered(int seed, int n, boolean wide) {
+    Random random = new Random(seed);
+    double[] numbers = new double[6 * n];
+    for (int i = 0; i < 6 * n; i += 6) {
+      double[] one = {300 * random.nextDouble(), 300 * random.nextDouble(), 1, random.nextDouble(), 0.5, 0.3};
+      System.arraycopy(one, 0, numbers, i, 6);
+    }
+    if (seed == 2) numbers[4] = -1;
+    if (wide) return Shapes.of(Kind.RECT, numbers);
+    float[] narrow = new float[6 * n];
+    for (int i = 0; i < narrow.length; i++) narrow[i] = (float) numbers[i];
+    return Shapes.of(Kind.RECT, narrow);
+  }
+
+  private static void threads(boolean wide) {
+    Shapes a = scattered(1, 60_000, wide), b = scattered(2, 70_000, wide);
+    Index alone = new Index(a), other = new Index(b);
+    long[][] pairs = alone.join(other, JoinQuery.OVERLAP);
+    check(pairs[0].length > 60_000 && pairs[0].length == alone.joinCount(other, JoinQuery.OVERLAP), "pairs");
+    for (int threads = 0; threads < 6; threads++) {
+      Index first = Index.buildParallel(threads, a), second = Index.buildParallel(threads, b);
+      check(Arrays.equals(first.bytes(), alone.bytes()), "bytes by " + threads + " threads");
+      check(Arrays.equals(second.bytes(), other.bytes()), "bytes by " + threads + " threads");
+      check(!first.incomplete() && second.incomplete(), "invalid shapes by " + threads + " threads");
+      long[][] found = first.joinParallel(second, JoinQuery.OVERLAP, threads);
+      check(Arrays.deepEquals(found, pairs), "pairs by " + threads + " threads");
+    }
+    refused(IllegalArgumentException.class, "-1 threads", () -> Index.buildParallel(-1, a));
+    refused(IllegalArgumentException.class, "-1 threads", () -> alone.joinParallel(other, JoinQuery.OVERLAP, -1));
+    Index odd = new Index(scattered(1, 9, !wide));
+    refused(IllegalArgumentException.class, "double", () -> alone.joinParallel(odd, JoinQuery.OVERLAP, 3));
+  }
+
   public static void main(String[] arguments) {
     buffersFirst();
     refusals();
@@ -406,6 +439,8 @@ final class Arguments {
     nothingIsCopied();
     manyArrays();
     joinsTakeNoMemory();
+    threads(true);
+    threads(false);
     anyArguments(arguments.length > 0 ? Integer.parseInt(arguments[0]) : 5000);
     System.out.println("arguments: as they should be");
   }

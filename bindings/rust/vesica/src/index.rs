@@ -67,13 +67,52 @@ fn all_items(ask: impl Fn(*mut i64, i64, *mut i64) -> Result<usize, Error>) -> R
 impl<'a, T: Scalar> Index<'a, T> {
     /// Invalid shapes are left out; [`incomplete`](Index::incomplete) tells.
     pub fn new(sets: &[Shapes<'a, T>]) -> Result<Self, Error> {
+        Self::built(sets, |(view, count), memory, scratch| {
+            let ((to, bytes), (with, room)) = (memory, scratch);
+            unsafe { T::index_build(view, count, to.cast(), bytes, with.cast(), room) }
+        })
+    }
+
+    /// [`new`](Index::new) by so many threads; 0 stands for all processors, as far as that pays. The bytes are the
+    /// same.
+    #[cfg(feature = "std")]
+    pub fn new_parallel(sets: &[Shapes<'a, T>], threads: usize) -> Result<Self, Error>
+    where
+        T: Sync,
+    {
+        let threads = crate::threads::count_for(threads, count_of(sets));
+        let own = sets.to_vec();
+        Self::built(sets, |_, (to, bytes), (with, room)| {
+            // Threads share numbers, not pointers.
+            let (to, with) = (to as usize, with as usize);
+            let ask = |step: i32, part: usize, parts: usize| {
+                let ((view, count), part, parts) = (views(&own), part as i64, parts as i64);
+                unsafe { T::index_step(step, part, parts, view, count, to as *mut _, bytes, with as *mut _, room) }
+            };
+            let mut code = 0;
+            for step in 0..5 {
+                let parts = if step == 0 || step == 4 { 1 } else { threads };
+                let codes = crate::threads::each_part(threads, parts, |part| ask(step, part, parts));
+                code = codes.iter().copied().find(|&code| code < 0).unwrap_or(codes[0]);
+                if code < 0 {
+                    break;
+                }
+            }
+            code
+        })
+    }
+
+    /// The index that `build` makes in this memory, with that scratch.
+    fn built(
+        sets: &[Shapes<'a, T>],
+        build: impl FnOnce((*const sys::Shapes<T>, i32), (*mut Line, i64), (*mut Line, i64)) -> i64,
+    ) -> Result<Self, Error> {
         let sets = sets.to_vec();
         let count = count_of(&sets) as i64;
         let mut memory = lines(answer(|| unsafe { sys::vesica_index_size(count) })?);
         let mut scratch = lines(answer(|| unsafe { sys::vesica_index_scratch(count) })?);
-        let ((view, sets_count), bytes, room) = (views(&sets), size(&memory), size(&scratch));
-        let (to, with) = (memory.as_mut_ptr().cast(), scratch.as_mut_ptr().cast());
-        let built = answer(|| unsafe { T::index_build(view, sets_count, to, bytes, with, room) });
+        let (bytes, room) = (size(&memory), size(&scratch));
+        let built = answer(|| build(views(&sets), (memory.as_mut_ptr(), bytes), (scratch.as_mut_ptr(), room)));
         let incomplete = built == Err(Error::Shape);
         if !incomplete {
             built?;
@@ -202,6 +241,25 @@ impl<'a, T: Scalar> Index<'a, T> {
             pairs.extend(a[..found].iter().copied().zip(b[..found].iter().copied()));
         }
         Ok(pairs)
+    }
+
+    /// [`join`](Index::join) by so many threads; 0 stands for all processors, as far as that pays. The pairs are the
+    /// same, in the same order.
+    #[cfg(feature = "std")]
+    pub fn join_parallel(
+        &self,
+        other: &Index<'_, T>,
+        query: JoinQuery,
+        threads: usize,
+    ) -> Result<Vec<(i64, i64)>, Error>
+    where
+        T: Sync,
+    {
+        let threads = crate::threads::count_for(threads, self.len() + other.len());
+        // Some parts take longer than others.
+        let parts = if threads == 1 { 1 } else { 8 * threads };
+        let found = crate::threads::each_part(threads, parts, |part| self.join_part(other, query, part, parts));
+        Ok(found.into_iter().collect::<Result<Vec<_>, _>>()?.concat())
     }
 
     /// All pairs of an item of this index and one of another that are at most `distance` apart, as

@@ -37,6 +37,8 @@ mod motion;
 mod path;
 mod query;
 mod shape;
+#[cfg(feature = "std")]
+mod threads;
 mod topology;
 
 pub use batch::*;
