@@ -9,7 +9,16 @@ const asNumber = (words) => Number(words.replaceAll(',', ''));
 test('with reduced motion nothing moves until it is asked to', async () => {
   const page = await openPlayground('#tab=crowd');
   assert.equal(await text(page, '#crowd-run'), 'Play');
-  assert.notEqual(await text(page, '#crowd-pairs'), '–');
+  // Figures from the first frame; tests a second are those of the query's own time.
+  assert.equal(await page.$eval('#panel-crowd > div', ({ dataset }) => dataset.frames), '1');
+  const figures = await page.evaluate(() =>
+    ['query', 'tests', 'pairs', 'exact'].map((id) => document.getElementById(`crowd-${id}`).textContent),
+  );
+  const [query, tests, pairs] = figures.map(asNumber);
+  assert.ok(query > 0 && pairs > 1000 && tests >= pairs, figures.join());
+  const [, amount, unit] = /^([\d.]+)([KM])$/.exec(figures[3]),
+    said = Number(amount) * { K: 1e3, M: 1e6 }[unit];
+  assert.ok(Math.abs(said / ((1000 * tests) / query) - 1) < 0.06, `${said} tests a second`);
   for (const count of [0, 6]) {
     await page.$eval(
       '#crowd-count',
@@ -95,7 +104,7 @@ test('200 frames of ten thousand shapes', async (t) => {
   assert.ok(Number(await text(page, '#crowd-query')) > 0);
   assert.match(await text(page, '#crowd-exact'), /^[\d.]+[KM]$/);
   t.diagnostic(
-    `as drawn by the processor: ${await text(page, '#crowd-query')} ms of query a frame, ${await text(page, '#crowd-fps')} frames a second`,
+    `as drawn by the processor: ${await text(page, '#crowd-query')} ms of query a frame, ${await text(page, '#crowd-exact')} tests a second`,
   );
   await page.click('#crowd-run');
   const frames = await page.$eval('#panel-crowd > div', ({ dataset }) => dataset.frames);

@@ -114,6 +114,10 @@ test('polygons: the exact strip turns once, and textbooks are right away from co
 
 test('the example: textbooks fail in double and in float', async () => {
   const page = await openPlayground('#tab=edge');
+  // It opens on the example, with both shapes drawn.
+  await page.waitForFunction(() => /\b[1-9]\d* of 131 wrong/.test(document.querySelector('#double').textContent));
+  assert.equal(await page.$$eval('#panel-edge .picture .shape', (all) => all.length), 2);
+  assert.match(await text(page, '#panel-edge [role=status]'), /^At centre x ≈ 0\.0354/);
   await page.click('#edge-example');
   await page.waitForFunction(() => /\b[1-9]\d* of 131 wrong/.test(document.querySelector('#double').textContent));
   await page.waitForFunction(() => new Promise((done) => setTimeout(() => done(true), 250)));
@@ -122,11 +126,11 @@ test('the example: textbooks fail in double and in float', async () => {
   asOracle(found);
   assert.ok(wrong(found.answers[1]) >= 5, 'in double');
   assert.ok(wrong(found.answers[2]) >= 60, 'in float');
-  assert.equal(await text(page, '#edge-field option:checked'), 'cx');
+  assert.equal(await page.$eval('#edge-field', ({ value }) => value), 'cx');
   await page.select('#edge-field', 'a');
   await page.waitForFunction(
     () =>
-      /No value of a/.test(document.querySelector('#panel-edge .result').textContent) ||
+      /No value of half axis along/.test(document.querySelector('#panel-edge .result').textContent) ||
       document.querySelector('#exact') !== null,
   );
   await closeQuietly(page);

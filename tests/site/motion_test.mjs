@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Motion: the way is dragged and moved by keys, told by a link, and the answer is that of the call to copy.
+// Motion: the way is dragged and moved by keys, told by a link, and the answer is that of the programs to copy.
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
-import { writeFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { closeQuietly, middle, openPlayground, text } from './browser.mjs';
+import { languages, printed } from './programs.mjs';
 
 const answer = (page) => text(page, '#motion-answer strong');
 const hex = (page, id) => text(page, `#motion-${id} .exact`);
@@ -63,7 +62,7 @@ test('keys alone: from the tab to a shorter way', async () => {
   await page.focus('#motion-turn');
   await page.keyboard.press('ArrowRight');
   assert.match(await text(page, '#panel-motion output'), /^5°$/);
-  assert.match(await text(page, '#motion-call .call'), /vesica_impact_time_f64/);
+  assert.match(await text(page, '#motion-call .call'), /vesica_impact_time\(/);
   await closeQuietly(page);
 });
 
@@ -79,11 +78,12 @@ test('a link holds every bit of the motion', async () => {
   await closeQuietly(again);
 });
 
-test('the example hits, turning or not', async () => {
+test('it opens on an example that hits on its way, turning or not', async () => {
   const page = await openPlayground('#tab=motion');
-  assert.equal(await answer(page), 'start');
-  await page.click('#motion-example');
   assert.equal(await answer(page), 'hit');
+  const t = Number((await text(page, '#motion-t strong')).replace('≈ ', ''));
+  assert.ok(t > 0.1 && t < 0.9, `t = ${t}`);
+  assert.notEqual(await page.$('#panel-motion .arrived'), null);
   const still = await hex(page, 't');
   await page.focus('#motion-turn');
   for (let i = 0; i < 12; ++i) await page.keyboard.press('ArrowRight');
@@ -93,23 +93,44 @@ test('the example hits, turning or not', async () => {
   await closeQuietly(page);
 });
 
-test('the calls to copy compile, and answer what the page says', async () => {
+test('shapes that were changed stay in all tabs, the example does not', async () => {
+  const page = await openPlayground();
+  const start = () => page.$eval('#number-b-cx', ({ value }) => Number(value));
+  const before = await start();
+  await page.click('#tab-motion');
+  await page.waitForSelector('#motion-call');
+  assert.equal(await answer(page), 'hit');
+  await page.click('#tab-two');
+  assert.equal(await start(), before);
+  await page.focus('#two-b-move');
+  await page.keyboard.press('ArrowRight');
+  const changed = await start();
+  await page.click('#tab-motion');
+  assert.equal(await answer(page), 'start');
+  assert.equal(await start(), changed);
+  await page.click('#motion-example');
+  assert.equal(await answer(page), 'hit');
+  await closeQuietly(page);
+});
+
+test('the programs to copy say what the page says, in four languages', async () => {
   const told = [],
-    functions = [];
+    programs = Object.fromEntries(languages.map((language) => [language, []]));
   const rounded = [link(capsule), link(capsule, '0x1.9p+3'), link(card), link(card, '0x1.9p+3')];
   for (const scene of [ray, bar, '#tab=motion', ...rounded]) {
     const page = await openPlayground(scene);
     told.push(await hex(page, 't'));
-    const call = await page.$eval('#motion-call .copy', ({ dataset }) => dataset.call);
-    functions.push(`{\n${call}\nprintf("%a\\n", out.t);\n(void)answer;\n}`);
+    for (const language of languages) {
+      await page.$eval(`#motion-in-${language}`, (input) => input.click());
+      programs[language].push(await page.$eval('#motion-call .copy', ({ dataset }) => dataset.program));
+    }
     await closeQuietly(page);
   }
-  writeFileSync(
-    'motion.c',
-    `#include <stdio.h>\n#include <vesica.h>\nint main(void) {\n${functions.join('\n')}\nreturn 0;\n}\n`,
-  );
-  execFileSync('bash', ['-c', `"$CC" -std=c99 -Wall -Wextra -Werror -o motion motion.c ${process.env.VESICA_FLAGS}`], {
-    stdio: 'inherit',
+  // What the page says in hexadecimal, as C prints it in decimal.
+  const expected = told.map((t) => {
+    const [, digits, power] = /^0x([\d.a-f]+)p([+-]\d+)$/.exec(t),
+      [whole, fraction = ''] = digits.split('.');
+    return Number.parseInt(whole + fraction, 16) * 2 ** (Number(power) - 4 * fraction.length);
   });
-  assert.deepEqual(execFileSync('./motion', { encoding: 'utf8' }).trim().split('\n'), told);
+  for (const language of languages) assert.deepEqual(printed(language, programs[language]).map(Number), expected, language);
 });

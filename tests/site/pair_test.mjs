@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two shapes: dragged, moved by keys, told by a link, and every answer with a call that gives the same in C.
+// Two shapes: dragged, moved by keys, told by a link, and every answer with a program that gives the same.
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
-import { readFileSync, writeFileSync } from 'node:fs';
+import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { closeQuietly, middle, openPlayground, text } from './browser.mjs';
+import { languages, printed } from './programs.mjs';
 
 const kinds = ['point', 'segment', 'circle', 'aabb', 'rect', 'ellipse', 'capsule', 'round_rect'];
 const paths = ['triangle', 'quad', 'polygon', 'frame', 'polyline'];
@@ -242,63 +242,145 @@ test('huge and tiny scenes are shown', async () => {
   }
 });
 
-/** A function of C for each call that the page offers, and what the page says of it. */
-async function calls(page) {
-  return page.$$eval('.answers li', (rows) =>
+/** The programs that the page offers, and what it says of each question. */
+const offered = (page) =>
+  page.$$eval('#panel-two .answers li', (rows) =>
     rows.map((row) => ({
       id: row.id.replace('answer-', ''),
-      call: row.querySelector('.copy').dataset.call,
+      program: row.querySelector('.copy').dataset.program,
       value: row.querySelector('strong').textContent,
+      detail: row.querySelector('.detail').textContent,
       exact: row.querySelector('.exact').textContent,
     })),
   );
-}
 
-const printed = {
-  overlap: 'printf("%s\\n", answer == 1 ? "yes" : "no");',
-  relation: 'printf("%d\\n", answer);',
-  nearest: 'printf("%a\\n", out.distance);',
-  outlines: 'printf("%a\\n", out.distance);',
-  depth: 'printf("%a\\n", out.depth);',
-  crossings: 'printf("%d\\n", answer);',
-  area: 'printf("%a\\n", out);',
-  iou: 'printf("%a\\n", out);',
-};
-const print = (id) => `if (answer < 0) printf("%s\\n", vesica_strerror(answer)); else ${printed[id]}`;
 const relations = ['DISJOINT', 'TOUCH', 'CROSS', 'INSIDE', 'INSIDE_TOUCH', 'CONTAINS', 'CONTAINS_TOUCH', 'EQUAL'];
 
-/** What the page says, as the program prints it. */
-function said({ id, value, exact }) {
-  if (value === 'none') return exact;
-  if (id === 'overlap') return value;
-  if (id === 'relation') return String(relations.indexOf(exact.replace('exact: VESICA_', '')));
-  if (id === 'crossings') return value.split(' ')[0];
-  return exact.split(' ')[0];
+/** A double as C's %a writes it. */
+function ofHex(text) {
+  const [, sign, digits, power] = /^(-?)0x([\d.a-f]+)p([+-]\d+)$/.exec(text),
+    [whole, fraction = ''] = digits.split('.');
+  return Number(`${sign}1`) * Number.parseInt(whole + fraction, 16) * 2 ** (Number(power) - 4 * fraction.length);
 }
 
-test('all pairs of kinds: the calls to copy compile, and answer what the page says', async () => {
+/** Whether a program printed what the page says. Python has words of its own for a refusal, C++ returns NaN or none. */
+function agrees(line, language, { id, value, detail, exact }) {
+  if (value === 'none' && language === 'cpp') return true;
+  if (value === 'none') return language === 'python' ? / /.test(line) && Number.isNaN(Number(line)) : line.includes(detail);
+  if (id === 'overlap') return { yes: ['1', 'True', 'true'], no: ['0', 'False', 'false'] }[value].includes(line);
+  if (id === 'relation') {
+    const name = detail.replace('exact: ', '');
+    return [String(relations.indexOf(name)), name, name.toLowerCase()].includes(line);
+  }
+  if (id === 'crossings') return line === value.split(' ')[0];
+  return Number(line) === ofHex(exact);
+}
+
+function allAgree(language, all) {
+  const lines = printed(
+    language,
+    all.map(({ program }) => program),
+  );
+  assert.equal(lines.length, all.length);
+  all.forEach((one, i) => assert.ok(agrees(lines[i], language, one), `${lines[i]}, not ${one.value}:\n${one.program}`));
+}
+
+test('all pairs of kinds: programs of C, Python and JavaScript say what the page says', async () => {
   const page = await openPlayground(),
-    all = [];
+    all = { c: [], python: [], javascript: [] };
   for (const a of [...kinds, ...paths]) {
     await choose(page, 'a', a);
     for (const b of [...kinds, ...paths]) {
       await choose(page, 'b', b);
-      all.push(...(await calls(page)));
+      for (const [language, list] of Object.entries(all)) {
+        await page.$eval(`#two-in-${language}`, (input) => input.click());
+        list.push(...(await offered(page)));
+      }
     }
   }
-  assert.equal(all.length, 169 * 8);
-  const functions = all.map(
-    ({ id, call }, i) => `static void f${i}(void) {\n${call}\n(void)answer;\n${print(id)}\n}`,
-  );
-  writeFileSync(
-    'calls.c',
-    `#include <stdio.h>\n#include <vesica.h>\n${functions.join('\n')}\nint main(void) {\n${all.map((_, i) => `f${i}();`).join('\n')}\nreturn 0;\n}\n`,
-  );
-  execFileSync('bash', ['-c', `"$CC" -std=c99 -Wall -Wextra -Werror -o calls calls.c ${process.env.VESICA_FLAGS}`], {
-    stdio: 'inherit',
-  });
-  const lines = execFileSync('./calls', { encoding: 'utf8' }).trim().split('\n');
-  all.forEach((one, i) => assert.equal(lines[i], said(one), one.call));
+  for (const [language, list] of Object.entries(all)) {
+    assert.equal(list.length, 169 * 8);
+    allAgree(language, list);
+  }
+  await closeQuietly(page);
+});
+
+test('programs of C++ say what the page says', async () => {
+  const page = await openPlayground(),
+    all = [];
+  await page.$eval('#two-in-cpp', (input) => input.click());
+  for (const [a, b] of [
+    ['rect', 'ellipse'],
+    ['capsule', 'round_rect'],
+    ['polygon', 'circle'],
+  ]) {
+    await choose(page, 'a', a);
+    await choose(page, 'b', b);
+    all.push(...(await offered(page)));
+  }
+  allAgree('cpp', all);
+  await closeQuietly(page);
+});
+
+test('numbers that are hard to write come back: -0, beyond 2^63, the least', async () => {
+  const page = await openPlayground('#a=circle,-0x0p+0,0x1p+70,0x1p-1074&b=circle,0x1p+40,0x1p+70,0x1.999999999999ap-4');
+  for (const language of languages.filter((name) => name !== 'cpp')) {
+    await page.$eval(`#two-in-${language}`, (input) => input.click());
+    allAgree(language, await offered(page));
+  }
+  assert.match(await text(page, '#panel-two pre'), /-0\.0/);
+  await closeQuietly(page);
+});
+
+test('the language of the calls, which wrap', async () => {
+  const page = await openPlayground('', { width: 400 });
+  for (const [language, call] of [
+    ['c', 'vesica_boundary_distance(&a, &b, &out)'],
+    ['cpp', 'vesica::boundary_distance(a, b)'],
+    ['python', 'vesica.boundary_distance(a, b)'],
+    ['javascript', 'vesica.boundaryDistance(a, b)'],
+  ]) {
+    await page.click(`label[for=two-in-${language}]`);
+    assert.equal(await text(page, '#answer-outlines .call'), call);
+    const cut = await page.$$eval('.answers .call, #panel-two pre', (all) =>
+      all.map((one) => one.scrollWidth - one.clientWidth).filter((beyond) => beyond > 0),
+    );
+    assert.deepEqual(cut, []);
+  }
+  // The tab of motion has the same.
+  await page.click('#tab-motion');
+  await page.waitForSelector('#motion-call');
+  assert.match(await text(page, '#motion-call .call'), /^vesica\.cast\(a, b, \[/);
+  await closeQuietly(page);
+});
+
+test('an axis has its angle in degrees, which can be typed', async () => {
+  const page = await openPlayground();
+  assert.equal(await page.$eval('#number-a-angle', ({ value }) => value), '20');
+  assert.equal(await page.$eval('#number-b-angle', ({ value }) => value), '-35');
+  assert.equal(await text(page, 'label[for=number-a-angle]'), 'angle in °');
+  await page.$eval('#number-a-angle', (input) => (input.value = ''));
+  await page.type('#number-a-angle', '90\n');
+  assert.deepEqual([await number(page, 'a', 'ux'), await number(page, 'a', 'uy')], [0, 1]);
+  await page.keyboard.press('ArrowDown');
+  assert.equal(await page.$eval('#number-a-angle', ({ value }) => value), '89');
+  await choose(page, 'a', 'circle');
+  assert.equal(await page.$('#number-a-angle'), null);
+  assert.equal(await text(page, 'label[for=number-a-cx]'), 'centre x');
+  await closeQuietly(page);
+});
+
+test('hexadecimal numbers are behind a switch', async () => {
+  const page = await openPlayground();
+  const seen = () =>
+    page.$$eval('#panel-two code, #panel-two span', (all) =>
+      all.some((one) => one.offsetParent !== null && /\b0x[01]/.test(one.textContent)),
+    );
+  assert.equal(await seen(), false);
+  await page.click('#two-hex');
+  assert.equal(await seen(), true);
+  await page.click('#two-hex');
+  assert.equal(await seen(), false);
   await closeQuietly(page);
 });
 

@@ -72,8 +72,8 @@ test('pictures', async (t) => {
 test('the first picture of the README', async () => {
   const page = await openPlayground('#tab=two', { width: 1120, height: 900 });
   const [top, height] = await page.evaluate(() => {
-    document.querySelector('#panel-two .shapes').remove();
-    const box = document.querySelector('#panel-two .answers').getBoundingClientRect();
+    for (const part of document.querySelectorAll('#panel-two :is(.shapes, .told pre, .told .hint, .told .control)')) part.remove();
+    const box = document.querySelector('#panel-two .columns').getBoundingClientRect();
     return [box.top, box.height];
   });
   await page.screenshot({

@@ -54,7 +54,8 @@ function readMotion(text) {
   return { vx, vy, angle };
 }
 
-export function toAddress({ tab, a, b, motion }) {
+export function toAddress({ tab, a, b, motion, own }) {
+  if (!own) return `#tab=${tab}`;
   const shapes = `#tab=${tab}&a=${write(a)}&b=${write(b)}`;
   return tab === 'motion' ? `${shapes}&motion=${[motion.vx, motion.vy, motion.angle].map(toHex).join(',')}` : shapes;
 }

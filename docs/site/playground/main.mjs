@@ -75,6 +75,7 @@ class Tabs {
       this.#buttons[name].setAttribute('aria-selected', here);
       this.#buttons[name].tabIndex = here ? 0 : -1;
       this.#panels[name].hidden = !here;
+      if (here) this.#buttons[name].scrollIntoView({ block: 'nearest', inline: 'nearest' });
     }
     const { tab } = scene;
     if (this.#opened[tab] === undefined) {

@@ -2,14 +2,23 @@
 // The two shapes that the tabs share, who wants to know of changes, and the address that follows them.
 import { ellipse, rect } from '../vesica/vesica.mjs';
 import { fromAddress, toAddress } from './address.mjs';
+import { moved } from './shape.mjs';
 
-export const defaultScene = () => ({
+const defaultScene = () => ({
   a: rect(-0.75, 0, 4, 2.5, 20, { degrees: true }),
   b: ellipse(1.5, 0.75, 2, 1, -35, { degrees: true }),
 });
 
-/** How B moves in the tab of motion. */
-export const defaultMotion = () => ({ vx: -3, vy: -5, angle: 0 });
+const defaultMotion = () => ({ vx: -3, vy: -5, angle: 0 });
+
+/** What tabs open on: at the knife's edge contact is at a small number, finer than the rounding of the others. */
+export function exampleOf(tab) {
+  const { a, b } = defaultScene(),
+    motion = defaultMotion();
+  if (tab === 'edge') return { a: moved(a, -2.57, 0), b: moved(b, -2.57, 0), motion };
+  if (tab === 'motion') return { a, b: moved(b, 3.5, 3), motion: { vx: -5, vy: -3.5, angle: 0 } };
+  return { a, b, motion };
+}
 
 export class Scene {
   #vesica;
@@ -22,7 +31,9 @@ export class Scene {
     this.#vesica = vesica;
     this.#tabs = tabs;
     this.tab = tabs[0];
-    Object.assign(this, { motion: defaultMotion() }, defaultScene());
+    // Until shapes are changed or told by a link, each tab shows its example.
+    this.own = false;
+    Object.assign(this, { language: 'c', hex: false }, exampleOf(this.tab));
   }
 
   /** listener(scene) is called after each change. */
@@ -30,13 +41,14 @@ export class Scene {
     this.#listeners.push(listener);
   }
 
-  /** Changes a, b, motion or tab. An invalid shape changes nothing: then the reason is returned. */
+  /** Changes a, b, motion, tab, language or hex. An invalid shape changes nothing: then the reason is returned. */
   change(what) {
     for (const shape of [what.a, what.b]) {
       const reason = shape && this.#vesica.invalidity(shape);
       if (reason) return reason;
     }
-    Object.assign(this, what);
+    if (what.a || what.b || what.motion) this.own = true;
+    Object.assign(this, this.own || !what.tab ? {} : exampleOf(what.tab), what);
     for (const listener of this.#listeners) listener(this);
     // Browsers refuse an address that changes at every move of a pointer.
     clearTimeout(this.#timer);
@@ -62,7 +74,9 @@ export class Scene {
       reason = error.message;
       state = {};
     }
-    Object.assign(this, { tab: this.#tabs[0], motion: defaultMotion() }, defaultScene(), state);
+    this.own = Boolean(state.a || state.motion);
+    const tab = state.tab ?? this.#tabs[0];
+    Object.assign(this, { tab }, exampleOf(this.own ? null : tab), state);
     for (const listener of this.#listeners) listener(this);
     return reason ?? null;
   }

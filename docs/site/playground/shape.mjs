@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shapes as outlines to draw, and as the forms that formulas use: boxes, ellipses, and boxes with a radius.
-import { fields } from '../vesica/vesica.mjs';
+import { fields, rect } from '../vesica/vesica.mjs';
 import { bent, isPath, middleOf, rings, shifted, sides } from './path.mjs';
 
 export const nameOf = {
@@ -44,6 +44,35 @@ const place = (field) => 2 * Number(field.slice(1)) + 'xy'.indexOf(field[0]);
 export const numberOf = (shape, field) => (isPath(shape) ? shape.vertices[place(field)] : shape[field]);
 export const withNumber = (shape, field, value) =>
   isPath(shape) ? { ...shape, vertices: shape.vertices.with(place(field), value) } : { ...shape, [field]: value };
+
+/** What a number of a shape is. */
+const words = {
+  x0: 'first end x',
+  y0: 'first end y',
+  x1: 'second end x',
+  y1: 'second end y',
+  cx: 'centre x',
+  cy: 'centre y',
+  r: 'radius',
+  min_x: 'left',
+  min_y: 'bottom',
+  max_x: 'right',
+  max_y: 'top',
+  ux: 'axis x',
+  uy: 'axis y',
+  hx: 'half length',
+  hy: 'half width',
+  a: 'half axis along',
+  b: 'half axis across',
+};
+export const wordsOf = (shape, field) => (isPath(shape) ? field : (words[field] ?? field));
+
+/** The axis of a shape that has one, in degrees, else null; and the shape turned to an angle. */
+export const angleOf = (shape) => ('ux' in shape ? (Math.atan2(shape.uy, shape.ux) * 180) / Math.PI : null);
+export function withAngle(shape, degrees) {
+  const { ux, uy } = rect(0, 0, 1, 1, degrees, { degrees: true });
+  return { ...shape, ux, uy };
+}
 
 export const numbers = (shape) => (isPath(shape) ? shape.vertices : fields[shape.kind].map((name) => shape[name]));
 export const withNumbers = (kind, values) => ({

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The knife's edge: one number of B at contact and its 130 neighbours, asked exactly and as in textbooks.
 import { choice, html, svg } from '../element.mjs';
-import { toHex } from '../number.mjs';
-import { defaultScene } from '../scene.mjs';
-import { fieldsOf, moved, nameOf, withNumber } from '../shape.mjs';
+import { short, toHex } from '../number.mjs';
+import { board, draw, grid, View } from '../plane.mjs';
+import { exampleOf } from '../scene.mjs';
+import { fieldsOf, nameOf, withNumber, wordsOf } from '../shape.mjs';
+import { hexSwitch } from '../view.mjs';
 import { contact, neighbours } from './contact.mjs';
 import { double, float, overlap, recipe } from './textbook.mjs';
 
@@ -58,6 +60,7 @@ export class EdgeTab {
   #type = 'double';
   #field = null;
   #controls = html('div', { class: 'controls' });
+  #board = board('A and B at contact');
   #result = html('div', { class: 'result' });
 
   constructor(vesica, scene) {
@@ -67,26 +70,37 @@ export class EdgeTab {
       'div',
       {},
       html(
-        'p',
-        { class: 'lead' },
-        'Where shapes just touch, formulas that are right on paper give wrong answers in floating point. Bring A and B to contact by one number of B, and see the answers for the 65 neighbouring numbers on each side. A and B are those of the first tab.',
-      ),
-      this.#controls,
-      html(
         'div',
-        { class: 'row' },
+        { class: 'edge-head' },
+        html('div', { class: 'picture' }, this.#board),
         html(
-          'button',
-          { type: 'button', id: 'to-contact', click: () => this.#bring() },
-          'Bring B to contact, to the last place',
-        ),
-        html(
-          'button',
-          { type: 'button', id: 'edge-example', click: () => this.#example() },
-          'An example where textbooks fail',
+          'div',
+          {},
+          html(
+            'p',
+            { class: 'lead' },
+            'Where shapes just touch, formulas that are right on paper give wrong answers in floating point. Below is one cell for each neighbouring number of B, 65 on each side of contact.',
+          ),
+          this.#controls,
+          html(
+            'div',
+            { class: 'row' },
+            html(
+              'button',
+              { type: 'button', id: 'to-contact', click: () => this.#bring() },
+              'Bring B to contact, to the last place',
+            ),
+            html(
+              'button',
+              { type: 'button', id: 'edge-example', click: () => this.#example() },
+              'An example where textbooks fail',
+            ),
+          ),
+          html('p', { class: 'hint' }, 'A and B are chosen in the first tab; what you change is kept in all.'),
         ),
       ),
       this.#result,
+      hexSwitch('edge', scene),
     );
     scene.onChange(() => this.show());
     this.show();
@@ -103,7 +117,7 @@ export class EdgeTab {
       choice(
         'edge-field',
         'The number of B that changes',
-        names.map((name) => [name, name]),
+        names.map((name) => [name, wordsOf(this.#scene.b, name)]),
         this.#field,
         (name) => {
           this.#field = name;
@@ -127,12 +141,10 @@ export class EdgeTab {
     if (this.#scene.tab === 'edge') this.#compare();
   }
 
-  /** The default scene, moved so that contact is at a small number: its last place is finer than the others' rounding. */
   #example() {
-    const { a, b } = defaultScene();
     this.#field = 'cx';
     this.#type = 'double';
-    this.#scene.change({ a: moved(a, -2.57, 0), b: moved(b, -2.57, 0) });
+    this.#scene.change(exampleOf('edge'));
     this.#bring();
   }
 
@@ -142,20 +154,29 @@ export class EdgeTab {
     if (found !== null) this.#scene.change({ a: found.a, b: found.b });
   }
 
+  /** Both at contact. */
+  #show({ a, b }) {
+    const view = new View();
+    view.fit([a, b]);
+    this.#board.replaceChildren(grid(view), draw(view, a, { class: 'shape a' }), draw(view, b, { class: 'shape b' }));
+  }
+
   #compare() {
     const { a, b } = this.#scene,
       field = this.#field,
+      name = wordsOf(b, field),
       found = contact(this.#vesica, a, b, field, this.#type);
     if (found === null) {
       this.#result.replaceChildren(
         html(
           'p',
           { role: 'status' },
-          `No value of ${field} parts these two, or brings them together. Choose another number, or other shapes.`,
+          `No value of ${name} parts these two, or brings them together. Choose another number, or other shapes.`,
         ),
       );
       return;
     }
+    this.#show(found);
     const exact = found.cells.map((cell) => cell.exact);
     const textbook = (arithmetic) =>
       found.cells.map(({ value }) => overlap(arithmetic, found.a, withNumber(found.b, field, value)));
@@ -165,9 +186,9 @@ export class EdgeTab {
       html(
         'p',
         { role: 'status' },
-        `At ${field} = `,
-        html('code', { id: 'edge-value' }, toHex(found.value)),
-        ` the ${nameOf[found.a.kind]} and the ${nameOf[found.b.kind]} still touch; one last-place unit on, they do not.`,
+        `At ${name} ${short(found.value)} `,
+        html('code', { id: 'edge-value', class: 'hex' }, `${toHex(found.value)} `),
+        `the ${nameOf[found.a.kind]} and the ${nameOf[found.b.kind]} still touch; at the next number of type ${this.#type} they do not.`,
       ),
       html(
         'div',
@@ -186,7 +207,8 @@ export class EdgeTab {
       html(
         'p',
         { class: 'hint' },
-        `From left to right ${field} grows by one last-place unit of ${this.#type} a cell, from ${first} to ${last}: ${2 * neighbours + 1} numbers that a drawing cannot tell apart.`,
+        `From left to right ${name} grows by one last-place unit a cell, by about ${short(Math.abs(found.cells[1].value - found.cells[0].value), 4).replace('≈ ', '')}: ${2 * neighbours + 1} numbers that a drawing cannot tell apart. `,
+        html('code', { class: 'hex' }, `From ${first} to ${last}.`),
       ),
     );
   }

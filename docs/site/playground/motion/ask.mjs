@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The questions of motion, and the C that asks them.
-import { toHex } from '../number.mjs';
-import { argument, operand } from '../pair/answers.mjs';
+// The questions of motion, and the calls that ask them.
+import { list } from '../program.mjs';
 
 /** How near is near, where B turns. */
 export const tolerance = 1e-6;
@@ -12,18 +11,37 @@ export function firstContact(vesica, a, b, { vx, vy, angle }) {
   return vesica.impactTime(a, [0, 0, 0], b, [vx, vy, angle], tolerance);
 }
 
-/** As it stands it compiles inside a function, after #include <vesica.h>. */
-export function callOf(a, b, { vx, vy, angle }) {
-  const shapes = [operand(a, 'a'), operand(b, 'b'), 'vesica_impact_f64 out;'];
+/** What each language calls. */
+export function callsOf({ vx, vy, angle }) {
+  const way = list([vx, vy]);
   if (angle === 0) {
-    const call = `vesica_cast_f64(${argument(a, 'a')}, ${argument(b, 'b')}, ${toHex(vx)}, ${toHex(vy)}, 1, &out)`;
-    return [...shapes, `int32_t answer = ${call};`].join('\n');
+    const cpp = `vesica::cast(a, b, ${way}, 1)`,
+      python = `vesica.cast(a, b, (${way}), 1)`,
+      javascript = `vesica.cast(a, b, [${way}], { tEnd: 1 })`;
+    return {
+      c: {
+        before: ['vesica_impact_f64 out;'],
+        call: `vesica_cast(&a, &b, ${way}, 1, &out)`,
+        print: '"%.17g\\n", out.t',
+      },
+      cpp: { call: cpp, print: `"%.17g\\n", ${cpp}.t` },
+      python: { call: python, print: `${python}[1].t` },
+      javascript: { call: javascript, print: `${javascript}.t` },
+    };
   }
-  const turns = [
-    'const vesica_turn_f64 still = {0, 0, 0};',
-    `const vesica_turn_f64 turn = {${[vx, vy, angle].map(toHex).join(', ')}};`,
-    'double gap;',
-  ];
-  const call = `vesica_impact_time_f64(${argument(a, 'a')}, &still, ${argument(b, 'b')}, &turn, ${toHex(tolerance)}, &out, &gap)`;
-  return [...shapes, ...turns, `int32_t answer = ${call};`].join('\n');
+  const turn = list([vx, vy, angle]),
+    turns = (type) => [`const ${type} still = {0, 0, 0};`, `const ${type} turn = {${turn}};`];
+  const cpp = `vesica::impact_time(a, still, b, turn, ${tolerance})`,
+    python = `vesica.impact_time(a, (0, 0, 0), b, (${turn}), ${tolerance})`,
+    javascript = `vesica.impactTime(a, [0, 0, 0], b, [${turn}], ${tolerance})`;
+  return {
+    c: {
+      before: ['vesica_impact_f64 out;', ...turns('vesica_turn_f64'), 'double gap;'],
+      call: `vesica_impact_time(&a, &still, &b, &turn, ${tolerance}, &out, &gap)`,
+      print: '"%.17g\\n", out.t',
+    },
+    cpp: { before: turns('vesica::Turn<double>'), call: cpp, print: `"%.17g\\n", ${cpp}.impact.t` },
+    python: { call: python, print: `${python}[1].t` },
+    javascript: { call: javascript, print: `${javascript}.t` },
+  };
 }

@@ -5,10 +5,12 @@ import { copyButton, html, slider, svg } from '../element.mjs';
 import { short, toHex } from '../number.mjs';
 import { dot, draw, grid, polygon } from '../plane.mjs';
 import { isPath, turnedAbout } from '../path.mjs';
-import { defaultScene } from '../scene.mjs';
+import { programIn, shapesIn } from '../program.mjs';
+import { exampleOf } from '../scene.mjs';
 import { asKind, form, moved } from '../shape.mjs';
 import { Stage } from '../stage.mjs';
-import { callOf, firstContact, tolerance } from './ask.mjs';
+import { hexSwitch, languageSwitch } from '../view.mjs';
+import { callsOf, firstContact, tolerance } from './ask.mjs';
 
 const ghosts = 8;
 
@@ -53,6 +55,7 @@ export class MotionTab {
   #verdict = html('p', { class: 'verdict', role: 'status' });
   #told = html('ul', { class: 'answers' });
   #turn;
+  #code = html('pre', { tabindex: 0, 'aria-label': 'The shapes in code' });
 
   constructor(vesica, scene) {
     this.#vesica = vesica;
@@ -81,7 +84,7 @@ export class MotionTab {
         html(
           'p',
           { class: 'hint' },
-          'Drag V, where B’s centre goes, or the shapes. By keyboard: Tab to V, then arrow keys. A and B are those of the first tab.',
+          'Drag V, where B’s centre goes, or the shapes. By keyboard: Tab to V, then arrow keys. A and B are chosen in the first tab; what you change is kept in all.',
         ),
         html(
           'div',
@@ -92,7 +95,7 @@ export class MotionTab {
           copyButton('Copy the link to this motion', () => (scene.writeAddress(), location.href)),
         ),
       ),
-      html('div', { class: 'told' }, this.#told),
+      html('div', { class: 'told' }, languageSwitch('motion', scene), this.#told, this.#code, hexSwitch('motion', scene)),
     );
     this.#told.append(
       ...['answer', 't', 'place', 'normal', 'gap'].map((id) =>
@@ -102,7 +105,8 @@ export class MotionTab {
           html('span', { class: `swatch ${id}` }),
           html('span', { class: 'question' }),
           html('strong'),
-          html('code', { class: 'exact' }),
+          html('span', { class: 'detail' }),
+          html('code', { class: 'exact hex' }),
         ),
       ),
       html(
@@ -111,7 +115,7 @@ export class MotionTab {
         html('span', { class: 'swatch overlap' }),
         html('span', { class: 'question' }, 'The call'),
         html('code', { class: 'call', tabindex: 0 }),
-        copyButton('Copy the C call', () => this.#call()),
+        copyButton('Copy a program that asks this', () => this.#program()),
       ),
     );
     scene.onChange(() => scene.tab === 'motion' && this.show());
@@ -129,10 +133,8 @@ export class MotionTab {
     this.show();
   }
 
-  /** The default scene with B apart from A, on its way back. */
   #example() {
-    const { a, b } = defaultScene();
-    this.#scene.change({ a, b: moved(b, 3.5, 3), motion: { vx: -5, vy: -3.5, angle: 0 } });
+    this.#scene.change(exampleOf('motion'));
     this.#stage.fit();
     this.show();
   }
@@ -151,9 +153,9 @@ export class MotionTab {
     return this.#scene.change({ motion: { ...motion, vx: v.x - x, vy: v.y - y } });
   }
 
-  #call() {
-    const { a, b, motion } = this.#scene;
-    return callOf(a, b, motion);
+  #program() {
+    const { a, b, motion, language } = this.#scene;
+    return programIn(language, a, b, callsOf(motion));
   }
 
   show() {
@@ -213,20 +215,25 @@ export class MotionTab {
       turns = motion.angle !== 0;
     const place = (x, y) => (reached ? `(${short(x, 4)}, ${short(y, 4)})`.replaceAll('≈ ', '') : 'none');
     const hex = (...values) => (reached ? values.map(toHex).join(' ') : '');
-    const row = (id, question, value, exact) => {
+    const row = (id, question, value, detail, exact = '') => {
       const li = this.#told.querySelector(`#motion-${id}`);
       li.querySelector('.question').textContent = question;
       li.querySelector('strong').textContent = value;
+      li.querySelector('.detail').textContent = detail;
       li.querySelector('.exact').textContent = exact;
     };
     row('answer', 'Contact on the way?', found.outcome ?? 'none', turns ? 'proved, unless near' : 'exact');
-    row('t', turns ? 'No contact before t =' : 'First contact at t =', reached ? short(found.t) : 'none', hex(found.t));
-    row('place', 'Where?', place(found.x, found.y), hex(found.x, found.y));
-    row('normal', 'Normal from A to B', place(found.nx, found.ny), hex(found.nx, found.ny));
+    row('t', turns ? 'No contact before t =' : 'First contact at t =', reached ? short(found.t) : 'none', 'B starts at t = 0 and arrives at t = 1', hex(found.t));
+    row('place', 'Where?', place(found.x, found.y), '', hex(found.x, found.y));
+    const slope = Math.atan2(found.ny, found.nx),
+      towards = reached ? `towards ${short((slope * 180) / Math.PI, 4)}°`.replace('≈ ', '') : '';
+    row('normal', 'Normal from A to B', place(found.nx, found.ny), towards, hex(found.nx, found.ny));
     const gap = found.outcome === 'start' || !turns ? 0 : found.gap;
     row('gap', 'How far apart then, at most?', reached ? short(gap) : 'none', turns ? `within ${tolerance}, or said` : '');
     const call = this.#told.querySelector('#motion-call');
-    call.querySelector('.call').textContent = this.#call().split('\n').at(-1);
-    call.querySelector('.copy').dataset.call = this.#call();
+    const { a, b, language } = this.#scene;
+    call.querySelector('.call').textContent = callsOf(motion)[language].call;
+    call.querySelector('.copy').dataset.program = this.#program();
+    this.#code.textContent = shapesIn(language, a, b);
   }
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every question about two shapes: its answer in words and in full, and the C call that gives it.
+// Every question about two shapes: its answer in words and in full, and the call that gives it.
 import { short, toHex } from '../number.mjs';
 import { isPath } from '../path.mjs';
-import { numbers } from '../shape.mjs';
+import { camel } from '../program.mjs';
 
 const relationWords = {
   disjoint: 'disjoint',
@@ -17,13 +17,19 @@ const relationWords = {
 
 /** A place to look for on the picture. */
 const place = (x, y) => `(${short(x, 4)}, ${short(y, 4)})`.replaceAll('≈ ', '');
+/** A direction as an angle. */
+const degrees = (x, y) => `${short((Math.atan2(y, x) * 180) / Math.PI, 4)}°`.replace('≈ ', '');
 const closest = (found) => ({
   value: short(found.distance),
-  exact: `${toHex(found.distance)} between ${place(found.ax, found.ay)} and ${place(found.bx, found.by)}`,
+  detail: `between ${place(found.ax, found.ay)} and ${place(found.bx, found.by)}`,
+  exact: toHex(found.distance),
   found,
 });
 
-/** id, question, C function, the type of its out, and ask(vesica, a, b) -> { value, exact, found }. */
+/**
+ * id, question, C function, the type of its out, the part of it that is shown, and ask(vesica, a, b) -> { value, detail in
+ * words, exact in hexadecimal, found }.
+ */
 const questions = [
   {
     id: 'overlap',
@@ -31,7 +37,7 @@ const questions = [
     name: 'overlap',
     ask: (v, a, b) => {
       const found = v.overlap(a, b);
-      return { value: found ? 'yes' : 'no', exact: 'exact', found };
+      return { value: found ? 'yes' : 'no', detail: 'exact', found };
     },
   },
   {
@@ -40,7 +46,7 @@ const questions = [
     name: 'relation',
     ask: (v, a, b) => {
       const found = v.relation(a, b);
-      return { value: relationWords[found], exact: `exact: VESICA_${found.toUpperCase()}`, found };
+      return { value: relationWords[found], detail: `exact: ${found.toUpperCase()}`, found };
     },
   },
   {
@@ -48,6 +54,7 @@ const questions = [
     question: 'How far apart?',
     name: 'nearest',
     out: 'vesica_closest_points_f64',
+    part: '.distance',
     ask: (v, a, b) => closest(v.nearest(a, b)),
   },
   {
@@ -55,6 +62,7 @@ const questions = [
     question: 'How far apart are the outlines?',
     name: 'boundary_distance',
     out: 'vesica_closest_points_f64',
+    part: '.distance',
     ask: (v, a, b) => closest(v.boundaryDistance(a, b)),
   },
   {
@@ -62,9 +70,11 @@ const questions = [
     question: 'How far must B move to part?',
     name: 'depth',
     out: 'vesica_penetration_f64',
+    part: '.depth',
     ask: (v, a, b) => {
       const found = v.depth(a, b);
-      return { value: short(found.depth), exact: `${toHex(found.depth)} along ${place(found.x, found.y)}`, found };
+      const detail = found.depth > 0 ? `towards ${degrees(found.x, found.y)}, along ${place(found.x, found.y)}` : '';
+      return { value: short(found.depth), detail, exact: toHex(found.depth), found };
     },
   },
   {
@@ -79,7 +89,8 @@ const questions = [
       const also = found.shared ? ' and a shared stretch' : '';
       return {
         value: `${count} place${count === 1 ? '' : 's'}${also}`,
-        exact: found.places.map(({ x, y }) => place(x, y)).join(' ') || 'nowhere',
+        detail: found.places.map(({ x, y }) => place(x, y)).join(' ') || 'nowhere',
+        exact: found.places.map(({ x, y }) => `${toHex(x)} ${toHex(y)}`).join(', '),
         found,
       };
     },
@@ -101,39 +112,48 @@ const questions = [
     out: 'double',
     ask: (v, a, b) => {
       const found = v.iou(a, b);
-      return { value: short(found), exact: toHex(found), found };
+      return { value: short(found), detail: `${(100 * found).toFixed(1)}% of both together`, exact: toHex(found), found };
     },
   },
 ];
 
-/** A shape as C has it; the calls name a polygon's address. */
-export function operand(shape, letter) {
-  const list = `{${numbers(shape).map(toHex).join(', ')}}`;
-  if (!isPath(shape)) return `const double ${letter}[] = ${list};`;
-  const { rings } = shape;
-  return [
-    `const double ${letter}_xy[] = ${list};`,
-    `const int32_t ${letter}_rings[] = {${rings.join(', ')}};`,
-    `const vesica_${shape.kind}_f64 ${letter} = {${letter}_xy, ${letter}_xy + 1, 2 * sizeof(double), ${letter}_rings, ${rings.length - 1}};`,
-  ].join('\n');
-}
-export const argument = (shape, letter) => `VESICA_${shape.kind.toUpperCase()}, ${isPath(shape) ? '&' : ''}${letter}`;
-
-/** The C that gives an answer; as it stands it compiles inside a function, after #include <vesica.h>. */
-export function callOf({ name, out, room }, a, b) {
-  const declared = room === undefined ? [`${out} out;`] : [`${out} out[${room}];`, 'int32_t shared;'];
-  return [
-    operand(a, 'a'),
-    operand(b, 'b'),
-    ...(out === undefined ? [] : declared),
-    `int32_t answer = ${room === undefined ? '' : '(int32_t)'}${brief({ name, out, room }, a, b)};`,
-  ].join('\n');
-}
-
-/** The last line of the call, without the shapes' numbers. */
-export function brief({ name, out, room }, a, b) {
-  const result = out === undefined ? '' : room === undefined ? ', &out' : `, out, ${room}, &shared`;
-  return `vesica_${name}_f64(${argument(a, 'a')}, ${argument(b, 'b')}${result})`;
+/** What each language calls for a question, and what of the answer its program prints. */
+export function callsOf({ name, out, room, part = '' }, a, b) {
+  const result = out === undefined ? '' : room === undefined ? ', &out' : `, out, ${room}, &shared`,
+    call = `vesica_${name}(&a, &b${result})`;
+  const plain = `vesica::${name}(a, b)`,
+    python = `vesica.${name}(a, b)`,
+    javascript = `vesica.${camel(name)}(a, b)`;
+  if (room !== undefined) {
+    const pathInCpp = isPath(a) || isPath(b),
+      checked = `vesica::${name}_or_error(a, b, out, ${room}, shared)`;
+    return {
+      c: { before: [`${out} out[${room}];`, 'int32_t shared;'], type: 'int64_t', call, print: '"%d\\n", (int)answer' },
+      cpp: pathInCpp
+        ? {
+            before: [`vesica::Point<double> out[${room}];`, 'bool shared;'],
+            call: checked,
+            print: `"%d\\n", static_cast<int>(${checked})`,
+          }
+        : { call: plain, print: `"%d\\n", ${plain}.count` },
+      python: { call: python, print: `len(${python}.places)` },
+      javascript: { call: javascript, print: `${javascript}.places.length` },
+    };
+  }
+  if (out === undefined) {
+    return {
+      c: { call, print: '"%d\\n", answer' },
+      cpp: { call: plain, print: `"%d\\n", static_cast<int>(${plain})` },
+      python: { call: python, print: name === 'relation' ? `${python}.name` : python },
+      javascript: { call: javascript, print: javascript },
+    };
+  }
+  return {
+    c: { before: [`${out} out;`], call, print: `"%.17g\\n", out${part}` },
+    cpp: { call: plain, print: `"%.17g\\n", ${plain}${part}` },
+    python: { call: python, print: `${python}${part}` },
+    javascript: { call: javascript, print: `${javascript}${part}` },
+  };
 }
 
 /** All answers about a and b. What the library refuses is an answer in its own words. */
@@ -143,7 +163,7 @@ export function answersTo(vesica, a, b) {
       return { ...question, ...question.ask(vesica, a, b) };
     } catch (error) {
       if (error.code === undefined) throw error;
-      return { ...question, value: 'none', exact: error.message, found: null };
+      return { ...question, value: 'none', detail: error.message, found: null };
     }
   });
 }

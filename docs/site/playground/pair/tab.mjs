@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The tab of two shapes: a picture with handles, the numbers, and every answer with its call.
 import { choice, copyButton, html } from '../element.mjs';
-import { beside, fromText, toHex } from '../number.mjs';
+import { beside, fromText, short, toHex } from '../number.mjs';
 import { isPath } from '../path.mjs';
-import { asKind, choiceOf, choices, fieldsOf, numberOf, withNumber } from '../shape.mjs';
+import { programIn, shapesIn } from '../program.mjs';
+import { angleOf, asKind, choiceOf, choices, fieldsOf, numberOf, withAngle, withNumber, wordsOf } from '../shape.mjs';
 import { Stage } from '../stage.mjs';
-import { answersTo, brief, callOf, found } from './answers.mjs';
+import { hexSwitch, languageSwitch } from '../view.mjs';
+import { answersTo, callsOf, found } from './answers.mjs';
 import { picture } from './picture.mjs';
 
 export class PairTab {
@@ -15,6 +17,7 @@ export class PairTab {
   #answers = html('ul', { class: 'answers' });
   #verdict = html('p', { class: 'verdict', role: 'status' });
   #numbers = { a: html('div'), b: html('div') };
+  #code = html('pre', { tabindex: 0, 'aria-label': 'The shapes in code' });
   #error = html('p', { class: 'error', role: 'alert', hidden: true });
 
   constructor(vesica, scene) {
@@ -48,7 +51,15 @@ export class PairTab {
         ),
         this.#error,
       ),
-      html('div', { class: 'told' }, this.#answers),
+      html(
+        'div',
+        { class: 'told' },
+        languageSwitch('two', scene),
+        this.#answers,
+        html('p', { class: 'hint' }, 'with these shapes; “copy” takes a whole program:'),
+        this.#code,
+        hexSwitch('two', scene),
+      ),
       html('div', { class: 'shapes' }, this.#editor('a'), this.#editor('b')),
     );
     scene.onChange(() => this.show());
@@ -73,6 +84,7 @@ export class PairTab {
     this.#verdict.textContent = `${found(answers, 'overlap') ? 'They overlap' : 'They do not overlap'}${relation}.`;
     this.#verdict.classList.toggle('hit', found(answers, 'overlap'));
     this.#showAnswers(answers);
+    this.#code.textContent = shapesIn(this.#scene.language, a, b);
     this.#showNumbers('a');
     this.#showNumbers('b');
   }
@@ -110,13 +122,45 @@ export class PairTab {
     if (box.dataset.kind !== key) {
       box.dataset.kind = key;
       box.className = isPath(shape) ? 'corners' : '';
-      box.replaceChildren(...names.map((field) => this.#number(name, field)));
+      box.replaceChildren(
+        ...names.flatMap((field) => [this.#number(name, field), ...(field === 'uy' ? [this.#angle(name)] : [])]),
+      );
     }
-    for (const input of box.querySelectorAll('input')) {
+    const angle = box.querySelector(`#number-${name}-angle`);
+    if (angle !== null && document.activeElement !== angle) angle.value = short(angleOf(shape)).replace('≈ ', '');
+    for (const input of box.querySelectorAll('input[data-field]')) {
       const value = numberOf(shape, input.dataset.field);
       if (document.activeElement !== input || fromText(input.value) !== value) input.value = String(value);
       input.nextSibling.textContent = toHex(value);
     }
+  }
+
+  /** What was typed, if it is a number. */
+  #typed(input, set) {
+    const value = fromText(input.value);
+    if (!Number.isNaN(value)) return void set(value);
+    this.#error.hidden = false;
+    this.#error.textContent = `Not taken: “${input.value}” is no number, neither decimal nor as 0x1.8p+1.`;
+  }
+
+  /** The axis as an angle in degrees; arrow keys turn by one. */
+  #angle(name) {
+    const id = `number-${name}-angle`,
+      set = (value) => this.#change({ [name]: withAngle(this.#scene[name], value) });
+    const input = html('input', {
+      id,
+      inputmode: 'decimal',
+      autocomplete: 'off',
+      change: () => this.#typed(input, set),
+      keydown: (event) => {
+        const way = { ArrowUp: 1, ArrowDown: -1 }[event.key];
+        if (way === undefined) return;
+        event.preventDefault();
+        set(angleOf(this.#scene[name]) + way);
+        input.value = short(angleOf(this.#scene[name])).replace('≈ ', '');
+      },
+    });
+    return html('div', { class: 'number' }, html('label', { for: id }, 'angle in °'), input);
   }
 
   #number(name, field) {
@@ -128,15 +172,7 @@ export class PairTab {
       inputmode: 'decimal',
       spellcheck: 'false',
       autocomplete: 'off',
-      change: () => {
-        const value = fromText(input.value);
-        if (Number.isNaN(value)) {
-          this.#error.hidden = false;
-          this.#error.textContent = `Not taken: “${input.value}” is no number, neither decimal nor as 0x1.8p+1.`;
-        } else {
-          set(value);
-        }
-      },
+      change: () => this.#typed(input, set),
       keydown: (event) => {
         const way = { ArrowUp: 1, ArrowDown: -1 }[event.key];
         if (way === undefined) return;
@@ -146,26 +182,26 @@ export class PairTab {
         input.value = String(numberOf(this.#scene[name], field));
       },
     });
-    return html('div', { class: 'number' }, html('label', { for: id }, field), input, html('code', {}));
+    const label = html('label', { for: id }, wordsOf(this.#scene[name], field));
+    return html('div', { class: 'number' }, label, input, html('code', { class: 'hex' }));
   }
 
   // ---- Answers ----
 
   #showAnswers(answers) {
-    const { a, b } = this.#scene;
+    const { a, b, language } = this.#scene;
     if (this.#answers.childElementCount === 0) {
       this.#answers.append(
         ...answers.map((answer) => {
-          const copy = copyButton(`Copy the C call of: ${answer.question}`, () =>
-            callOf(answer, this.#scene.a, this.#scene.b),
-          );
+          const copy = copyButton(`Copy a program that asks: ${answer.question}`, () => this.#program(answer));
           return html(
             'li',
             { id: `answer-${answer.id}` },
             html('span', { class: `swatch ${answer.id}` }),
             html('span', { class: 'question' }, answer.question),
             html('strong'),
-            html('code', { class: 'exact' }),
+            html('span', { class: 'detail' }),
+            html('code', { class: 'exact hex' }),
             html('code', { class: 'call', tabindex: 0 }),
             copy,
           );
@@ -175,9 +211,15 @@ export class PairTab {
     for (const answer of answers) {
       const row = this.#answers.querySelector(`#answer-${answer.id}`);
       row.querySelector('strong').textContent = answer.value;
-      row.querySelector('.exact').textContent = answer.exact;
-      row.querySelector('.call').textContent = brief(answer, a, b);
-      row.querySelector('.copy').dataset.call = callOf(answer, a, b);
+      row.querySelector('.detail').textContent = answer.detail ?? '';
+      row.querySelector('.exact').textContent = answer.exact ?? '';
+      row.querySelector('.call').textContent = callsOf(answer, a, b)[language].call;
+      row.querySelector('.copy').dataset.program = this.#program(answer);
     }
+  }
+
+  #program(answer) {
+    const { a, b, language } = this.#scene;
+    return programIn(language, a, b, callsOf(answer, a, b));
   }
 }
