@@ -30,6 +30,12 @@ PAGES = [
     ("motion", ROOT / "docs/motion.md", "shapes that move"),
     ("cuda", ROOT / "docs/cuda.md", "at compile time and on a GPU"),
     ("hosts", ROOT / "docs/hosts.md", "from other languages"),
+    ("python", ROOT / "bindings/python/README.md", "Python"),
+    ("javascript", ROOT / "bindings/javascript/README.md", "JavaScript"),
+    ("rust", ROOT / "bindings/rust/vesica/README.md", "Rust"),
+    ("go", ROOT / "bindings/go/README.md", "Go"),
+    ("java", ROOT / "bindings/java/README.md", "Java"),
+    ("csharp", ROOT / "bindings/csharp/README.md", "C#"),
     ("platforms", ROOT / "docs/platforms.md", "platforms"),
     ("abi", ROOT / "capi/ABI.md", "what may change, and when"),
 ]
@@ -41,7 +47,11 @@ TOP = [
 ALL = {
     "Begin": [
         ("playground/", "Playground"), ("guide.html", "Guide"), ("functions.html", "Which function?"),
-        ("cookbook.html", "Cookbook"), ("recipes.html", "Recipes"), ("hosts.html", "Languages"),
+        ("cookbook.html", "Cookbook"), ("recipes.html", "Recipes"),
+    ],
+    "Languages": [
+        ("python.html", "Python"), ("javascript.html", "JavaScript"), ("rust.html", "Rust"), ("go.html", "Go"),
+        ("java.html", "Java"), ("csharp.html", "C#"), ("hosts.html", "Others"),
     ],
     "By task": [
         ("detection.html", "Detection and tracking"), ("planning.html", "Robots and vehicles"),

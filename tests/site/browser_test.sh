@@ -12,7 +12,7 @@ cd "$work"
 npm install --silent --no-audit --no-fund
 VESICA_CHROMIUM=$(command -v chromium)
 root=$(cd "$here/../.." && pwd)
-export VESICA_PYTHON=$root/bindings/python VESICA_JAVASCRIPT=$root/bindings/javascript PYTHONPATH=
+export VESICA_PYTHON=$root/bindings/python VESICA_JAVASCRIPT=$root/bindings/javascript
 /usr/bin/python3 -B "$root/bindings/declare" python
 export VESICA_CHROMIUM VESICA_SITE=$3 VESICA_ORACLE=$4 VESICA_PICTURES=$here/../../docs/pictures VESICA_FLAGS="${flags[*]}"
 node --test --test-concurrency=1
