@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # build.sh OUT [TARGET...]: builds the library for each target (targets.sh; all four unless told) and packs it into OUT
 # (pack.sh). Then, elsewhere, programs in C are compiled against what was packed, by pkg-config and by CMake, and give
-# the answers that bindings are tested with: on this processor, or under qemu-user.
+# the answers that bindings are tested with, and vesica-join finds pairs: on this processor, or under qemu-user.
 # shellcheck disable=SC2154
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -29,11 +29,15 @@ check() {
   [ "$libc" = gnu ] || compiler+=("-specs=$work/build/musl-gcc.specs")
   "${compiler[@]}" -std=c99 -O2 -o "$work/vectors" "$root/bindings/small/c/vectors.c" "${flags[@]}" -lm
   run "$prefix/lib" "$work/vectors" "$root/bindings/vectors/vectors.txt"
+
+  printf 'id,cx,cy,r\na,0,0,1\nb,2,0,1\n' >"$work/circles.csv"
+  [ "$("${emulator[@]}" "$prefix/bin/vesica-join" --threads 3 --quiet --no-header --id id "$work/circles.csv")" = a,b ]
 }
 
 built=$("$root/packaging/linux/library.sh" "${@:2}")
 while read -r target tree; do
-  packed=$("$root/packaging/linux/pack.sh" "$tree" "$target" "$out")
+  program=$("$root/packaging/linux/program.sh" "${target%-*}")
+  packed=$("$root/packaging/linux/pack.sh" "$tree" "$target" "$out" "$program")
   (check "$target" "$packed") </dev/null
   echo "$packed"
 done <<<"$built"

@@ -13,7 +13,9 @@ export CFLAGS=-ffile-prefix-map=$root/= CXXFLAGS=-ffile-prefix-map=$root/=
 build() {
   # shellcheck source=/dev/null
   . "$root/packaging/linux/targets.sh"
-  cmake -S "$root" -B "$2" -G Ninja -DCMAKE_BUILD_TYPE=Release -DVESICA_PROGRAMS=OFF "${toolchain[@]}"
+  # The programs are program.sh's.
+  cmake -S "$root" -B "$2" -G Ninja -DCMAKE_BUILD_TYPE=Release "${toolchain[@]}" \
+    "-DVESICA_PROGRAMS=$([ "$libc" = musl ] && echo ON || echo OFF)" -DVESICA_STATIC_PROGRAMS=ON
   cmake --build "$2" --target vesica vesica_methods
   local library
   for library in "$2"/capi/libvesica{,-methods}.so; do
