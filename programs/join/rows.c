@@ -100,7 +100,7 @@ static int divide(struct rows* rows, int64_t begin) {
     rows->pieces[i].begin = begin + i * piece_bytes;
     rows->pieces[i].end = i + 1 < rows->count ? begin + (i + 1) * piece_bytes : size;
   }
-  if (rows->quotes) run_parts(rows->source->threads, rows->source->path, rows->count, count_in_piece, rows);
+  if (rows->quotes) run_parts(rows->source->threads, shown_path(rows->source), rows->count, count_in_piece, rows);
   settle_pieces(rows);
   return 1;
 }
@@ -188,7 +188,7 @@ int read_rows(struct source* source, int64_t begin, int64_t line, int quotes, co
               enum meaning (*read)(const void* context, struct row* row)) {
   struct rows rows = {source, line, quotes, context, read, NULL, 0};
   int good = divide(&rows, begin);
-  if (good) run_parts(source->threads, source->path, rows.count, read_piece, &rows);
+  if (good) run_parts(source->threads, shown_path(source), rows.count, read_piece, &rows);
   good = good && report(&rows) && merge(&rows);
   free(rows.pieces);
   return good || refuse_source(source, "out of memory, or too many vertices");

@@ -8,7 +8,7 @@
 
 #include "progress.h"
 
-static const char* shown_path(const struct source* source) {
+const char* shown_path(const struct source* source) {
   return strcmp(source->path, "-") == 0 ? "standard input" : source->path;
 }
 

@@ -39,6 +39,9 @@ int take_shape(struct source* source, const struct shape* shape);
 __attribute__((format(printf, 3, 4))) void complain_of_shape(struct source* source, const struct fault* fault,
                                                              const char* where, ...);
 
+/// The path as messages have it.
+const char* shown_path(const struct source* source);
+
 /// For readers: says why the file cannot be used, and returns 0.
 int refuse_source(const struct source* source, const char* reason);
 
