@@ -10,7 +10,7 @@ esac
 if [ -z "$found" ]; then
   root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
   cmake -S "$root" -B "$2" -DCMAKE_BUILD_TYPE=Release "-DBUILD_SHARED_LIBS=$shared" >&2
-  cmake --build "$2" --target vesica --parallel >&2
+  cmake --build "$2" --target vesica --parallel "$(getconf _NPROCESSORS_ONLN)" >&2
   found=$2/capi
 fi
 echo "$found"

@@ -60,7 +60,9 @@ fn build() -> PathBuf {
         .arg("-B")
         .arg(&to)
         .args(["-DCMAKE_BUILD_TYPE=Release", "-DBUILD_SHARED_LIBS=OFF"]));
-    run(Command::new("cmake").arg("--build").arg(&to).args(["--target", "vesica", "--parallel"]));
+    // Without a number, make starts all compilers at once.
+    let jobs = env::var("NUM_JOBS").unwrap_or_else(|_| "1".into());
+    run(Command::new("cmake").arg("--build").arg(&to).args(["--target", "vesica", "--parallel", &jobs]));
     println!("cargo:rerun-if-changed={}", sources.join("src").display());
     println!("cargo:rerun-if-changed={}", sources.join("capi").display());
     println!("cargo:rerun-if-changed={}", sources.join("include").display());
