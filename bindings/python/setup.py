@@ -32,7 +32,8 @@ class BuildWithLibrary(build_py):
         build = build_folder(self)
         if "VESICA_BUILD" not in os.environ:
             subprocess.check_call(["cmake", "-S", REPOSITORY, "-B", build, "-DCMAKE_BUILD_TYPE=Release"])
-            subprocess.check_call(["cmake", "--build", build, "--target", "vesica", "--parallel", str(os.cpu_count() or 1)])
+            jobs = str(os.cpu_count() or 1)
+            subprocess.check_call(["cmake", "--build", build, "--target", "vesica", "--parallel", jobs])
         library = pathlib.Path(self.build_lib, "vesica", "libvesica.so.0")
         shutil.copy(build / "capi" / library.name, library)
         subprocess.check_call([os.environ.get("STRIP", "strip"), "--strip-unneeded", library])
