@@ -36,7 +36,7 @@ check() {
 
 built=$("$root/packaging/linux/library.sh" "${@:2}")
 while read -r target tree; do
-  program=$("$root/packaging/linux/program.sh" "${target%-*}")
+  program=$("$root/packaging/linux/program.sh" "${target%-*}" </dev/null)
   packed=$("$root/packaging/linux/pack.sh" "$tree" "$target" "$out" "$program")
   (check "$target" "$packed") </dev/null
   echo "$packed"
