@@ -110,7 +110,11 @@ check("mixed kinds", expected, pairs("mixed kinds", a, b))
 check("of one file", expected_self, pairs("of one file", a))
 c = write("c.csv", "kind,a0,a1\r\n# comment\r\n\r\n" + text(shapes_a, ",", " # comment\r\n").rstrip())
 check("CR LF, commas, comments, names of columns, no last line end", expected, pairs("CR LF", c, b))
-check("byte order mark", expected, pairs("byte order mark", write("m.txt", b"\xef\xbb\xbf" + text(shapes_a).encode()), b))
+check(
+    "byte order mark",
+    expected,
+    pairs("byte order mark", write("m.txt", b"\xef\xbb\xbf" + text(shapes_a).encode()), b),
+)
 
 # ---- Other questions ----------------------------------------------------------------------------------------------
 nested = write("nested.txt", "point 1 1\ncircle 0 0 9\naabb -1 -1 2 2\npoint 1 1\ncircle 8 8 4\n")
@@ -149,8 +153,16 @@ more = write(
     "MULTIPOINT (1 1, 4 4)\nMULTIPOINT ((2.5 2.5), (7 7))\nMultiPoint Z ((4 0 9))\n"
     "polygon 0 0 8 0 8 8\npolyline 0 -1, 4 -1, 4 4\n",
 )
-check("points, and vertices in words", [(0, 0), (1, 2), (2, 5), (3, 0), (3, 1), (3, 2), (3, 5), (4, 1), (4, 5)], pairs("more", more, spots))
-check("vertices alone", [(0, 0), (0, 2)], pairs("vertices alone", write("alone.txt", "0 0 1 1 3 3\n"), known_spots, "--kind", "polyline"))
+check(
+    "points, and vertices in words",
+    [(0, 0), (1, 2), (2, 5), (3, 0), (3, 1), (3, 2), (3, 5), (4, 1), (4, 5)],
+    pairs("more", more, spots),
+)
+check(
+    "vertices alone",
+    [(0, 0), (0, 2)],
+    pairs("vertices alone", write("alone.txt", "0 0 1 1 3 3\n"), known_spots, "--kind", "polyline"),
+)
 boxes = [draw("aabb", rng) for _ in range(80)]
 alone = write("alone.csv", "min_x,min_y,max_x,max_y\n" + "".join(",".join(map(str, n)) + "\n" for _, n in boxes))
 check("numbers alone", all_pairs(boxes), pairs("numbers alone", "--kind", "aabb", alone))
@@ -173,7 +185,11 @@ check("padded records", [(0, 1)], pairs("padded records", "aligned.npy"))
 numpy.save("tenth.npy", numpy.array([[0.1, 0.1]], "f4"))
 wide = write("wide.txt", f"point {float(numpy.float32(0.1))!r} {float(numpy.float32(0.1))!r}\npoint 0.1 0.1\n")
 check("floats", [], pairs("floats", "tenth.npy", write("narrow.txt", "0.1 0.1"), "--kind", "point"))
-check("floats, wide", [(0, 0)], pairs("wide", "tenth.npy", write("wide.csv", open(wide).read().replace("point ", "")), "--kind", "point"))
+check(
+    "floats, wide",
+    [(0, 0)],
+    pairs("wide", "tenth.npy", write("wide.csv", open(wide).read().replace("point ", "")), "--kind", "point"),
+)
 
 # Polygons in arrays: quads, and vertices with offsets.
 quads = numpy.array([[[0, 0], [8, 0], [8, 8], [0, 8]], [[20, 0], [21, 0], [21, 1], [20, 1]], [[9, 9], [9, 9], [9, 9], [9, 9]]], "f4")
@@ -191,10 +207,18 @@ for dtype in ("<i4", "<i8", ">i4", "<u4"):
     numpy.save("parts.npy", numpy.array([0, 2, 3, 4], dtype))
     numpy.save("zones.npy", numpy.array([0, 1, 3], dtype))
     numpy.save("sole.npy", numpy.array([0, 2, 4], dtype))
-    check(f"rings of {dtype}", [(0, 0), (0, 1), (0, 2), (0, 5), (1, 1), (1, 2), (2, 3), (3, 1)], pairs("rings", "vertices.npy,rings.npy", spots))
+    check(
+        f"rings of {dtype}",
+        [(0, 0), (0, 1), (0, 2), (0, 5), (1, 1), (1, 2), (2, 3), (3, 1)],
+        pairs("rings", "vertices.npy,rings.npy", spots),
+    )
     check(f"zones of {dtype}", of_zones[:4], pairs("two arrays", "vertices.npy,rings.npy,sole.npy", spots))
     check(f"three arrays of {dtype}", of_zones[:4], pairs("three", "vertices.npy,rings.npy,parts.npy,zones.npy", spots))
-check("lines by offsets", [(0, 5)], pairs("lines by offsets", "vertices.npy,rings.npy", known_spots, "--kind", "polyline"))
+check(
+    "lines by offsets",
+    [(0, 5)],
+    pairs("lines by offsets", "vertices.npy,rings.npy", known_spots, "--kind", "polyline"),
+)
 
 # ---- GeoJSON ------------------------------------------------------------------------------------------------------
 geometries = [
@@ -260,7 +284,7 @@ for empty in (write("empty.txt", ""), write("comments.txt", "# nothing\n\n")):
         check(f"{files}", [], pairs(f"{files}", *files))
 check("an array of no rows", [], pairs("no rows", "none.npy", "--kind", "circle"))
 
-# ---- Bad shapes: named by their line, and skipped only when that is asked for; others keep their numbers ------------
+# ---- Bad shapes: named by their line, and skipped only when that is asked for; others keep their numbers -----------
 bad = write("bad.txt", "point 0 0\ncircle 0 0 -1\nsquare 1 2\npoint 0\npoint 0 0 0\npoint nan 0\npoint 0 0\n")
 complaints = """bad.txt:2: shape A (circle) is invalid: a size is negative
 bad.txt:3: shape A: unknown kind 'square'
@@ -303,7 +327,7 @@ complaint = "bad.npy: row 3: shape A (circle) is invalid: a size is negative\n"
 refused("a bad row", complaint + skipping, "bad.npy", "--kind", "circle")
 check("rows left", 6, len(pairs("rows left", "bad.npy", "--kind", "circle", "--skip-bad")))
 
-# ---- Tables ---------------------------------------------------------------------------------------------------------
+# ---- Tables --------------------------------------------------------------------------------------------------------
 known_pairs = pairs("a table's shapes as lines", write("lines.txt", "circle 0 0 2\ncircle 9 9 1\ncircle 1 1 1\n"))
 check("a table's shapes as lines", [(0, 2)], known_pairs)
 table = "id,cx,name,cy,r\nx,0,none,0,2\ny,9,\"a, b\",9,1\n\"z \"\"3\"\"\",1,\"two\nlines\",1,1\n"
@@ -319,7 +343,11 @@ for what, content in (
     circles = write("circles.csv", content)
     check(what, known_pairs, pairs(what, circles))
     check(f"{what}: ids", (0, 'a_id,b_id\nx,"z ""3"""\n'), run("--id", "id", circles)[:2])
-check("--delimiter", known_pairs, pairs("--delimiter", "--delimiter=|", write("bars.csv", table.replace("a, b", "ab").replace(",", "|"))))
+check(
+    "--delimiter",
+    known_pairs,
+    pairs("--delimiter", "--delimiter=|", write("bars.csv", table.replace("a, b", "ab").replace(",", "|"))),
+)
 own = write("own.csv", "e,n,radius\n0,0,2\n9,9,1\n1,1,1\n")
 check("own names", known_pairs, pairs("own names", "--shape", "cx=e,cy=n,r=radius", own))
 check("own names by kind", known_pairs, pairs("by kind", "--shape=e,n,radius", "--kind=circle", own))
@@ -329,17 +357,45 @@ check("well-known text in a table", [(0, 3)], pairs("text", "--shape", "Shape", 
 check("its ids", (0, "7,10\n"), run("--shape=Shape", "--id=ID", "--no-header", "text.csv")[:2])
 check("by its usual name", [(0, 3)], pairs("usual", write("usual.csv", in_text.replace("Shape", "WKT"))))
 write("one.csv", "wkt,ID\nPOINT(8 8),\n")
-check("ids of one file", (0, "a_id,b_from_0\n7,0\n"), run("text.csv", "one.csv", "--shape=Shape", "--shape=wkt", "--id=ID", "--id=")[:2])
+check(
+    "ids of one file",
+    (0, "a_id,b_from_0\n7,0\n"),
+    run("text.csv", "one.csv", "--shape=Shape", "--shape=wkt", "--id=ID", "--id=")[:2],
+)
 # Rectangles by full size and angle: 4 x 2, a quarter turn of it, and the same upright.
 boxes_by_angle = "cx,cy,w,h,angle_deg\n0,0,4,2,0\n0,0,4,2,90\n0,0,2,4,0\n"
 corners = write("corners.txt", "point 2 1\npoint 1 2\npoint 2.0000000000000004 1\npoint 1 -2\n")
-check("degrees", [(0, 0), (1, 1), (1, 3), (2, 1), (2, 3)], pairs("degrees", write("boxes.csv", boxes_by_angle), corners))
-check("reversed columns", [(0, 0), (1, 1), (1, 3), (2, 1), (2, 3)], pairs("reversed", "--shape", "angle_deg,h,w,cy,cx", "--shape=", "boxes.csv", corners))
-check("upright", [(0, 0), (1, 0), (2, 1), (2, 3)], pairs("upright", "--shape=cx,cy,w,h", "--shape=", "boxes.csv", corners))
-check("half a turn in radians", [(0, 0), (0, 2)], pairs("radians", write("radians.csv", "cx,cy,w,h,angle\n0,0,4.1,2.1,3.141592653589793\n"), corners))
-check("ellipses", [(0, 0)], pairs("ellipses", write("ellipses.csv", "cx,cy,a,b,angle_deg\n0,0,4,2,90\n"), write("on.txt", "point 0 4\npoint 4 0\n")))
+check(
+    "degrees",
+    [(0, 0), (1, 1), (1, 3), (2, 1), (2, 3)],
+    pairs("degrees", write("boxes.csv", boxes_by_angle), corners),
+)
+check(
+    "reversed columns",
+    [(0, 0), (1, 1), (1, 3), (2, 1), (2, 3)],
+    pairs("reversed", "--shape", "angle_deg,h,w,cy,cx", "--shape=", "boxes.csv", corners),
+)
+check(
+    "upright",
+    [(0, 0), (1, 0), (2, 1), (2, 3)],
+    pairs("upright", "--shape=cx,cy,w,h", "--shape=", "boxes.csv", corners),
+)
+check(
+    "half a turn in radians",
+    [(0, 0), (0, 2)],
+    pairs("radians", write("radians.csv", "cx,cy,w,h,angle\n0,0,4.1,2.1,3.141592653589793\n"), corners),
+)
+check(
+    "ellipses",
+    [(0, 0)],
+    pairs("ellipses", write("ellipses.csv", "cx,cy,a,b,angle_deg\n0,0,4,2,90\n"), write("on.txt", "point 0 4\npoint 4 0\n")),
+)
 numpy.save("boxes.npy", numpy.array([[0, 0, 4, 2, 0], [0, 0, 4, 2, 90.0]]))
-check("degrees in an array", [(0, 0), (1, 1), (1, 3)], pairs("array", "--shape=cx,cy,w,h,angle_deg", "--shape=", "boxes.npy", corners))
+check(
+    "degrees in an array",
+    [(0, 0), (1, 1), (1, 3)],
+    pairs("array", "--shape=cx,cy,w,h,angle_deg", "--shape=", "boxes.npy", corners),
+)
 for complaint, content, *arguments in (
     (":3: column 'r': 'big' is not a number", "cx,cy,r\n0,0,1\n0,0,big\n"),
     (":3: column 'r' is empty", "cx,cy,r\n0,0,1\n0,0,\n"),
@@ -365,7 +421,7 @@ for complaint, content, *arguments in (
     name = write("bad.csv", content)
     refused(complaint, f"bad.csv{complaint}\n" + (skipping if complaint[1].isdigit() else ""), name, *arguments)
 
-# ---- Ids of GeoJSON -----------------------------------------------------------------------------------------------------
+# ---- Ids of GeoJSON ------------------------------------------------------------------------------------------------
 def feature(geometry, properties, **others):
     return {"type": "Feature", "geometry": geometry, "properties": properties, **others}
 
@@ -379,11 +435,15 @@ collection = {"type": "FeatureCollection", "features": [
 for ascii_only in (True, False):
     write("ids.json", json.dumps(collection, ensure_ascii=ascii_only))
     check("ids of features", (0, "a_id,b_id\n5,six\n"), run("--id", "id", "ids.json")[:2])
-    check("ids of properties", (0, 'a_id,b_id\n"Z\u00fcrich, ""\U0001f600""\n",2.5\n'), run("--id", "name", "ids.json")[:2])
+    check(
+        "ids of properties",
+        (0, 'a_id,b_id\n"Z\u00fcrich, ""\U0001f600""\n",2.5\n'),
+        run("--id", "name", "ids.json")[:2],
+    )
 refused("no id", "noid.json: shape 0: no 'name' in its feature\n", "--id=name", write("noid.json", json.dumps(feature(spot, {}))))
 refused("ids of an array", "quads.npy: --id: arrays have none\n", "--id=name", "quads.npy")
 
-# ---- Distances ------------------------------------------------------------------------------------------------------------
+# ---- Distances -----------------------------------------------------------------------------------------------------
 def measured(one, other):
     a, b = ((ctypes.c_double * len(numbers))(*numbers) for _, numbers in (one, other))
     out = (ctypes.c_double * 8)()
@@ -419,15 +479,23 @@ for count, most in ((1, 1e9), (4, 2.0), (1000, 1e9)):
     for rows, files in ((distances, (one, two)), ([[measured(p, q) for q in plain] for p in plain], (one,))):
         expected = list(neighbours(rows, count, most, len(files) == 1))
         found = nearest(f"{count} nearest", "--nearest", str(count), f"--within={most}", *files)
-        check(f"{count} nearest: distances", sorted((i, d) for i, _, d in expected), sorted((i, d) for i, _, d in found))
+        check(
+            f"{count} nearest: distances",
+            sorted((i, d) for i, _, d in expected),
+            sorted((i, d) for i, _, d in found),
+        )
         check(f"{count} nearest: shapes", [], [each for each in found if rows[each[0]][each[1]] != each[2]])
         check(f"{count} nearest: twice", len(found), len({each[:2] for each in found}))
 
-# ---- Standard input, and where output goes ----------------------------------------------------------------------------------
+# ---- Standard input, and where output goes -------------------------------------------------------------------------
 for name in (a, circles, "numbered.json", "aligned.npy"):
     with open(name, "rb") as file:
         expected_output = run(name, b)[1]
-        check(f"{name} on standard input", expected_output, subprocess.run([sys.argv[1], "-", b], stdin=file, capture_output=True, text=True).stdout)
+        check(
+            f"{name} on standard input",
+            expected_output,
+            subprocess.run([sys.argv[1], "-", b], stdin=file, capture_output=True, text=True).stdout,
+        )
     piped = subprocess.run([sys.argv[1], b, "-"], input=open(name, "rb").read(), capture_output=True).stdout
     check(f"{name} in a pipe", run(b, name)[1].encode(), piped)
 complaint = subprocess.run([sys.argv[1], "-"], input="point 0\n", capture_output=True, text=True).stderr.splitlines()[0]
@@ -441,7 +509,7 @@ run("--binary", "--output=pairs.bin", "--nearest=2", one, two)
 rows = numpy.fromfile("pairs.bin", [("a", "i8"), ("b", "i8"), ("distance", "f8")])
 check("--binary with distances", nearest("text", "--nearest=2", one, two), sorted(map(tuple, rows.tolist())))
 
-# ---- Threads: files of several pieces, the same bytes with any number --------------------------------------------------------
+# ---- Threads: files of several pieces, the same bytes with any number ----------------------------------------------
 many = [(f"n{i}", rng.random() * 300, rng.random() * 300, rng.random()) for i in range(60000)]
 quoted = 'a "quote", \n and lines\n\n'
 with open("many.csv", "w", newline="") as file:
@@ -469,7 +537,7 @@ for threads in ("1", "2", "7"):
     refused(f"{threads} threads: a long line", f"long.csv:{line + 1}: column 'r': 'wide' is not a number\n" + skipping, *use, "long.csv")
     check(f"{threads} threads: the others", "3\n", run(*use, "--skip-bad", "--count", "long.csv")[1])
 
-# ---- Arrays that are no shapes, cut off anywhere, or lie about their size -------------------------------------------
+# ---- Arrays that are no shapes, cut off anywhere, or lie about their size ------------------------------------------
 def unusable(what, complaint, array, *arguments):
     numpy.save("unusable.npy", array)
     refused(what, f"unusable.npy: {complaint}\n", "unusable.npy", *arguments)
