@@ -1,121 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "queries/overlap.hpp"
-
-#include "environment.hpp"
-#include "polygon/topology.hpp"
-#include "query.hpp"
-#include "vesica.h"
-
-namespace {
-
-using vesica::Common;
-using vesica::ShapeTraits;
-
-template <class Shape>
-constexpr auto kind = static_cast<int32_t>(ShapeTraits<Shape>::kind);
-
-/// For a caller in another environment than the default: the filter too is run in the default one.
-template <class A, class B>
-[[gnu::noinline, gnu::cold]] int32_t overlap_elsewhere(const void* a, const void* b, Common common) noexcept {
-  return vesica::capi::call_in_default_environment(vesica::overlap_of_pair<A, B>, a, b, common);
-}
-
-/// For pairs that the first filter left undecided in the caller's environment. Called last, so that the callers save no
-/// registers.
-template <class A, class B>
-[[gnu::noinline]] int32_t overlap_undecided(const void* a, const void* b, Common common) noexcept {
-  const int32_t answer =
-      vesica::detail::decide_by_second_filter(widen(*static_cast<const A*>(a)), widen(*static_cast<const B*>(b)));
-  if (answer >= 0) return answer;
-  if (!vesica::capi::in_default_environment()) return overlap_elsewhere<A, B>(a, b, common);
-  return vesica::detail::decide_undecided(*static_cast<const A*>(a), *static_cast<const B*>(b), common);
-}
-
-/// The filter's decisions are right in any rounding mode, so no control register is read before it has failed. The C
-/// structs are the core's shapes byte for byte, and are read in place.
-template <class A, class B>
-int32_t overlap_of(const void* a, const void* b, Common common) noexcept {
-  if (!vesica::capi::keeps_subnormals()) [[unlikely]]
-    return overlap_elsewhere<A, B>(a, b, common);
-  if (vesica::detail::overlap::has_insides_filter<A, B>() && common == Common::insides) {
-    const int32_t answer = vesica::detail::decide_by_filter<Common::insides>(widen(*static_cast<const A*>(a)),
-                                                                             widen(*static_cast<const B*>(b)));
-    return answer >= 0 ? answer : overlap_undecided<A, B>(a, b, common);
-  }
-  const int32_t answer =
-      vesica::detail::decide_by_first_filter(widen(*static_cast<const A*>(a)), widen(*static_cast<const B*>(b)));
-  if (answer >= 0) [[likely]]
-    return answer;
-  return overlap_undecided<A, B>(a, b, common);
-}
-
-/// By the two kinds in the order of shapes.
-struct Overlaps {
-  int32_t (*of[vesica::kind_count][vesica::kind_count])(const void*, const void*, Common) noexcept;
-};
-template <class T>
-consteval Overlaps overlaps_by_kind() noexcept {
-  Overlaps overlaps{};
-#define VESICA_ENTER(a, A, b, B) \
-  overlaps.of[kind<vesica::A<T>>][kind<vesica::B<T>>] = overlap_of<vesica::A<T>, vesica::B<T>>;
-  VESICA_EACH_PAIR(VESICA_ENTER)
-#undef VESICA_ENTER
-  return overlaps;
-}
-template <class T>
-constinit const Overlaps overlaps = overlaps_by_kind<T>();
-
-template <class A, class B>
-VESICA_INLINE int32_t overlap_typed(const void* a, const void* b) noexcept {
-  if (a == nullptr || b == nullptr) return VESICA_E_NULL;
-  return overlap_of<A, B>(a, b, Common::any);
-}
-
-/// With a polygon or a polyline.
-template <class T>
-[[gnu::noinline]] int32_t overlap_of_paths(int32_t kind_a, const void* a, int32_t kind_b, const void* b,
-                                           Common common) noexcept {
-  constexpr bool is_float = std::is_same_v<T, float>;
-  const vesica::Operand first{kind_a, is_float, a}, second{kind_b, is_float, b};
-  if (vesica::capi::keeps_subnormals()) {
-    const int32_t answer = vesica::polygon::convex_overlap(first, second);
-    if (answer >= 0) return answer;
-  }
-  VESICA_DEFAULT_ENVIRONMENT(overlap_of_paths<T>, kind_a, a, kind_b, b, common);
-  if (!vesica::is_kind(kind_a) || !vesica::is_kind(kind_b)) return VESICA_E_KIND;
-  return vesica::polygon::overlap_by_edges(common, first, second);
-}
-
-template <class T>
-VESICA_INLINE int32_t overlap_by_kind(int32_t kind_a, const void* a, int32_t kind_b, const void* b,
-                                      Common common) noexcept {
-  if (a == nullptr || b == nullptr) return VESICA_E_NULL;
-  if (!vesica::is_row(kind_a) || !vesica::is_row(kind_b)) [[unlikely]]
-    return overlap_of_paths<T>(kind_a, a, kind_b, b, common);
-  return kind_a <= kind_b ? overlaps<T>.of[kind_a][kind_b](a, b, common) : overlaps<T>.of[kind_b][kind_a](b, a, common);
-}
-
-}  // namespace
+#include "overlap_calls.hpp"
 
 int32_t vesica_overlap_f64(int32_t kind_a, const void* a, int32_t kind_b, const void* b) {
-  return overlap_by_kind<double>(kind_a, a, kind_b, b, Common::any);
+  return vesica::capi::overlap_by_kind<double, vesica::Common::any>(kind_a, a, kind_b, b);
 }
 
 int32_t vesica_overlap_f32(int32_t kind_a, const void* a, int32_t kind_b, const void* b) {
-  return overlap_by_kind<float>(kind_a, a, kind_b, b, Common::any);
-}
-
-int32_t vesica_interiors_overlap_f64(int32_t kind_a, const void* a, int32_t kind_b, const void* b) {
-  return overlap_by_kind<double>(kind_a, a, kind_b, b, Common::insides);
-}
-
-int32_t vesica_interiors_overlap_f32(int32_t kind_a, const void* a, int32_t kind_b, const void* b) {
-  return overlap_by_kind<float>(kind_a, a, kind_b, b, Common::insides);
+  return vesica::capi::overlap_by_kind<float, vesica::Common::any>(kind_a, a, kind_b, b);
 }
 
 #define VESICA_PAIR_OF(a, A, b, B, scalar, T)                                                                   \
   int32_t vesica_overlap_##a##_##b##_##scalar(const vesica_##a##_##scalar* s, const vesica_##b##_##scalar* t) { \
-    return overlap_typed<vesica::A<T>, vesica::B<T>>(s, t);                                                     \
+    return vesica::capi::overlap_typed<vesica::A<T>, vesica::B<T>>(s, t);                                       \
   }
 #define VESICA_PAIR(a, A, b, B) VESICA_PAIR_OF(a, A, b, B, f64, double) VESICA_PAIR_OF(a, A, b, B, f32, float)
 

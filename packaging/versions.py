@@ -24,6 +24,7 @@ PLACES = {
     "bindings/rust/vesica-sys/build.rs": rf'VERSION: &str = "{VERSION}"',
     "bindings/rust/vesica/Cargo.toml": rf'^(?:vesica-sys = {{ )?version = "{VERSION}"',
     "bindings/rust/Cargo.lock": rf'^version = "{VERSION}"',
+    "docs/guide.md": rf"/vesica-{VERSION}\.tar",
     "packaging/conan/conandata.yml": rf'(?:^  "|/vesica-){VERSION}(?:":$|\.tar)',
     "packaging/conda/meta.yaml": rf'version = "{VERSION}"',
     "packaging/homebrew/vesica.rb": rf"/vesica-{VERSION}\.tar",

@@ -13,9 +13,11 @@
 
 // `keyword` is `extern template` here, and `template` in the file that has the functions.
 
-// exact_stage.cpp
+// exact_overlap.cpp
 #define VESICA_EXACT_OVERLAP(keyword, A, B) \
   keyword std::int32_t detail::decide_undecided(const A<double>&, const B<double>&, Common) noexcept;
+
+// exact_stage.cpp
 #define VESICA_EXACT_STAGE(keyword, A, B)                                                             \
   keyword std::int32_t detail::decide_relation(const A<double>&, const B<double>&) noexcept;          \
   keyword std::int32_t detail::depth::undecided_overlap(const A<double>&, const B<double>&) noexcept; \

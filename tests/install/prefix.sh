@@ -4,6 +4,8 @@
 set -euo pipefail
 moved=$1 work=$2
 here=$(cd "$(dirname "${BASH_SOURCE[1]}")" && pwd)
+# shellcheck source=tests/install/block.sh
+. "$(dirname "${BASH_SOURCE[0]}")/block.sh"
 rm -rf "$work"
 mkdir -p "$work"
 

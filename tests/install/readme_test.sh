@@ -6,14 +6,6 @@
 root=$here/../..
 readme=$root/README.md guide=$root/docs/guide.md
 
-# block PAGE LANGUAGE [N]: the first fenced block of a language, or the Nth.
-block() {
-  awk -v open="\`\`\`$2" -v wanted="${3-1}" '
-    $0 == open { inside = ++n == wanted; next }
-    $0 == "```" { inside = 0 }
-    inside' "$1"
-}
-
 block "$readme" c >"$work/demo.c"
 [ "$(wc -l <"$work/demo.c")" -gt 10 ]
 "$CC" -std=c11 -Wall -Wextra -Wpedantic -Werror -o "$work/demo" "$work/demo.c" "${flags[@]}"
@@ -27,6 +19,17 @@ mkdir "$work/build"
 ln -s "$moved" "$work/build/install"
 line=$(sed -n 's/^    \(cc demo\.c .*\)/\1/p' "$readme")
 (cd "$work" && env -u PKG_CONFIG_PATH -u LD_LIBRARY_PATH bash -euc "$line && ./demo") | grep -qxF "$says"
+
+# The README's project, and the first of the guide, which is the same, by the command below each.
+mkdir "$work/project"
+cp "$work/demo.c" "$work/project"
+for page in "$readme" "$guide"; do
+  block "$page" cmake >"$work/project/CMakeLists.txt"
+  line=$(sed -n 's/^ *`*\(cmake -B out -DCMAKE_PREFIX_PATH[^`]*\).*/\1/p' "$page")
+  rm -rf "$work/project/out"
+  (cd "$work/project" && env -u PKG_CONFIG_PATH -u LD_LIBRARY_PATH bash -euc "${line//\/path\/to\/vesica/$work}")
+  [ "$("$work/project/out/app")" = "$says" ]
+done
 
 {
   printf '#include <stdio.h>\n#include <vesica.h>\nint main(void) {\n'
