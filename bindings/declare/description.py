@@ -24,8 +24,13 @@ PREFIXES = {
     "CAST_": "CASTS",
     "DECAY_": "DECAYS",
     "E_": "ERRORS",
+    "FUSED_": "FUSED_SCORES",
     "JOIN_": "JOINS",
+    "MATCH_": "MATCH_RULES",
+    "OUTCOME_": "OUTCOMES",
+    "PRECISION_": "PRECISION_RULES",
     "RATIO_": "RATIOS",
+    "TRUTH_": "TRUTHS",
     "VERSION": "VERSIONS",
     "WITHIN_": "WITHINS",
 }
@@ -39,6 +44,11 @@ ENUMS = {
     "DECAYS": ("Decay", "How soft suppression lowers scores."),
     "WITHINS": ("Within", "Whether two shapes are at most so far apart."),
     "CASTS": ("Cast", "What a cast finds."),
+    "FUSED_SCORES": ("FusedScore", "The score of a cluster of boxes that were fused."),
+    "MATCH_RULES": ("MatchRule", "Which truth a detection takes, of those whose value is at least the threshold."),
+    "TRUTHS": ("Truth", "The part of a truth in the result."),
+    "OUTCOMES": ("Outcome", "What a detection is."),
+    "PRECISION_RULES": ("PrecisionRule", "How precision is averaged over recall."),
     "ERRORS": ("ErrorCode", "Why the library has no answer."),
 }
 SCALARS = {"f64": "double", "f32": "float"}

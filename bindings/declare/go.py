@@ -19,6 +19,11 @@ GROUPS = {
     "DECAYS": ("Decay is how soft suppression lowers scores.", "Decay", "int32", "Decay"),
     "WITHINS": ("WithinResult is whether two shapes are so near.", "WithinResult", "uint8", "Within"),
     "CASTS": ("CastResult is what a cast finds.", "CastResult", "int32", "Cast"),
+    "FUSED_SCORES": ("FusedScore is the score of a cluster of boxes that were fused.", "FusedScore", "int32", "Fused"),
+    "MATCH_RULES": ("MatchRule is which truth a detection takes.", "MatchRule", "int32", "Match"),
+    "TRUTHS": ("Truth is the part of a truth in the result.", "Truth", "uint8", "Truth"),
+    "OUTCOMES": ("Outcome is what a detection is.", "Outcome", "uint8", "Outcome"),
+    "PRECISION_RULES": ("PrecisionRule is how precision is averaged over recall.", "PrecisionRule", "int32", "Precision"),
 }
 
 HEADER = '''\

@@ -186,6 +186,67 @@ const (
 	CastNear CastResult = 3
 )
 
+// FusedScore is the score of a cluster of boxes that were fused.
+type FusedScore int32
+
+// FusedScore values.
+const (
+	// FusedMean: the mean of its scores s with weights w: sum(w s) / sum(w)
+	FusedMean FusedScore = 0
+	// FusedMax: its highest score
+	FusedMax FusedScore = 1
+)
+
+// MatchRule is which truth a detection takes.
+type MatchRule int32
+
+// MatchRule values.
+const (
+	// MatchVoc: the one of the highest value, taken or not: if it is taken, the detection is a miss
+	MatchVoc MatchRule = 0
+	// MatchCoco: the one of the highest value among those that are free
+	MatchCoco MatchRule = 1
+)
+
+// Truth is the part of a truth in the result.
+type Truth uint8
+
+// Truth values.
+const (
+	// TruthCounts: it counts, and one detection may take it
+	TruthCounts Truth = 0
+	// TruthCrowd: it does not count, any number may take it: "difficult" (VOC), "iscrowd" (COCO)
+	TruthCrowd Truth = 1
+	// TruthIgnored: it does not count, and one may take it: COCO's truths outside a range of areas
+	TruthIgnored Truth = 2
+)
+
+// Outcome is what a detection is.
+type Outcome uint8
+
+// Outcome values.
+const (
+	// OutcomeMiss: it took no truth: a false positive
+	OutcomeMiss Outcome = 0
+	// OutcomeHit: it took one that counts: a true positive
+	OutcomeHit Outcome = 1
+	// OutcomeIgnored: it took one that does not count, and is neither
+	OutcomeIgnored Outcome = 2
+)
+
+// PrecisionRule is how precision is averaged over recall.
+type PrecisionRule int32
+
+// PrecisionRule values.
+const (
+	// PrecisionVoc2007: at 11 recalls, 0, 0.1 ... 1
+	PrecisionVoc2007 PrecisionRule = 0
+	// PrecisionVoc2010: at every truth: the area under the curve, of VOC from 2010 on
+	PrecisionVoc2010 PrecisionRule = 1
+	// PrecisionCoco: at 101 recalls, 0, 0.01 ... 1
+	PrecisionCoco PrecisionRule = 2
+)
+
 // Point: A location.
 type Point[T Float] struct {
 	X T

@@ -2,7 +2,7 @@
 //! All pairs among millions: an index of shapes, joins, windows and nearest shapes.
 use crate::error::answer;
 use crate::motion::first;
-use crate::{Aabb, Error, Impact, Motion, Scalar, Shape, Shapes};
+use crate::{Aabb, Error, Impact, Motion, Ratio, Scalar, Shape, Shapes};
 use alloc::vec;
 use alloc::vec::Vec;
 use core::{ptr, slice};
@@ -22,6 +22,17 @@ pub enum JoinQuery {
     Inside = sys::VESICA_JOIN_INSIDE,
     /// Their insides share a point.
     Interiors = sys::VESICA_JOIN_INTERIORS,
+}
+
+/// An item of one index and an item of another, with a ratio of them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RatioPair<T> {
+    /// The item of the first index.
+    pub a: i64,
+    /// The item of the other index.
+    pub b: i64,
+    /// Their ratio.
+    pub value: T,
 }
 
 /// What an index and its scratch are aligned to.
@@ -277,6 +288,29 @@ impl<'a, T: Scalar> Index<'a, T> {
                 T::join_within(index_a, sets_a, count_a, index_b, sets_b, count_b, distance, 0, 1, to_a, to_b, room, at)
             })?;
             pairs.extend(a[..found].iter().copied().zip(b[..found].iter().copied()));
+        }
+        Ok(pairs)
+    }
+
+    /// All pairs of an item of this index and one of another that overlap and whose ratio is at least `threshold`, in
+    /// the order of [`join`](Index::join). A pair without a ratio is left out.
+    pub fn join_ratio(&self, other: &Index<'_, T>, ratio: Ratio, threshold: T) -> Result<Vec<RatioPair<T>>, Error> {
+        const ROOM: usize = 1 << 14;
+        let (mut a, mut b, mut values, mut state) = (vec![0; ROOM], vec![0; ROOM], vec![T::default(); ROOM], [0; 4]);
+        let mut scratch = lines(answer(|| unsafe { sys::vesica_join_scratch() })?);
+        let ((sets_a, count_a), (sets_b, count_b)) = (views(&self.sets), views(&other.sets));
+        let (index_a, index_b, which, room) = (self.address(), other.address(), ratio as i32, ROOM as i64);
+        let (with, bytes) = (scratch.as_mut_ptr().cast(), size(&scratch));
+        let mut pairs = Vec::new();
+        while state[0] != -1 {
+            let (to_a, to_b, to, at) = (a.as_mut_ptr(), b.as_mut_ptr(), values.as_mut_ptr(), state.as_mut_ptr());
+            let found = answer(|| unsafe {
+                T::join_ratio(
+                    which, threshold, index_a, sets_a, count_a, index_b, sets_b, count_b, 0, 1, with, bytes, to_a,
+                    to_b, to, room, at,
+                )
+            })?;
+            pairs.extend((0..found).map(|i| RatioPair { a: a[i], b: b[i], value: values[i] }));
         }
         Ok(pairs)
     }

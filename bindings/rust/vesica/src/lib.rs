@@ -29,6 +29,8 @@ extern crate std;
 
 mod batch;
 mod construct;
+#[cfg(feature = "alloc")]
+mod detection;
 mod error;
 #[cfg(feature = "alloc")]
 mod index;
@@ -43,9 +45,11 @@ mod topology;
 
 pub use batch::*;
 pub use construct::*;
+#[cfg(feature = "alloc")]
+pub use detection::*;
 pub use error::Error;
 #[cfg(feature = "alloc")]
-pub use index::{nearest_of_each, Index, JoinQuery};
+pub use index::{nearest_of_each, Index, JoinQuery, RatioPair};
 pub use measures::*;
 pub use motion::*;
 pub use path::{Polygon, Polyline};
