@@ -55,7 +55,7 @@ export class MotionTab {
   #verdict = html('p', { class: 'verdict', role: 'status' });
   #told = html('ul', { class: 'answers' });
   #turn;
-  #code = html('pre', { tabindex: 0, 'aria-label': 'The shapes in code' });
+  #code = html('pre');
 
   constructor(vesica, scene) {
     this.#vesica = vesica;
@@ -114,7 +114,7 @@ export class MotionTab {
         { id: 'motion-call' },
         html('span', { class: 'swatch overlap' }),
         html('span', { class: 'question' }, 'The call'),
-        html('code', { class: 'call', tabindex: 0 }),
+        html('code', { class: 'call' }),
         copyButton('Copy a program that asks this', () => this.#program()),
       ),
     );

@@ -17,7 +17,7 @@ export class PairTab {
   #answers = html('ul', { class: 'answers' });
   #verdict = html('p', { class: 'verdict', role: 'status' });
   #numbers = { a: html('div'), b: html('div') };
-  #code = html('pre', { tabindex: 0, 'aria-label': 'The shapes in code' });
+  #code = html('pre');
   #error = html('p', { class: 'error', role: 'alert', hidden: true });
 
   constructor(vesica, scene) {
@@ -202,7 +202,7 @@ export class PairTab {
             html('strong'),
             html('span', { class: 'detail' }),
             html('code', { class: 'exact hex' }),
-            html('code', { class: 'call', tabindex: 0 }),
+            html('code', { class: 'call' }),
             copy,
           );
         }),
