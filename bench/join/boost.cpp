@@ -17,6 +17,8 @@ using Value = std::pair<Box, std::uint32_t>;
 using Tree = bg::index::rtree<Value, bg::index::rstar<16>>;
 
 Box box(const BoxRecord& b) { return {Point(b.min_x, b.min_y), Point(b.max_x, b.max_y)}; }
+Box shape_of(const BoxRecord& b) { return box(b); }
+Point shape_of(const PointRecord& p) { return {p.x, p.y}; }
 
 Tree tree_of(const std::vector<RectRecord>& shapes) {
   std::vector<Value> values(shapes.size());
@@ -48,19 +50,23 @@ double windows(const std::vector<RectRecord>& a, const std::vector<BoxRecord>& w
   });
 }
 
-PeerNearest nearest(const std::vector<BoxRecord>& boxes, const std::vector<PointRecord>& points, unsigned k,
+/// Points are in a tree of points.
+template <class Record>
+PeerNearest nearest(const std::vector<Record>& records, const std::vector<PointRecord>& asked, unsigned k,
                     int repeats) {
-  std::vector<Value> values(boxes.size());
-  for (std::size_t i = 0; i < boxes.size(); ++i) values[i] = {box(boxes[i]), static_cast<std::uint32_t>(i)};
-  const Tree tree(values.begin(), values.end());
+  using Entry = std::pair<decltype(shape_of(records[0])), std::uint32_t>;
+  std::vector<Entry> entries(records.size());
+  for (std::size_t i = 0; i < records.size(); ++i) entries[i] = {shape_of(records[i]), static_cast<std::uint32_t>(i)};
+  const bg::index::rtree<Entry, bg::index::rstar<16>> tree(entries.begin(), entries.end());
   double sum = 0;
+  auto next = asked.begin();
   const double taken = quickest(repeats, [&] {
     sum = 0;
-    for (const PointRecord& p : points) {
-      const Point point(p.x, p.y);
+    for (const auto end = next + std::ptrdiff_t(asked.size()) / repeats; next != end; ++next) {
+      const Point point(next->x, next->y);
       double farthest = 0;
-      tree.query(bg::index::nearest(point, k), boost::make_function_output_iterator([&](const Value& v) {
-                   farthest = std::max(farthest, bg::comparable_distance(point, v.first));
+      tree.query(bg::index::nearest(point, k), boost::make_function_output_iterator([&](const Entry& entry) {
+                   farthest = std::max(farthest, bg::comparable_distance(point, entry.first));
                  }));
       sum += std::sqrt(farthest);
     }
@@ -68,7 +74,8 @@ PeerNearest nearest(const std::vector<BoxRecord>& boxes, const std::vector<Point
   return {taken, sum};
 }
 
-[[maybe_unused]] const bool listed = (peers().push_back({"Boost", join, windows, nearest}), true);
+[[maybe_unused]] const bool listed =
+    (peers().push_back({"Boost", join, windows, nearest<BoxRecord>, nearest<PointRecord>}), true);
 
 }  // namespace
 }  // namespace vesica::bench

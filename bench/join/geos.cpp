@@ -40,7 +40,7 @@ double windows(const std::vector<RectRecord>& a, const std::vector<BoxRecord>& w
   });
 }
 
-[[maybe_unused]] const bool listed = (peers().push_back({"GEOS", join, windows, nullptr}), true);
+[[maybe_unused]] const bool listed = (peers().push_back({"GEOS", join, windows, nullptr, nullptr}), true);
 
 }  // namespace
 }  // namespace vesica::bench

@@ -45,9 +45,12 @@ struct Peer {
   PeerJoin (*join)(const std::vector<RectRecord>& a, const std::vector<RectRecord>& b);
   /// Seconds for the hits of all windows by one tree over a, the least of several times.
   double (*windows)(const std::vector<RectRecord>& a, const std::vector<BoxRecord>& windows, int repeats);
-  /// The same for the k boxes nearest to each point; none where the library has no such query.
-  PeerNearest (*nearest)(const std::vector<BoxRecord>& boxes, const std::vector<PointRecord>& points, unsigned k,
+  /// The same for the k boxes, or points, nearest to each of others, a share of these each time; none where the library
+  /// has no such query.
+  PeerNearest (*nearest)(const std::vector<BoxRecord>& boxes, const std::vector<PointRecord>& asked, unsigned k,
                          int repeats);
+  PeerNearest (*nearest_points)(const std::vector<PointRecord>& points, const std::vector<PointRecord>& asked,
+                                unsigned k, int repeats);
 };
 
 std::vector<Peer>& peers();

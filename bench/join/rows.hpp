@@ -16,7 +16,7 @@ void report_identical(int repeats);
 /// Windows of three sizes, one at a time, on n rectangles.
 void report_windows(std::int64_t n, int repeats);
 
-/// The ten boxes nearest to a point, of n.
+/// The nearest and the ten nearest to a point, of n points and of n boxes.
 void report_nearest(std::int64_t n, int repeats);
 
 /// Moving and turning rectangles, one at a time, against n at rest; beside asking each of the n.

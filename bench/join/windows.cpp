@@ -40,6 +40,46 @@ std::vector<BoxRecord> boxes_of(const std::vector<RectRecord>& shapes) {
   return boxes;
 }
 
+constexpr std::int64_t nearest_queries = 20000;
+
+/// The k nearest of a set to points, each asked once: one by one, and as a join.
+template <class OfPeer>
+void report_nearest_of(const char* name, const Operand& set, const std::vector<PointRecord>& asked, std::int64_t k,
+                       int repeats, OfPeer of_peer) {
+  Times times;
+  build(set, Scratch(set.items), times);
+  const auto length = static_cast<std::size_t>(k);
+  double sum = 0;
+  const PointRecord* next = asked.data();
+  std::vector<std::int64_t> items(length * nearest_queries);
+  std::vector<double> distance(items.size());
+  const double taken = quickest(repeats, [&] {
+    sum = 0;
+    for (std::int64_t i = 0; i < nearest_queries; ++i, ++next) {
+      vesica_shapes_f64 one;
+      vesica_shapes_from_records_f64(VESICA_POINT, 1, next, 0, &one);
+      vesica_index_nearest_f64(set.index.data, set.sets.data(), 1, &one, k, INFINITY, items.data(), distance.data());
+      sum += distance[length - 1];
+    }
+  });
+  next = asked.data();
+  const double joined = quickest(repeats, [&] {
+    vesica_shapes_f64 all;
+    vesica_shapes_from_records_f64(VESICA_POINT, nearest_queries, next, sizeof(PointRecord), &all);
+    vesica_join_nearest_f64(&all, 1, set.index.data, set.sets.data(), 1, k, INFINITY, 0, 1, items.data(),
+                            distance.data());
+    next += nearest_queries;
+  });
+  std::printf("nearest %lld %s, %.2f away: %.0f ns, in a join %.0f ns", static_cast<long long>(k), name,
+              sum / nearest_queries, taken * 1e9 / nearest_queries, joined * 1e9 / nearest_queries);
+  for (const Peer& peer : peers()) {
+    if (peer.nearest == nullptr) continue;
+    const PeerNearest p = of_peer(peer);
+    std::printf(" | %s x%.2f, %.2f away", peer.name.c_str(), p.seconds / taken, p.sum / nearest_queries);
+  }
+  std::printf("\n");
+}
+
 }  // namespace
 
 void report_windows(std::int64_t n, int repeats) {
@@ -53,37 +93,23 @@ void report_windows(std::int64_t n, int repeats) {
 }
 
 void report_nearest(std::int64_t n, int repeats) {
-  constexpr std::int64_t k = 10;
   const auto boxes = boxes_of(draw("uniform", n, 1));
-  vesica_shapes_f64 view;
-  vesica_shapes_from_records_f64(VESICA_AABB, n, boxes.data(), sizeof(BoxRecord), &view);
-  const Operand set({view});
-  Times times;
-  build(set, Scratch(n), times);
-  std::vector<PointRecord> points;
-  for (const RectRecord& r : draw("uniform", n, 2)) points.push_back({r.cx, r.cy});
-  points.resize(20000);
-  double sum = 0;
-  const double taken = quickest(repeats, [&] {
-    sum = 0;
-    for (const PointRecord& p : points) {
-      vesica_shapes_f64 one;
-      vesica_shapes_from_records_f64(VESICA_POINT, 1, &p, 0, &one);
-      std::int64_t items[k];
-      double distance[k];
-      vesica_index_nearest_f64(set.index.data, set.sets.data(), 1, &one, k, INFINITY, items, distance);
-      sum += distance[k - 1];
-    }
-  });
-  const auto queries = static_cast<double>(points.size());
-  std::printf("nearest %lld boxes, %.2f away: %.0f ns", static_cast<long long>(k), sum / queries,
-              taken * 1e9 / queries);
-  for (const Peer& peer : peers()) {
-    if (peer.nearest == nullptr) continue;
-    const PeerNearest p = peer.nearest(boxes, points, k, repeats);
-    std::printf(" | %s x%.2f, %.2f away", peer.name.c_str(), p.seconds / taken, p.sum / queries);
+  std::vector<PointRecord> centres, asked;
+  for (const BoxRecord& b : boxes) centres.push_back({(b.min_x + b.max_x) / 2, (b.min_y + b.max_y) / 2});
+  for (const RectRecord& r : draw("uniform", repeats * nearest_queries, 2)) {
+    // As many shapes lie as densely in any square: asked are points of the larger one.
+    const double scale = std::sqrt(static_cast<double>(n) / (repeats * nearest_queries));
+    asked.push_back({r.cx * scale, r.cy * scale});
   }
-  std::printf("\n");
+  vesica_shapes_f64 points_view, boxes_view;
+  vesica_shapes_from_records_f64(VESICA_POINT, n, centres.data(), sizeof(PointRecord), &points_view);
+  vesica_shapes_from_records_f64(VESICA_AABB, n, boxes.data(), sizeof(BoxRecord), &boxes_view);
+  for (const std::int64_t k : {1, 10}) {
+    report_nearest_of("points", Operand({points_view}), asked, k, repeats,
+                      [&](const Peer& peer) { return peer.nearest_points(centres, asked, unsigned(k), repeats); });
+    report_nearest_of("boxes", Operand({boxes_view}), asked, k, repeats,
+                      [&](const Peer& peer) { return peer.nearest(boxes, asked, unsigned(k), repeats); });
+  }
 }
 
 void report_turning(std::int64_t n, int repeats) {

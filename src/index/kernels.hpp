@@ -52,6 +52,8 @@ struct Meetings {
 struct Bounding {
   double box[4];
   double factor, least;
+  bool boxes_alone;  // this shape and all others are their own boxes
+  double sides;      // if not: the sum of the box's sides
 };
 
 struct Kernels {
@@ -76,7 +78,8 @@ struct Kernels {
   void (*child_distances)(const Node& node, const Bounding& shape, double* out) noexcept;
   /// The same for the leaves of a block, and for the items of a leaf; behind the last one anything.
   void (*leaf_distances)(const Block& block, const Bounding& shape, double* out) noexcept;
-  void (*item_distances)(const Block& block, const Leaf& leaf, const Bounding& shape, double* out) noexcept;
+  /// For items also returns by how much their distances exceed these at most, besides a factor of 5 - 4 shape.factor.
+  double (*item_distances)(const Block& block, const Leaf& leaf, const Bounding& shape, double* out) noexcept;
 };
 
 }  // namespace vesica::index

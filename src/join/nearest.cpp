@@ -2,6 +2,7 @@
 #include "join/nearest.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "index/boxes.hpp"
 #include "index/frame.hpp"
@@ -28,23 +29,32 @@ class Search {
     one_.set(many_, kind_);
     if (has_core(kind_)) core_ = core_of<T>(set, item);
     constexpr bool narrow = sizeof(T) == sizeof(float);
-    shape_ = {{box[0], box[1], box[2], box[3]}, 1 - (narrow ? 0x1p-22 : 0x1p-48), narrow ? 0x1p-140 : 0x1p-1070};
+    shape_ = {{box[0], box[1], box[2], box[3]},
+              1 - (narrow ? 0x1p-22 : 0x1p-48),
+              narrow ? 0x1p-140 : 0x1p-1070,
+              is_box(kind_) && has_boxes_alone(query.sets),
+              (box[2] - box[0]) + (box[3] - box[1])};
+    for (auto& bounds : least_bound_) {
+      for (std::int64_t i = 0; i <= bounded(); ++i) bounds[i] = i == 0 ? 0 : infinity;
+    }
   }
 
   std::int64_t run() noexcept {
-    if (view_.levels() != 0) places_.push(place(in_node + view_.levels() - 1, 0));
+    if (view_.levels() != 0) look_into(place(in_node + view_.levels() - 1, 0));
+    // If boxes decide which items are near, items are measured when no place is left.
+    const bool waits = shape_.boxes_alone && bounded() > 0;
     for (;;) {
-      const double next = places_.empty() ? infinity : bound_of(places_.least()), nearest = bound_of(least_);
-      if ((places_.empty() && count_ == 0) || (next < nearest ? next : nearest) > limit()) break;
-      if (count_ > 0 && nearest <= next) {
+      const double next = places_.empty() ? infinity : bound_of(places_.least());
+      const double nearest = waits ? infinity : bound_of(least_);
+      if ((places_.empty() && (waits || count_ == 0)) || (next < nearest ? next : nearest) > limit()) break;
+      if (!waits && count_ > 0 && nearest <= next) {
         make_ready(next);
         if (places_.empty() || found_ + ready_count_ >= query_.k) measure_ready();
       } else {
-        const Entry e = places_.pop();
-        if (!places_.empty()) prefetch_leaf(places_.least() & which_mask);
-        look_into(e & which_mask);
+        look_into(places_.pop() & which_mask);
       }
     }
+    if (waits) make_ready(infinity);
     measure_ready();
     sort();
     return found_;
@@ -54,6 +64,8 @@ class Search {
   static constexpr double infinity = __builtin_inf();
   /// Enough for a thousand items; if it is full, places are opened and items measured early.
   static constexpr int most_places = 512, most_items = 2048;
+  /// Up to so many nearest, the farthest of them is bounded before any is measured.
+  static constexpr int most_bounded = 32;
 
   /// A place: a leaf, a block, or a node by its level. Of equally near ones the lower level comes first, so that shapes
   /// on top of each other are reached one by one.
@@ -63,62 +75,132 @@ class Search {
     return static_cast<std::uint64_t>(level) << number_bits | static_cast<std::uint64_t>(number);
   }
 
+  static bool is_box(std::int32_t kind) noexcept { return Kind{kind} == Kind::point || Kind{kind} == Kind::aabb; }
+  static bool has_boxes_alone(const Sets& sets) noexcept {
+    bool all = true;
+    for (int i = 0; i < sets.count; ++i) all &= is_box(sets.set[i].kind);
+    return all;
+  }
+
+  /// How many of the least bounds are kept.
+  std::int64_t bounded() const noexcept { return query_.k <= most_bounded ? query_.k : 0; }
+
   /// Nothing farther than this matters.
   double limit() const noexcept {
-    if (query_.k == 0 || found_ < query_.k) return query_.within;
+    const double least = upper_ < query_.within ? upper_ : query_.within;
+    if (query_.k == 0 || found_ < query_.k) return least;
     const auto worst = static_cast<double>(distance_[0]);
-    return worst < query_.within ? worst : query_.within;
+    return worst < least ? worst : least;
   }
 
   static std::int64_t number_of(std::uint64_t which) noexcept {
     return static_cast<std::int64_t>(which & ((std::uint64_t{1} << number_bits) - 1));
   }
 
-  /// The leaf that will be opened next.
-  void prefetch_leaf(std::uint64_t which) const noexcept {
-    if (which >> number_bits != in_leaf) return;
-    const Block& block = view_.block(number_of(which) / block_leaves);
-    prefetch_bytes(leaves_of(block) + number_of(which) % block_leaves, sizeof(Leaf));
-  }
-
-  void look_into(std::uint64_t which) noexcept {
+  /// A place that will be opened soon.
+  VESICA_INLINE void prefetch_place(std::uint64_t which) const noexcept {
     const int level = static_cast<int>(which >> number_bits);
     const std::int64_t number = number_of(which);
-    double bound[leaf_items];
+    if (level == in_leaf) {
+      prefetch_bytes(leaves_of(view_.block(number / block_leaves)) + number % block_leaves, sizeof(Leaf));
+    } else if (level == in_block) {
+      prefetch_bytes(&view_.block(number), sizeof(Block) + 4 * block_leaves * sizeof(std::uint16_t));
+    }
+  }
+
+  /// Opens a place, then the nearest of its children, and so on to a leaf; the other children wait.
+  void look_into(std::uint64_t which) noexcept {
+    constexpr int most_children = (max_levels - 1) * node_children + block_leaves;
+    Entry waiting[most_children + leaf_items];
+    constexpr Entry none = ~Entry{0};
+    Entry first = places_.empty() ? none : places_.least();  // of those that wait
+    int count = 0;
+    for (;;) {
+      const int level = static_cast<int>(which >> number_bits);
+      if (level == in_leaf) {
+        open_leaf(number_of(which));
+        break;
+      }
+      double bound[leaf_items];
+      const int n = bound_children(level, number_of(which), bound);
+      const std::uint64_t child = level >= in_node ? place(level - 1, number_of(which) * node_children)
+                                                   : place(in_leaf, number_of(which) * block_leaves);
+      const double limit = this->limit();
+      const int before = count;
+      Entry nearest = none, second = none;
+      for (int i = 0; i < n; ++i) {
+        const bool near = bound[i] <= limit;
+        const Entry e = near ? entry(bound[i], child + static_cast<std::uint64_t>(i)) : none;
+        waiting[count] = e;
+        count += near;
+        second = std::min(second, std::max(nearest, e));
+        nearest = std::min(nearest, e);
+      }
+      if (count == before || first < nearest) break;
+      which = nearest & which_mask;
+      prefetch_place(which);
+      if (level == in_block && second != none) prefetch_place(second & which_mask);
+      first = std::min(first, second);
+      int left = before;
+      for (int i = before; i < count; ++i) {
+        waiting[left] = waiting[i];
+        left += waiting[i] != nearest;
+      }
+      count = left;
+    }
+    for (int i = 0; i < count; ++i) note_place(waiting[i]);
+  }
+
+  /// Bounds of a node's children or a block's leaves; returns how many.
+  int bound_children(int level, std::int64_t number, double* bound) noexcept {
     if (level >= in_node) {
       query_.kernels.child_distances(view_.node(level - in_node, number), shape_, bound);
-      each_near(bound, node_children,
-                [&](int i) { note_place(bound[i], place(level - 1, number * node_children + i)); });
-    } else if (level == in_block) {
-      const Block& block = view_.block(number);
-      prefetch_bytes(&block, 3 * 64);
-      query_.kernels.leaf_distances(block, shape_, bound);
-      each_near(bound, block.leaves, [&](int i) { note_place(bound[i], place(in_leaf, number * block_leaves + i)); });
-    } else {
-      const Block& block = view_.block(number / block_leaves);
-      const auto l = static_cast<std::int32_t>(number % block_leaves);
-      const Leaf& leaf = leaves_of(block)[l];
-      const std::int32_t rest = block.count - l * leaf_items;
-      query_.kernels.item_distances(block, leaf, shape_, bound);
-      note_items(bound, leaf.item, rest < leaf_items ? rest : leaf_items);
+      return node_children;
+    }
+    const Block& block = view_.block(number);
+    query_.kernels.leaf_distances(block, shape_, bound);
+    return block.leaves;
+  }
+
+  void note_place(Entry e) noexcept {
+    if (bound_of(e) > limit()) return;
+    if (places_.full()) return look_into(e & which_mask);
+    places_.push(e);
+    prefetch_place(e & which_mask);
+  }
+
+  void open_leaf(std::int64_t number) noexcept {
+    const Block& block = view_.block(number / block_leaves);
+    const auto l = static_cast<std::int32_t>(number % block_leaves);
+    const Leaf& leaf = leaves_of(block)[l];
+    const std::int32_t rest = block.count - l * leaf_items, n = rest < leaf_items ? rest : leaf_items;
+    double bound[leaf_items];
+    const double excess = query_.kernels.item_distances(block, leaf, shape_, bound);
+    if (bounded() > 0) bound_farthest(bound, n, excess);
+    note_items(bound, leaf.item, n);
+  }
+
+  /// Inserts a bound into the k least. By vectors, as branches would be mispredicted.
+  void insert_bound(double bound, int k) noexcept {
+    const double* const from = least_bound_[turn_];
+    turn_ = 1 - turn_;
+    double* const to = least_bound_[turn_];
+    for (int i = 1; i <= k; ++i) {
+      const double lesser = from[i] < bound ? from[i] : bound;
+      to[i] = lesser > from[i - 1] ? lesser : from[i - 1];
     }
   }
 
-  template <class Note>
-  void each_near(const double* bound, int n, Note note) noexcept {
-    const double limit = this->limit();
-    std::int32_t near[leaf_items];
-    int count = 0;
+  /// Lowers the limit if k items are near, as all are by at most `excess` farther than their bounds say.
+  void bound_farthest(const double* bound, int n, double excess) noexcept {
+    constexpr double most = static_cast<double>(std::numeric_limits<T>::max()) / 2;  // distances beyond may overflow
+    excess_ = excess_ > excess ? excess_ : excess <= most ? excess : infinity;
+    const int k = static_cast<int>(bounded());
     for (int i = 0; i < n; ++i) {
-      near[count] = i;
-      count += bound[i] <= limit;
+      if (bound[i] < least_bound_[turn_][k]) insert_bound(bound[i], k);
     }
-    for (int i = 0; i < count; ++i) note(near[i]);
-  }
-
-  void note_place(double bound, std::uint64_t which) noexcept {
-    if (!places_.full()) return places_.push(entry(bound, which));
-    if (bound <= limit()) look_into(which);
+    const double upper = least_bound_[turn_][k] * (5 - 4 * shape_.factor) + excess_;
+    upper_ = upper <= most ? upper : infinity;
   }
 
   void note_items(const double* bound, const std::uint32_t* item, int n) noexcept {
@@ -130,7 +212,8 @@ class Search {
       const bool near = bound[i] <= limit;
       item_[count] = e;
       count += near;
-      least_ = near && e < least_ ? e : least_;
+      const Entry from_here = near ? e : nothing;
+      least_ = from_here < least_ ? from_here : least_;
     }
     count_ = count;
   }
@@ -142,8 +225,13 @@ class Search {
     measure_ready();
   }
 
-  /// Prefetches items that are no farther than `next` and the limit. They are measured when there are enough of them to
-  /// lower the limit. Items beyond the limit are dropped.
+  VESICA_INLINE void prefetch_item(Entry e) const noexcept {
+    const auto item = static_cast<std::uint32_t>(e);
+    prefetch(query_.sets.set[query_.sets.of(item)], item);
+  }
+
+  /// Prefetches items that are no farther than `next` and the limit, unless they are the last. They are measured when
+  /// there are enough of them to lower the limit. Items beyond the limit are dropped.
   void make_ready(double next) noexcept {
     if (ready_count_ + count_ > most_items) measure_ready();
     const double limit = this->limit();
@@ -160,10 +248,7 @@ class Search {
       least_ = waits && e < least_ ? e : least_;
     }
     count_ = rest;
-    for (int i = ready_count_; i < n; ++i) {
-      const auto item = static_cast<std::uint32_t>(ready_[i]);
-      prefetch(query_.sets.set[query_.sets.of(item)], item);
-    }
+    for (int i = ready_count_; i < n && next < infinity; ++i) prefetch_item(ready_[i]);
     ready_count_ = n;
   }
 
@@ -180,7 +265,9 @@ class Search {
       Entry entries[measured_at_once];
       for (; i < end; ++i) {
         entries[m] = ready_[i];
-        m += static_cast<int>(may_be_taken(ready_[i]));
+        if (!may_be_taken(ready_[i])) continue;
+        prefetch_item(ready_[i]);
+        ++m;
       }
       measure(entries, m);
     }
@@ -285,6 +372,10 @@ class Search {
   OneShape one_;
   Columns many_;
   Heap<most_places> places_;
+  /// 0 and the least bounds of items, ascending, in one of two rows; how much a distance may exceed its bound; and the
+  /// most that the k-th distance can be.
+  double least_bound_[2][most_bounded + 1], excess_ = 0, upper_ = infinity;
+  int turn_ = 0;
   /// Items that are not ready to be measured, the nearest of them, and those that are.
   static constexpr Entry nothing = __builtin_bit_cast(Entry, infinity);
   Entry least_ = nothing;

@@ -146,6 +146,60 @@ TYPED_TEST(NearestTest, PlainShapes) {
   }
 }
 
+/// Points and boxes of whole numbers, some of them several times: many are equally far, and the k-th is one of these.
+TYPED_TEST(NearestTest, BoxesAtEqualDistances) {
+  using T = TypeParam;
+  Records<T> points{VESICA_POINT, {}}, boxes{VESICA_AABB, {}};
+  for (int i = 0; i < 3000; ++i) {
+    const auto x = static_cast<T>(i * 7 % 40), y = static_cast<T>(i * 11 % 37);
+    points.numbers.insert(points.numbers.end(), {x, y});
+    boxes.numbers.insert(boxes.numbers.end(), {x, y, x + static_cast<T>(i % 3), y + static_cast<T>(i % 2)});
+  }
+  const T numbers[][4] = {{20, 18}, {20.5, 18.5}, {-3, 7}, {10, 10, 13, 12}};
+  const std::int32_t kinds[] = {VESICA_POINT, VESICA_POINT, VESICA_POINT, VESICA_AABB};
+  for (const Laid<T>& laid : {Laid<T>{points}, Laid<T>{boxes}, Laid<T>{boxes, points}}) {
+    const Indexed<T> many(laid);
+    const std::vector<Item<T>> items = items_of(many.laid);
+    for (int q = 0; q < 4; ++q) {
+      for (const std::size_t k : {1, 2, 5, 10, 31, 32, 33, 40}) expect_nearest<T>(many, items, kinds[q], numbers[q], k);
+    }
+  }
+}
+
+/// Points and boxes of one magnitude and of all, the farthest of them at a distance beyond the finite numbers.
+TYPED_TEST(NearestTest, BoxesOfAllMagnitudes) {
+  using T = TypeParam;
+  constexpr int least = std::numeric_limits<T>::min_exponent - std::numeric_limits<T>::digits,
+                most = std::numeric_limits<T>::max_exponent;
+  Directions random{17};
+  Laid<T> all;
+  for (const int exponent : {least + 15, least + 80, -60, 0, 60, most / 2, most - 20, most}) {
+    Records<T> points{VESICA_POINT, {}}, boxes{VESICA_AABB, {}};
+    for (int i = 0; i < 100; ++i) {
+      const auto number = [&] { return static_cast<T>(std::ldexp(random.next() * 0.99, exponent)); };
+      const T x = number(), y = number(), other_x = number(), other_y = number();
+      points.numbers.insert(points.numbers.end(), {x, y});
+      boxes.numbers.insert(boxes.numbers.end(),
+                           {std::min(x, other_x), std::min(y, other_y), std::max(x, other_x), std::max(y, other_y)});
+    }
+    points.numbers[0] = std::numeric_limits<T>::quiet_NaN();  // not in the index
+    all.push_back(points);
+    all.push_back(boxes);
+    for (const Laid<T>& laid : {Laid<T>{points}, Laid<T>{boxes}, all}) {
+      const Indexed<T> many(laid);
+      const std::vector<Item<T>> items = items_of(many.laid);
+      for (const T factor : {T(0), T(1), T(-0.7)}) {
+        const auto far = static_cast<T>(std::ldexp(0.99, exponent));
+        const T numbers[4] = {factor * far, factor * far / 2, factor * far, far};
+        for (const std::size_t k : {std::size_t{1}, std::size_t{10}, std::size_t{32}, items.size() + 5}) {
+          expect_nearest<T>(many, items, VESICA_POINT, numbers, k);
+          expect_nearest<T>(many, items, VESICA_AABB, numbers, k);
+        }
+      }
+    }
+  }
+}
+
 TYPED_TEST(NearestTest, OfEachItem) {
   using T = TypeParam;
   constexpr T infinity = std::numeric_limits<T>::infinity();

@@ -82,8 +82,28 @@ inline void leaf_distances(const Block& block, const Bounding& shape, double* ou
                    leaf_boxes(block, 3), leaf_row(block.leaves), out);
 }
 
-inline void item_distances(const Block& block, const Leaf& leaf, const Bounding& shape, double* out) noexcept {
-  column_distances(block.frame, Ruler(block, shape), leaf.min_x, leaf.min_y, leaf.max_x, leaf.max_y, leaf_items, out);
+/// The greatest width or height of a leaf's items, in columns.
+inline double greatest_size(const std::uint16_t* low, const std::uint16_t* high) noexcept {
+  std::uint16_t most = 0;
+  for (int i = 0; i < leaf_items; ++i) {
+    const auto size = static_cast<std::uint16_t>(high[i] < low[i] ? 0 : high[i] - low[i]);
+    most = size > most ? size : most;
+  }
+  return most;
+}
+
+/// A side lies in its column, so an item's box is at most a column farther along each axis than the bound says. A shape
+/// that is not its own box is farther from that by at most the box's sides.
+inline double item_distances(const Block& block, const Leaf& leaf, const Bounding& shape, double* out) noexcept {
+  const Ruler ruler(block, shape);
+  column_distances(block.frame, ruler, leaf.min_x, leaf.min_y, leaf.max_x, leaf.max_y, leaf_items, out);
+  double width = 1, height = 1;
+  if (!shape.boxes_alone) {
+    width += greatest_size(leaf.min_x, leaf.max_x) + 1;
+    height += greatest_size(leaf.min_y, leaf.max_y) + 1;
+  }
+  const double sides = width * power_of_two(block.frame.p[0]) + height * power_of_two(block.frame.p[1]);
+  return (sides + shape.sides) * (1 + 0x1p-20) + 4 * ruler.least;
 }
 
 }  // namespace
