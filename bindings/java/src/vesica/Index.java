@@ -256,6 +256,28 @@ public final class Index {
     return new long[][] {Arrays.copyOf(pairs[0], count), Arrays.copyOf(pairs[1], count)};
   }
 
+  /**
+   * All pairs of an item of this index and one of another that overlap and whose ratio is at least {@code threshold}, in
+   * the order of {@link #join}. A pair without a ratio is left out. With float shapes {@code threshold} is rounded to
+   * float first.
+   */
+  public Detection.Pairs joinRatio(Index other, Ratio ratio, double threshold) {
+    Vesica.alike(sets.wide, other.sets.wide);
+    ByteBuffer scratch = JOIN_SCRATCH.get();
+    Object values = numbers(PAIRS_A_CALL);
+    double[][] found = {new double[PAIRS_A_CALL]};
+    int[] count = {0};
+    long[][] pairs = pairs((a, b, state) -> {
+      int n = (int) checked(Native.joinRatio(sets.wide, ratio.value, threshold, memory, sets, other.memory, other.sets,
+          0, 1, scratch, scratch.capacity(), a, b, values, a.length, state));
+      if (count[0] + n > found[0].length) found[0] = Arrays.copyOf(found[0], 2 * (count[0] + n));
+      System.arraycopy(doubles(values), 0, found[0], count[0], n);
+      count[0] += n;
+      return n;
+    });
+    return new Detection.Pairs(pairs[0], pairs[1], Arrays.copyOf(found[0], count[0]));
+  }
+
   /** How many pairs {@link #join} gives. */
   public long joinCount(Index other, JoinQuery query) {
     return ask(other, query, 0, 1, null, null, null);

@@ -21,8 +21,8 @@ public final class VesicaException extends IllegalArgumentException {
   }
 
   /**
-   * After an invalid shape what {@link Vesica#nms}, {@link Boxes#rects} and {@link Index#nearestOfEach} have
-   * for all others, else null. What is written to arrays of the caller's is there.
+   * After an invalid shape what {@link Vesica#nms}, {@link Boxes#rects}, {@link Index#nearestOfEach} and
+   * {@link Detection#fuse} have for all others, else null. What is written to arrays of the caller's is there.
    */
   public Object result() {
     return result;

@@ -426,6 +426,62 @@ final class Arguments {
     refused(IllegalArgumentException.class, "double", () -> alone.joinParallel(odd, JoinQuery.OVERLAP, 3));
   }
 
+  private static void detection(boolean wide) {
+    Shapes a = scattered(3, 900, wide), b = scattered(4, 800, wide);
+    Object matrix = wide ? new double[720_000] : new float[720_000];
+    Measures.ratioMatrix(Ratio.OVER_SMALLER, a, b, matrix);
+    double[] all = Index.doubles(matrix);
+    Detection.Pairs pairs = new Index(a).joinRatio(new Index(b), Ratio.OVER_SMALLER, 0.25);
+    check(pairs.values().length == Arrays.stream(all).filter(value -> value >= 0.25).count(), "sparse ratios");
+    check(pairs.values().length > 3, "few sparse ratios");
+    for (int k = 0; k < pairs.values().length; k++) {
+      check(all[(int) (pairs.a()[k] * 800 + pairs.b()[k])] == pairs.values()[k], "a sparse ratio");
+    }
+    double[] values = {0.5, 0.75, 0.25, 0.625, Double.NaN};
+    long[] first = {0, 5, 0, 5, 2}, second = {0, 0, 1, 1, 2};
+    long[] chosen = Detection.assignGreedy(new Detection.Pairs(first, second, values));
+    check(Arrays.equals(chosen, new long[] {1, 2}), "assignment");
+    refused(IllegalArgumentException.class, "not 2, 5 and 5",
+        () -> new Detection.Pairs(new long[2], second, values));
+
+    double[] numbers = {0, 0, 4, 4, 0.5, 0, 4.5, 4, 20, 0, 24, 4}, scores = {0.75, 0.25, 0.5}, bad = {0.75, -1, 0.5};
+    float[] narrow = {0, 0, 4, 4, 0.5f, 0, 4.5f, 4, 20, 0, 24, 4};
+    Shapes boxes = Shapes.of(Kind.AABB, wide ? numbers : narrow);
+    Object given = wide ? scores : new float[] {0.75f, 0.25f, 0.5f};
+    Detection.Fused fused = Detection.fuse(boxes, given, new Detection.Fusion(0.55));
+    double[] means = {0.125, 0, 4.125, 4, 20, 0, 24, 4};
+    check(Arrays.equals(Index.doubles(fused.numbers()), means) && fused.boxes().count() == 2, "means");
+    check(Arrays.equals(fused.scores(), new double[] {0.5, 0.5}), "scores");
+    check(Arrays.equals(fused.clusters(), new long[] {0, 0, 1}), "clusters");
+    Detection.Fusion labelled = new Detection.Fusion(0.5, null, new int[] {1, 2, 1}, FusedScore.MAX);
+    check(Arrays.equals(Detection.fuse(boxes, given, labelled).clusters(), new long[] {0, 2, 1}), "labels");
+    try {
+      Detection.fuse(boxes, wide ? bad : new float[] {0.75f, -1, 0.5f}, new Detection.Fusion(0.55));
+      check(false, "a negative score");
+    } catch (VesicaException e) {
+      long[] clusters = ((Detection.Fused) e.result()).clusters();
+      check(Arrays.equals(clusters, new long[] {0, -1, 1}), "clusters without an invalid score");
+    }
+    refused(VesicaException.class, "kind",
+        () -> Detection.fuse(THREE, new double[] {1, 1, 1}, new Detection.Fusion(0.5)));
+
+    // Detection 1 is better than 0 and takes truth 0; 2 takes a crowd.
+    Detection.Pairs hits =
+        new Detection.Pairs(new long[] {0, 1, 2}, new long[] {0, 0, 1}, new double[] {0.875, 0.75, 0.875});
+    Truth[] truths = {Truth.COUNTS, Truth.CROWD};
+    Detection.Matches matches =
+        Detection.matchTruths(MatchRule.COCO, hits, new double[] {0.5, 1, 0.25}, truths, 0.5, 0.8);
+    check(Arrays.equals(matches.outcomes(), new byte[] {0, 1, 2, 1, 0, 2}), "outcomes");
+    check(matches.outcome(2) == Outcome.IGNORED, "an outcome");
+    check(Arrays.equals(matches.taken(), new long[] {-1, 0, 1, 0, -1, 1}), "taken");
+    // One hit of two truths, after a miss: the best precision is 1/2 up to recall 1/2, then 0.
+    double[] three = {0.5, 1, 2};
+    check(Detection.averagePrecision(PrecisionRule.VOC_2010, three, new byte[] {1, 0, 2}, 2) == 0.25, "precision");
+    check(Double.isNaN(Detection.averagePrecision(PrecisionRule.COCO, new double[0], new byte[0], 0)), "no truths");
+    refused(IllegalArgumentException.class, "3 scores need as many outcomes, not 1",
+        () -> Detection.averagePrecision(PrecisionRule.COCO, three, new byte[1], 1));
+  }
+
   public static void main(String[] arguments) {
     buffersFirst();
     refusals();
@@ -441,6 +497,8 @@ final class Arguments {
     joinsTakeNoMemory();
     threads(true);
     threads(false);
+    detection(true);
+    detection(false);
     anyArguments(arguments.length > 0 ? Integer.parseInt(arguments[0]) : 5000);
     System.out.println("arguments: as they should be");
   }
