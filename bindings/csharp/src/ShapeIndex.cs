@@ -374,6 +374,34 @@ namespace Vesica
             return pairs.ToArray();
         }
 
+        /// <summary>All pairs of an item of this index and one of another that overlap and whose ratio is at least so
+        /// much, in the order of Join. A pair without a ratio is left out. With float shapes the threshold is rounded to
+        /// float first.</summary>
+        public RatioPair[] JoinRatio(ShapeIndex other, Ratio ratio, double threshold)
+        {
+            if (other == null) throw new ArgumentNullException("other");
+            Query.Alike(wide, other.wide);
+            var pairs = new List<RatioPair>();
+            long[] a = new long[PairsACall], b = new long[PairsACall], state = new long[4];
+            var values = new double[PairsACall];
+            using (var scratch = new Memory(Native.Checked(Native.vesica_join_scratch())))
+            using (Held held = new Held(this), heldOther = new Held(other))
+            using (Pinned pinned = new Pinned(sets), pinnedOther = new Pinned(other.sets))
+                fixed (View* views = pinned.Views)
+                fixed (View* viewsOther = pinnedOther.Views)
+                fixed (long* p = a, q = b, s = state)
+                fixed (double* v = values)
+                    while (s[0] != -1)
+                    {
+                        long found = Native.Checked(Native.JoinRatio(wide, (int)ratio, threshold, held.Address, views,
+                            sets.Length, heldOther.Address, viewsOther, other.sets.Length, 0, 1, scratch.Address,
+                            scratch.Size, p, q, v, PairsACall, s));
+                        for (long i = 0; i < found; ++i)
+                            pairs.Add(new RatioPair { A = p[i], B = q[i], Value = wide ? v[i] : ((float*)v)[i] });
+                    }
+            return pairs.ToArray();
+        }
+
         /// <summary>How many pairs Join gives.</summary>
         public long JoinCount(ShapeIndex other, JoinQuery query = JoinQuery.Overlap)
         {

@@ -623,6 +623,69 @@ internal static unsafe class Arguments
         }
     }
 
+    private static void Detections(bool wide)
+    {
+        Shapes a = Scattered(3, 900, wide), b = Scattered(4, 800, wide);
+        RatioPair[] pairs;
+        using (ShapeIndex first = new ShapeIndex(a), second = new ShapeIndex(b))
+            pairs = first.JoinRatio(second, Ratio.OverSmaller, 0.25);
+        var matrix = new double[900 * 800];
+        var narrow = new float[900 * 800];
+        if (wide) Measures.RatioMatrix(Ratio.OverSmaller, a, b, matrix);
+        else Measures.RatioMatrix(Ratio.OverSmaller, a, b, narrow);
+        if (!wide) matrix = narrow.Select(x => (double)x).ToArray();
+        Check(pairs.Length > 3 && pairs.Length == matrix.Count(x => x >= 0.25), "sparse ratios");
+        Check(pairs.All(pair => matrix[pair.A * 800 + pair.B] == pair.Value), "a sparse ratio");
+
+        Func<long, long, double, RatioPair> of = (i, j, value) => new RatioPair { A = i, B = j, Value = value };
+        long[] chosen = Detection.AssignGreedy(
+            new[] { of(0, 0, 0.5), of(5, 0, 0.75), of(0, 1, 0.25), of(5, 1, 0.625), of(2, 2, double.NaN) });
+        Check(chosen.SequenceEqual(new long[] { 1, 2 }), "assignment");
+        Check(Detection.AssignGreedy(new RatioPair[0]).Length == 0, "assignment of nothing");
+        Refused<VesicaException>("", () => Detection.AssignGreedy(new[] { of(-1, 0, 1) }));
+
+        double[] numbers = { 0, 0, 4, 4, 0.5, 0, 4.5, 4, 20, 0, 24, 4 }, scores = { 0.75, 0.25, 0.5 };
+        Shapes boxes = wide ? Shapes.Of(Kind.Aabb, numbers)
+            : Shapes.Of(Kind.Aabb, numbers.Select(x => (float)x).ToArray());
+        Fused fused = Detection.Fuse(boxes, scores);
+        Check(fused.Numbers.SequenceEqual(new[] { 0.125, 0, 4.125, 4, 20, 0, 24, 4 }), "means");
+        Check(fused.Scores.SequenceEqual(new[] { 0.5, 0.5 }), "scores");
+        Check(fused.Clusters.SequenceEqual(new long[] { 0, 0, 1 }), "clusters");
+        Fused best = Detection.Fuse(boxes, scores, new Fusion { Score = FusedScore.Max });
+        Check(best.Scores[0] == 0.75, "the highest score");
+        Fused weighed = Detection.Fuse(boxes, new[] { 0.5, 0.5, 0.5 }, new Fusion { Weights = new[] { 3.0, 1, 1 } });
+        Check(weighed.Numbers[0] == 0.125, "weights");
+        Fused labelled = Detection.Fuse(boxes, scores, new Fusion { Labels = new[] { 1, 2, 1 } });
+        Check(labelled.Clusters.SequenceEqual(new long[] { 0, 2, 1 }), "labels");
+        try
+        {
+            Detection.Fuse(boxes, new[] { 0.75, -1, 0.5 });
+            Check(false, "a negative score");
+        }
+        catch (VesicaException e)
+        {
+            Check(((Fused)e.Result).Clusters.SequenceEqual(new long[] { 0, -1, 1 }), "without an invalid score");
+        }
+        Refused<ArgumentException>("3 boxes need as many scores", () => Detection.Fuse(boxes, new double[2]));
+        Refused<VesicaException>("kind", () => Detection.Fuse(Three, scores));
+
+        // Detection 1 is better than 0 and takes truth 0; 2 takes a crowd.
+        RatioPair[] hits = { of(0, 0, 0.875), of(1, 0, 0.75), of(2, 1, 0.875) };
+        long[] taken;
+        Outcome[] outcomes = Detection.MatchTruths(MatchRule.Coco, hits, new[] { 0.5, 1, 0.25 },
+            new[] { Truth.Counts, Truth.Crowd }, new[] { 0.5, 0.8 }, out taken);
+        Check(outcomes.Select(outcome => (int)outcome).SequenceEqual(new[] { 0, 1, 2, 1, 0, 2 }), "outcomes");
+        Check(taken.SequenceEqual(new long[] { -1, 0, 1, 0, -1, 1 }), "taken");
+        // One hit of two truths, after a miss: the best precision is 1/2 up to recall 1/2, then 0.
+        Outcome[] three = { Outcome.Hit, Outcome.Miss, Outcome.Ignored };
+        double[] order = { 0.5, 1, 2 };
+        Check(Detection.AveragePrecision(PrecisionRule.Voc2010, order, three, 2) == 0.25, "precision");
+        double none = Detection.AveragePrecision(PrecisionRule.Coco, new double[0], new Outcome[0], 0);
+        Check(double.IsNaN(none), "no truths");
+        Refused<ArgumentException>("3 scores need as many outcomes, not 0",
+            () => Detection.AveragePrecision(PrecisionRule.Coco, order, new Outcome[0], 1));
+    }
+
     /// <summary>FILE of calls, and how many random calls; or nothing, to see whether the library is new
     /// enough.</summary>
     private static int Main(string[] arguments)
@@ -650,6 +713,8 @@ internal static unsafe class Arguments
         NothingIsCopied();
         AnyNumberOfThreads(true);
         AnyNumberOfThreads(false);
+        Detections(true);
+        Detections(false);
         AnyArguments(arguments.Length > 1 ? int.Parse(arguments[1]) : 5000);
         Console.WriteLine("arguments: as they should be");
         return 0;

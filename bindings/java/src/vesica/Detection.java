@@ -71,8 +71,8 @@ public final class Detection {
   public record Fused(Shapes boxes, Object numbers, double[] scores, long[] clusters) {}
 
   /**
-   * Weighted boxes fusion: boxes of one object, of kind AABB or RECT, become their mean by score times weight. If a box,
-   * its score or its weight is invalid, the exception has the result of all others.
+   * Weighted boxes fusion: boxes of one object, of kind AABB or RECT, become their mean by score times weight. If a
+   * box, its score or its weight is invalid, the exception has the result of all others.
    *
    * @param scores a double[], float[] or direct buffer, as the boxes' numbers
    */

@@ -257,9 +257,9 @@ public final class Index {
   }
 
   /**
-   * All pairs of an item of this index and one of another that overlap and whose ratio is at least {@code threshold}, in
-   * the order of {@link #join}. A pair without a ratio is left out. With float shapes {@code threshold} is rounded to
-   * float first.
+   * All pairs of an item of this index and one of another that overlap and whose ratio is at least {@code threshold},
+   * in the order of {@link #join}. A pair without a ratio is left out. With float shapes {@code threshold} is rounded
+   * to float first.
    */
   public Detection.Pairs joinRatio(Index other, Ratio ratio, double threshold) {
     Vesica.alike(sets.wide, other.sets.wide);
