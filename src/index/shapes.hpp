@@ -23,9 +23,10 @@ struct Set {
   std::int64_t first, count;  // items
   std::ptrdiff_t stride;      // bytes
   const unsigned char* field[max_fields];
-  // For polygons and polylines alone, as in vesica_shapes_<T>.
-  const std::int32_t *rings = nullptr, *polygons = nullptr;
-  std::int64_t each = 0;
+  // For polygons and polylines alone, as in vesica_shapes_<T>. Without initializers: a view has room for many sets, of
+  // which few are there.
+  const std::int32_t *rings, *polygons;
+  std::int64_t each;
 
   PathArray paths() const noexcept {
     const auto at = [this](int k) { return reinterpret_cast<const std::byte*>(field[k]); };

@@ -127,11 +127,13 @@ class Search {
                                                    : place(in_leaf, number_of(which) * block_leaves);
       const double limit = this->limit();
       const int before = count;
+      int at = 0;  // the nearest
       Entry nearest = none, second = none;
       for (int i = 0; i < n; ++i) {
         const bool near = bound[i] <= limit;
         const Entry e = near ? entry(bound[i], child + static_cast<std::uint64_t>(i)) : none;
         waiting[count] = e;
+        at = e < nearest ? count : at;
         count += near;
         second = std::min(second, std::max(nearest, e));
         nearest = std::min(nearest, e);
@@ -141,12 +143,7 @@ class Search {
       prefetch_place(which);
       if (level == in_block && second != none) prefetch_place(second & which_mask);
       first = std::min(first, second);
-      int left = before;
-      for (int i = before; i < count; ++i) {
-        waiting[left] = waiting[i];
-        left += waiting[i] != nearest;
-      }
-      count = left;
+      waiting[at] = waiting[--count];
     }
     for (int i = 0; i < count; ++i) note_place(waiting[i]);
   }
