@@ -2,7 +2,6 @@
 #include "join/nearest.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "index/boxes.hpp"
 #include "index/frame.hpp"
@@ -190,14 +189,13 @@ class Search {
 
   /// Lowers the limit if k items are near, as all are by at most `excess` farther than their bounds say.
   void bound_farthest(const double* bound, int n, double excess) noexcept {
-    constexpr double most = static_cast<double>(std::numeric_limits<T>::max()) / 2;  // distances beyond may overflow
-    excess_ = excess_ > excess ? excess_ : excess <= most ? excess : infinity;
+    excess_ = excess > excess_ ? excess : excess_;
     const int k = static_cast<int>(bounded());
     for (int i = 0; i < n; ++i) {
       if (bound[i] < least_bound_[turn_][k]) insert_bound(bound[i], k);
     }
-    const double upper = least_bound_[turn_][k] * (5 - 4 * shape_.factor) + excess_;
-    upper_ = upper <= most ? upper : infinity;
+    // Beyond the finite numbers it limits nothing, and what lies there is not found.
+    upper_ = least_bound_[turn_][k] * (5 - 4 * shape_.factor) + excess_;
   }
 
   void note_items(const double* bound, const std::uint32_t* item, int n) noexcept {
