@@ -38,13 +38,8 @@ export interface Polygon { kind: 'polygon'; vertices: ArrayLike<number>; rings?:
 /** Chains in place of rings: they are not closed, and have no inside. */
 export interface Polyline { kind: 'polyline'; vertices: ArrayLike<number>; rings?: ArrayLike<number> }
 /**
- * Capsules and rounded rectangles are for invalidity, bounds, shapeArea, both overlaps, nearest, depth,
- * signedDistance, within, area, iou, ratios, suppression, cast, castFirst, impactTime, sweepBounds, and not with an
- * ellipse relation, contains and boundaryDistance; an index of them has join of overlaps, joinWithin, select, nearest, nearestOfEach, cast and
- * castFirst. Other calls throw a VesicaError for them.
- *
- * Polygons and polylines are for the same but impactTime, and for boundaryDistance, relation and contains with any kind;
- * polylines have no area. depth needs convex ones, and so do signedDistance and within where they ask for a depth.
+ * Nearly every call takes any two kinds; others throw a VesicaError. depth, impactTime and the manifold need convex
+ * polygons and take no polyline, and so do signedDistance and within where they ask for a depth.
  */
 export type Shape = Point | Segment | Circle | Aabb | Rect | Ellipse | Capsule | RoundRect | Polygon | Polyline;
 

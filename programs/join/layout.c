@@ -82,12 +82,19 @@ static const struct form* find_form(const struct item* items, int count, int32_t
   return &forms[kind];
 }
 
-static int no_column(const char* name, const char* const names[], int count, struct fault* fault) {
-  char all[128];
+enum { list_room = 128 };
+
+static void list_names(const char* const names[], int count, char out[list_room]) {
   size_t length = 0;
-  for (int i = 0; i < count && length < sizeof all; i++) {
-    length += (size_t)snprintf(all + length, sizeof all - length, "%s%s", i > 0 ? ", " : "", names[i]);
+  out[0] = 0;
+  for (int i = 0; i < count && length < list_room; i++) {
+    length += (size_t)snprintf(out + length, list_room - length, "%s%s", i > 0 ? ", " : "", names[i]);
   }
+}
+
+static int no_column(const char* name, const char* const names[], int count, struct fault* fault) {
+  char all[list_room];
+  list_names(names, count, all);
   return fail(fault, "no column '%.40s' among %s", name, all);
 }
 
@@ -126,6 +133,19 @@ static int find_known_text(const char* const names[], int count) {
   return -1;
 }
 
+// The name of a column that looks like a size or an angle and is none of the form's fields, or NULL. Without it a table of
+// x, y, w and h would be one of points.
+static const char* find_unused_size(const struct form* form, const char* const names[], int count) {
+  static const char* const sizes[] = {"w",  "h",  "width", "height", "r",     "radius",    "length",
+                                      "hx", "hy", "ux",    "uy",     "angle", "angle_deg", "rotation"};
+  for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+    for (int j = 0; j < count; j++) {
+      if (strcasecmp(names[j], sizes[i]) == 0 && find_column(names[j], form->fields, form->count) < 0) return names[j];
+    }
+  }
+  return NULL;
+}
+
 // The form with most fields among those whose fields are all there: a capsule has a segment's and one more.
 static int guess(int32_t kind, const char* const names[], int count, struct layout* out, struct fault* fault) {
   const int text = kind < 0 || has_vertices(kind) ? find_known_text(names, count) : -1;
@@ -143,11 +163,18 @@ static int guess(int32_t kind, const char* const names[], int count, struct layo
     out->form = form;
   }
   if (found != 1) {
-    const char* const what = found > 0 ? "more than one" : kind < 0 ? "no kind" : vesica_kind_name(kind);
+    const char* const what = found > 0 ? "more than one kind" : kind < 0 ? "no kind" : vesica_kind_name(kind);
+    char all[list_room];
+    list_names(names, count, all);
     return fail(fault,
-                kind < 0 || found > 0 ? "its columns are those of %s: --shape tells which"
-                                      : "its columns are not those of %s: --shape tells which",
-                what);
+                kind < 0 || found > 0 ? "its columns (%s) are those of %s: --shape tells which"
+                                      : "its columns (%s) are not those of %s: --shape tells which",
+                all, what);
+  }
+  const char* const unused = find_unused_size(out->form, names, count);
+  if (kind < 0 && unused) {
+    return fail(fault, "its columns are those of %s, but there is '%.40s': --shape or --kind tells which",
+                vesica_kind_name(out->form->kind), unused);
   }
   for (int i = 0; i < out->form->count; i++) out->columns[i] = find_column(out->form->fields[i], names, count);
   return 1;

@@ -414,8 +414,11 @@ for complaint, content, *arguments in (
     (": no column 'id'", "cx,cy,r\n", "--id", "id"),
     (": --shape: 'cx,cy' are the numbers of no kind (--help)", "cx,cy,r\n", "--shape", "cx,cy"),
     (": --shape: a name is missing or too long", "cx,cy,r\n", "--shape", "cx,,cy"),
-    (": its columns are those of no kind: --shape tells which", "id,value\n1,2\n"),
-    (": its columns are not those of rect: --shape tells which", "cx,cy,r\n1,2,3\n", "--kind=rect"),
+    (": its columns (id, value) are those of no kind: --shape tells which", "id,value\n1,2\n"),
+    (": its columns are those of point, but there is 'W': --shape or --kind tells which", "id,x,y,W,h\n1,2,3,4,5\n"),
+    (": its columns are those of point, but there is 'radius': --shape or --kind tells which", "x,y,radius\n1,2,3\n"),
+    (": its columns are those of aabb, but there is 'angle': --shape or --kind tells which", "min_x,min_y,max_x,max_y,angle\n1,2,3,4,5\n"),
+    (": its columns (cx, cy, r) are not those of rect: --shape tells which", "cx,cy,r\n1,2,3\n", "--kind=rect"),
     (": more than 1024 columns", ",".join(map(str, range(1025))), "--shape=wkt"),
 ):
     name = write("bad.csv", content)
@@ -548,8 +551,8 @@ unusable("columns", "3 columns, but point has 2 numbers", numpy.zeros((2, 3)), "
 unusable("no kind", "plain numbers: --kind or --shape tells what a row is", numpy.zeros((2, 3)))
 unusable("one dimension", "not an array of two dimensions", numpy.zeros(4), "--kind", "point")
 unusable("column by column", "its columns lie one after the other: save it row by row", numpy.zeros((2, 2), order="F"), "--kind", "point")
-unusable("no fields", "its columns are those of no kind: --shape tells which", numpy.zeros(2, [("a", "f8")]))
-unusable("another kind's", "its columns are not those of circle: --shape tells which", numpy.zeros(2, [("cx", "f8"), ("cy", "f8")]), "--kind", "circle")
+unusable("no fields", "its columns (a) are those of no kind: --shape tells which", numpy.zeros(2, [("a", "f8")]))
+unusable("another kind's", "its columns (cx, cy) are not those of circle: --shape tells which", numpy.zeros(2, [("cx", "f8"), ("cy", "f8")]), "--kind", "circle")
 unusable("field of integers", "field 'x' is not of float64 or float32", numpy.zeros(2, [("x", "i8"), ("y", "f8")]))
 unusable("nested", "a type of elements that cannot be read here", numpy.zeros(2, [("x", "f8", 2), ("y", "f8")]))
 unusable("vertices alone", "an array of vertices: offsets tell which are of one shape (--help)", numpy.zeros((2, 2)), "--kind", "polygon")

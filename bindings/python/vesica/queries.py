@@ -537,7 +537,7 @@ def nms(boxes, scores, threshold=0.5, *, labels=None, ratio=Ratio.OVER_UNION, le
     """Greedy suppression: the indices of the boxes kept, best score first.
 
     Each box kept has a ratio of at most `threshold` with every better one that was kept, and has the same label. boxes:
-    circles, aabbs, rects or ellipses; scores: a number each, which are compared as they are; labels: a whole number
+    shapes with an area, polygons too; scores: a number each, which are compared as they are; labels: a whole number
     each; ratio: any but OVER_FIRST and OVER_SECOND; least_score, compared as it is: boxes below it are left out; most:
     how many are kept at most. The threshold is first rounded to the boxes' type. Threads share the labels.
     """
