@@ -7,6 +7,7 @@ set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 root=$here/../..
+[ -z "${VESICA_BUILD:-}" ] || VESICA_BUILD=$(cd "$VESICA_BUILD" && pwd)
 mkdir -p "$1"
 directory=$(cd "$1" && pwd)
 processor=$(uname -m)

@@ -7,6 +7,7 @@
 #                            folder or environment. Those of csharp and java are for the four systems of c
 #   ./run package c          tars of the library for Linux: x86_64 and aarch64, for glibc 2.17 or later and for musl
 #   ./run package python     wheels for the same four, for Python 3.9 and later
+#   ./run package wheel      the wheel for this machine alone, in a minute
 #   ./run package postgresql the Debian packages, and that of the extension for PostgreSQL 15
 #   ./run package source     the tar of the last commit's files, and recipes with its checksums
 #   ./run package windows    the zip for Windows
@@ -44,6 +45,11 @@ case "$*" in
     need "${python_packages[@]}" "${linux_packages[@]}"
     step 'build and test wheels' bindings/python/wheels.sh "$out"
     ;;
+  wheel)
+    need "${python_packages[@]}"
+    build_and_install
+    VESICA_BUILD=$root/build/release step 'build the wheel' bindings/python/wheel.sh "$out"
+    ;;
   source)
     step 'pack the sources' packaging/source.sh "$out"
     tars=("$out"/vesica-*[0-9].tar.gz)
@@ -53,6 +59,6 @@ case "$*" in
     need "${windows_packages[@]}"
     step 'build for Windows' packaging/windows/build.sh "$out"
     ;;
-  *) fail "package takes c, csharp, go, java, javascript, postgresql, python, rust, source, windows or nothing" ;;
+  *) fail "package takes c, csharp, go, java, javascript, postgresql, python, rust, source, wheel, windows or nothing" ;;
 esac
 echo "packages: $out"
