@@ -221,8 +221,8 @@ VESICA_API int64_t vesica_join_within_f64(const void *index_a, const vesica_shap
  * With k = 0 they may be NULL. within, the largest distance to look for, >= 0 or infinity.
  * Returns: how many items were found and written; with k = 0, how many there are within the distance.
  * Accuracy: distances are those of vesica_nearest_f64, bit for bit.
- * Cost: a search, and vesica_nearest_f64 for some 10 items more than k, and for all items that overlap
- * the shape, as the lowest come first.
+ * Cost: a search, and vesica_nearest_f64 for a few items more than k, and for all items that overlap the shape, as the
+ * lowest come first. Of points and boxes along the axes about k are measured.
  */
 VESICA_API int64_t vesica_index_nearest_f64(const void *index, const vesica_shapes_f64 *sets, int32_t set_count,
                                             const vesica_shapes_f64 *one, int64_t k, double within, int64_t *out,

@@ -4016,8 +4016,8 @@ extern "C" {
     ///
     /// Accuracy: distances are those of vesica_nearest_f64, bit for bit.
     ///
-    /// Cost: a search, and vesica_nearest_f64 for some 10 items more than k, and for all items that overlap
-    /// the shape, as the lowest come first.
+    /// Cost: a search, and vesica_nearest_f64 for a few items more than k, and for all items that overlap the shape, as
+    /// the lowest come first. Of points and boxes along the axes about k are measured.
     ///
     /// Since: 0.1.
     pub fn vesica_index_nearest_f64(index: *const c_void, sets: *const Shapes<f64>, set_count: i32,
@@ -4228,8 +4228,8 @@ extern "C" {
     ///
     /// Accuracy: distances are those of vesica_nearest_f32, bit for bit.
     ///
-    /// Cost: a search, and vesica_nearest_f32 for some 10 items more than k, and for all items that overlap
-    /// the shape, as the lowest come first.
+    /// Cost: a search, and vesica_nearest_f32 for a few items more than k, and for all items that overlap the shape, as
+    /// the lowest come first. Of points and boxes along the axes about k are measured.
     ///
     /// Since: 0.1.
     pub fn vesica_index_nearest_f32(index: *const c_void, sets: *const Shapes<f32>, set_count: i32,
