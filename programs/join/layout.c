@@ -133,8 +133,8 @@ static int find_known_text(const char* const names[], int count) {
   return -1;
 }
 
-// The name of a column that looks like a size or an angle and is none of the form's fields, or NULL. Without it a table of
-// x, y, w and h would be one of points.
+// The name of a column that looks like a size or an angle and is none of the form's fields, or NULL. Without it a table
+// of x, y, w and h would be one of points.
 static const char* find_unused_size(const struct form* form, const char* const names[], int count) {
   static const char* const sizes[] = {"w",  "h",  "width", "height", "r",     "radius",    "length",
                                       "hx", "hy", "ux",    "uy",     "angle", "angle_deg", "rotation"};
