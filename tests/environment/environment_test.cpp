@@ -5,6 +5,7 @@
 // zero, so that invalid shapes were accepted and valid ones refused.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string_view>
 #include <vector>
 
@@ -72,7 +73,7 @@ TEST_P(EnvironmentTest, ScalarFunctionsGiveTheSameBits) {
 /// A vector of 8 doubles or 16 floats, and two more: a matrix takes the square of that.
 TEST_P(EnvironmentTest, BatchesGiveTheSameBits) {
   for (const Workload workload : workloads) {
-    const std::vector<Pair> pairs = draw(workload, GetParam(), properties::repeat() < 1 ? 10 : 18);
+    const std::vector<Pair> pairs = draw(workload, GetParam(), std::max(10, 18 * properties::repeat()));
     expect_same_bits(environment::batch_calls(GetParam().scalar), Inputs{{pairs.begin(), pairs.end()}}, name(workload));
   }
 }
