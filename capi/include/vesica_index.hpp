@@ -12,6 +12,10 @@
 /// of std::invalid_argument with its words.
 #pragma once
 
+#if !defined(_MSC_VER) && __cplusplus < 201709L
+#error "vesica_index.hpp needs C++20: compile with -std=c++20"
+#endif
+
 #include <vesica.h>
 
 #include <algorithm>
@@ -67,12 +71,14 @@ struct Functions<double> {
   using Shapes = vesica_shapes_f64;
   static constexpr auto from_records = vesica_shapes_from_records_f64;
   using Impact = vesica_impact_f64;
+  using Turn = vesica_turn_f64;
   static constexpr auto build = vesica_index_build_f64;
   static constexpr auto step = vesica_index_step_f64;
   static constexpr auto select = vesica_index_select_f64;
   static constexpr auto nearest = vesica_index_nearest_f64;
   static constexpr auto cast = vesica_index_cast_f64;
   static constexpr auto cast_first = vesica_index_cast_first_f64;
+  static constexpr auto impact_time = vesica_index_impact_time_f64;
   static constexpr auto join = vesica_join_f64;
   static constexpr auto join_within = vesica_join_within_f64;
   static constexpr auto join_nearest = vesica_join_nearest_f64;
@@ -82,12 +88,14 @@ struct Functions<float> {
   using Shapes = vesica_shapes_f32;
   static constexpr auto from_records = vesica_shapes_from_records_f32;
   using Impact = vesica_impact_f32;
+  using Turn = vesica_turn_f32;
   static constexpr auto build = vesica_index_build_f32;
   static constexpr auto step = vesica_index_step_f32;
   static constexpr auto select = vesica_index_select_f32;
   static constexpr auto nearest = vesica_index_nearest_f32;
   static constexpr auto cast = vesica_index_cast_f32;
   static constexpr auto cast_first = vesica_index_cast_first_f32;
+  static constexpr auto impact_time = vesica_index_impact_time_f32;
   static constexpr auto join = vesica_join_f32;
   static constexpr auto join_within = vesica_join_within_f32;
   static constexpr auto join_nearest = vesica_join_nearest_f32;
@@ -203,6 +211,7 @@ class Index {
  public:
   using Shapes = typename F::Shapes;
   using Impact = typename F::Impact;
+  using Turn = typename F::Turn;
 
   explicit Index(std::span<const Shapes> sets) : sets_(sets.begin(), sets.end()), memory_(size_for(sets)) { build(); }
   explicit Index(std::initializer_list<Shapes> sets) : Index(std::span<const Shapes>(sets.begin(), sets.size())) {}
@@ -285,6 +294,26 @@ class Index {
     const auto item = index_face::checked(F::cast_first(data(), sets(), set_count(), &asked, vx, vy, t_end, &impact));
     if (item == count()) return std::nullopt;
     return std::pair(item, impact);
+  }
+
+  /// A contact of a shape that turns: there is none before impact.t. `answer`: VESICA_CAST_HIT, _NEAR or _START. `gap`:
+  /// the distance at that time, at most.
+  struct TurningContact {
+    std::int64_t item;
+    Impact impact;
+    T gap;
+    std::int32_t answer;
+  };
+
+  /// The item that a shape touches first as it moves and turns, for t from 0 to 1: vesica_index_impact_time_f64.
+  template <class One>
+  std::optional<TurningContact> first_touched(const One& one, const Turn& turn, T tolerance) const {
+    const Shapes asked = array_of(one);
+    TurningContact found;
+    found.item = index_face::checked(F::impact_time(data(), sets(), set_count(), &asked, &turn, tolerance,
+                                                    &found.impact, &found.gap, &found.answer));
+    if (found.item == count()) return std::nullopt;
+    return found;
   }
 
  private:

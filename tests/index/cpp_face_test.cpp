@@ -138,6 +138,17 @@ TEST(CppFace, ShapesOfTheCoreAndSingleOnes) {
   EXPECT_EQ(hit->first, 0);
   EXPECT_EQ(hit->second.t, 3);
   EXPECT_FALSE(index.first_touched(vesica::Circle<double>{-5, 0, 1}, -1, 0).has_value());
+  // It comes down on the first rectangle, whose top is at y = 1.
+  const vesica::Segment<double> bar{-4, 6, 4, 6};
+  const vesica_turn_f64 down{0, -8, 0}, up{0, 8, 1};
+  const auto turning = index.first_touched(bar, down, 1e-9);
+  ASSERT_TRUE(turning.has_value());
+  EXPECT_EQ(turning->item, 0);
+  EXPECT_NEAR(turning->impact.t, 0.625, 1e-9);
+  EXPECT_LE(turning->gap, 1e-9);
+  EXPECT_EQ(turning->answer, VESICA_CAST_HIT);
+  EXPECT_FALSE(index.first_touched(bar, up, 1e-9).has_value());
+  EXPECT_THROW(index.first_touched(bar, down, 0), std::invalid_argument);
   EXPECT_THROW(index.overlapping(vesica::Circle<double>{0, 0, -1}), std::invalid_argument);
 }
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# readme_test.sh MOVED WORK: the programs of README.md, docs/guide.md, recipes.md and cookbook.md compile, and answer as
-# they say. README.md is a first page: at most 120 lines, and no link leads nowhere.
+# readme_test.sh MOVED WORK: the programs of README.md, docs/guide.md, planning.md, recipes.md and cookbook.md compile,
+# and answer as they say. README.md is a first page: at most 120 lines, and no link leads nowhere.
 . "$(dirname "${BASH_SOURCE[0]}")/prefix.sh"
 root=$here/../..
 readme=$root/README.md guide=$root/docs/guide.md
@@ -52,6 +52,11 @@ printf 'int main() { return hit ? 0 : 1; }\n' >>"$work/core.cpp"
 } >"$work/index.cpp"
 "$CXX" -std=c++20 -Wall -Wextra -Werror -o "$work/index" "$work/index.cpp" "${flags[@]}"
 [ "$("$work/index")" = '1 0' ]
+
+block "$root/docs/planning.md" cpp >"$work/planning.cpp"
+"$CXX" -std=c++20 -Wall -Wextra -Werror -o "$work/planning" "$work/planning.cpp" "${flags[@]}"
+[ "$("$work/planning")" = "$(printf '%s\n' 'room 4.10' 'item 0, after 0.84 of the way' 'room 1.18' 'room 1.04')" ]
+grep -qF 'It prints `room 4.10`, `item 0, after 0.84 of the way`, `room 1.18` and `room 1.04`.' "$root/docs/planning.md"
 
 block "$guide" cpp 3 >"$work/constant.cpp"
 grep -q static_assert "$work/constant.cpp"
