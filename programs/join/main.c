@@ -35,8 +35,11 @@ static int read_sources(const struct options* options, struct source sources[2])
     source->id_name = file->id;
     source->delimiter = file->delimiter;
     source->threads = options->threads;
-    if (!read_source(source)) return 0;
-    faults += source->faults;
+    if (!open_source(source)) return 0;
+  }
+  for (int i = 0; i < options->file_count; i++) {
+    if (!read_source(&sources[i])) return 0;
+    faults += sources[i].faults;
   }
   if (faults == 0 || options->skip_bad) return 1;
   complain("nothing is written: --skip-bad goes on without bad shapes");

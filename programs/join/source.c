@@ -81,16 +81,19 @@ static char* find_offsets(struct source* source) {
   return comma + 5;
 }
 
-int read_source(struct source* source) {
-  char* const offsets = find_offsets(source);
+int open_source(struct source* source) {
   const int standard = strcmp(source->path, "-") == 0;
-  int good;
+  source->offsets = find_offsets(source);
   source->file = standard ? stdin : fopen(source->path, "rb");
   if (!source->file) return refuse_file(source);
   source->bytes = standard ? 0 : length_of(source->file);
-  good = offsets ? read_npy(source, offsets) : read_file(source);
+  return 1;
+}
+
+int read_source(struct source* source) {
+  int good = source->offsets ? read_npy(source, source->offsets) : read_file(source);
   if (good && ferror(source->file)) good = refuse_file(source);
-  if (!standard) fclose(source->file);
+  if (source->file != stdin) fclose(source->file);
   free_vertices(&source->vertices);
   if (!source->id_name) {
     free(source->text.at);

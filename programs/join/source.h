@@ -20,6 +20,7 @@ struct source {
   char delimiter;       ///< between the fields of a table, or 0
   int threads;          ///< to read with
   FILE* file;
+  char* offsets;     ///< the paths of offsets behind that of an array, or NULL
   struct text text;  ///< of files of text; later only with ids, which lie in it
   int64_t bytes;     ///< of the file, or 0 where it has no length
   int64_t faults;    ///< bad shapes; the first most_complaints are named on standard error
@@ -27,8 +28,11 @@ struct source {
   struct vertices vertices;  ///< the vertices of the shape that is being read
 };
 
-/// Reads the file at source->path. Returns 1, or 0 after saying why it cannot be used: what is not a shape is not a
-/// reason, but counted.
+/// Opens the file at source->path. Returns 1, or 0 after saying why it cannot be read.
+int open_source(struct source* source);
+
+/// Reads the open file. Returns 1, or 0 after saying why it cannot be used: what is not a shape is not a reason, but
+/// counted.
 int read_source(struct source* source);
 
 /// For readers: the next shape, whose vertices are in source->vertices, or NULL for one that is bad or empty. Returns

@@ -591,6 +591,7 @@ for megabytes in (12, 16, 20, 24, 28, 200):
         check(f"{megabytes} MiB", ("", True), (out, "out of memory" in err))
 check("outcomes with little memory", {0, 2}, outcomes)
 refused("missing file", "nowhere: cannot read: No such file or directory\n", "nowhere")
+refused("missing file after one with bad lines", "nowhere: cannot read: No such file or directory\n", bad, "nowhere")
 refused("directory", ".: cannot read: Is a directory\n", ".")
 for complaint, *arguments in (
     ("a file is missing (--help)",),
