@@ -27,6 +27,15 @@ INSERT INTO b SELECT rowid - 1, vs_shape(line) FROM words;
 SELECT a, b FROM overlaps;
 SQL
 same_pairs 'the R*Tree and exact recheck' "$work/pairs.csv"
+# The README's query of pairs within a distance, and all pairs of a few rows.
+query=$(sed -n '/^```sql$/,/^```$/p' "$here/README.md" | grep -v '```')
+check 'within 5' '1' "$(sql "$work/all.db" <<SQL
+CREATE TABLE found AS ${query%;} AND b.id < 100;
+SELECT (SELECT count(*) FROM found) > 100 AND NOT EXISTS (
+  SELECT a.id, b.id FROM a, b WHERE b.id < 100 AND vs_distance(a.shape, b.shape) <= 5 EXCEPT SELECT * FROM found)
+  AND NOT EXISTS (SELECT * FROM found EXCEPT SELECT a.id, b.id FROM a, b WHERE b.id < 100 AND vs_distance(a.shape, b.shape) <= 5);
+SQL
+)"
 plan=$(sql "$work/all.db" <<<'EXPLAIN QUERY PLAN SELECT * FROM overlaps;')
 contains 'the plan' 'VIRTUAL TABLE INDEX' "$plan"
 
