@@ -31,6 +31,8 @@ class NumberColumns {
  public:
   std::int32_t kind() const noexcept { return kind_; }
   bool repeated() const noexcept { return repeated_; }
+  /// True if a query that knows radii knows those of this kind.
+  bool has_radii() const noexcept { return Kind{kind_} == Kind::rect; }
 
   /// Elements [begin, begin + n), or one shape repeated.
   template <class T>
@@ -41,7 +43,7 @@ class NumberColumns {
     // The rest of the columns is set too, since overlap_block() reads whole columns.
     const std::int32_t end = shapes.stride == 0 && known == Known::overlap ? query_block : whole_vectors(n);
     set_numbers(shapes, begin, n, end, kernels);
-    if (known == Known::radius && Kind{kind_} == Kind::rect) set_radii(query.shape_area != nullptr);
+    if (known == Known::radius && has_radii()) set_radii(query.shape_area != nullptr);
   }
 
   /// The numbers alone.

@@ -99,7 +99,7 @@ class Engine {
     double known[query_block];
     const QueryColumns asked{pairs.first().operand(), pairs.second().operand(), known};
     tell(query, pairs, asked, known);
-    if (query.known == Known::radius) {
+    if (query.known == Known::radius && pairs.first().has_radii()) {
       std::int32_t near[query_block];
       const std::int32_t count = find_near(asked, pairs.n, near);
       if (2 * count <= pairs.n) return ask_kernel_of(near, count, kernel, query, pairs, results);

@@ -16,6 +16,10 @@ void report_area(std::FILE* out);
 void print_iou_matrix_heading(std::FILE* out);
 void report_iou_matrix(std::FILE* out);
 
+/// The same of AABBs, beside a loop by hand.
+void print_iou_of_aabbs_heading(std::FILE* out);
+void report_iou_of_aabbs(std::FILE* out);
+
 /// vesica_nms beside the usual algorithm.
 void report_suppression(std::FILE* out);
 

@@ -14,6 +14,7 @@
 
 #include <cstring>
 #include <type_traits>
+#include <vesica/area/aabb_aabb.hpp>
 #include <vesica/area/box_box.hpp>
 #include <vesica/area/box_ellipse.hpp>
 #include <vesica/area/ellipse_ellipse.hpp>
@@ -112,6 +113,9 @@ Measure precise_ellipses(const A& a, const B& b) noexcept {
 }
 
 /// For pairs that certainly cross.
+inline Measure precise_area(const Aabb<double>& a, const Aabb<double>& b, const Measure&, const Measure&) noexcept {
+  return shape_measure(common(a, b));
+}
 template <class A, form::Inflated B>
 Measure precise_area(const A& a, const B& b, const Measure&, const Measure&) noexcept {
   return precise_rounded_area(a, b);

@@ -71,20 +71,30 @@ VESICA_INLINE PairMask shared_area(const Rect<Doubles>& a, const Rect<Doubles>& 
   return both(either(disjoint, crossing.settled), valid);
 }
 
+/// The same of AABBs.
+VESICA_INLINE PairMask shared_area(const Aabb<Doubles>& a, const Aabb<Doubles>& b, const KnownLanes<Doubles>&,
+                                   Doubles& area) noexcept {
+  const auto quick = detail::area::quick_area(a, b);
+  area = quick.area;
+  return quick.settled;
+}
+
 struct AreaCore {
   static constexpr int results = 1;
-  VESICA_INLINE static PairMask evaluate(const Rect<Doubles>& a, const Rect<Doubles>& b,
-                                         const KnownLanes<Doubles>& known, Doubles* out) noexcept {
+  template <class Box>
+  VESICA_INLINE static PairMask evaluate(const Box& a, const Box& b, const KnownLanes<Doubles>& known,
+                                         Doubles* out) noexcept {
     return shared_area(a, b, known, out[0]);
   }
 };
 
-/// A known radius means areas of moderate size, so the scaling with which iou() avoids overflow is left out. The bits
+/// What is settled has areas of moderate size, so the scaling with which iou() avoids overflow is left out. The bits
 /// are the same.
 struct IouCore {
   static constexpr int results = 1;
-  VESICA_INLINE static PairMask evaluate(const Rect<Doubles>& a, const Rect<Doubles>& b,
-                                         const KnownLanes<Doubles>& known, Doubles* out) noexcept {
+  template <class Box>
+  VESICA_INLINE static PairMask evaluate(const Box& a, const Box& b, const KnownLanes<Doubles>& known,
+                                         Doubles* out) noexcept {
     Doubles shared;
     const PairMask settled = shared_area(a, b, known, shared);
     const Doubles most = max(known.area_a, known.area_b), least = min(known.area_a, known.area_b);

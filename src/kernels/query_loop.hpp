@@ -189,7 +189,9 @@ consteval QueryTable make_query_table() noexcept {
   fill<DepthCore, Rect, Ellipse>(table.depth);
   enter<Circle, Ellipse>(table.depth, answer_circles<answer_vectors<DepthCore, Ellipse, Ellipse, Doubles>>);
   fill<DepthCore, Ellipse, Ellipse>(table.depth);
+  fill<AreaCore, Aabb, Aabb>(table.area);
   fill<AreaCore, Rect, Rect>(table.area);
+  fill<IouCore, Aabb, Aabb>(table.iou);
   fill<IouCore, Rect, Rect>(table.iou);
   table.ring_facts = find_ring_facts;
   table.ring_areas[0] = ring_areas<false>;
