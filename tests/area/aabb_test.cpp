@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What two AABBs share is an AABB of stored numbers: the area is the nearest double to its area, in arrays too.
+// Two AABBs share an AABB of stored numbers: the area is the nearest double to its area, in arrays too.
 #include <gtest/gtest.h>
 #include <mpfr.h>
 #include <vesica.h>

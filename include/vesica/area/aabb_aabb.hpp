@@ -10,7 +10,7 @@
 
 namespace vesica::detail::area {
 
-/// What two AABBs have in common; its sizes are negative or 0 if their insides do not meet.
+/// The AABB that two AABBs share; its sizes are negative or 0 if their insides do not meet.
 template <class V>
 VESICA_INLINE Aabb<V> common(const Aabb<V>& a, const Aabb<V>& b) noexcept {
   return {max(a.min_x, b.min_x), max(a.min_y, b.min_y), min(a.max_x, b.max_x), min(a.max_y, b.max_y)};
@@ -25,8 +25,8 @@ VESICA_INLINE auto has_usual_sizes(const Aabb<V>& s) noexcept {
 
 /// The nearest double to the area of an AABB of usual sizes; settled if it is certain which one that is.
 ///
-/// With sizes W + w and H + h, |w| <= u W: of the product W H + (W h + w H) + w h the last term is left out, at most u^2
-/// of it, and the second is rounded, by at most 6 u^2.
+/// With sizes W + w and H + h, |w| <= u W, the product is W H + (W h + w H) + w h. The last term is left out, at most
+/// u^2 of it, and the second is rounded, by at most 6 u^2.
 template <class V>
 VESICA_INLINE auto rounded_area(const Aabb<V>& s) noexcept {
   const auto w = arithmetic::two_difference(s.max_x, s.min_x), h = arithmetic::two_difference(s.max_y, s.min_y);
