@@ -21,7 +21,7 @@
 #   ./run bench polygon      polygons: distances, areas, many questions about one, overlap of triangles and
 #                            quadrilaterals, beside GEOS, Boost.Geometry and Box2D
 #   ./run bench python       shares of pixels, hulls and smallest rectangles, beside photutils, sep and OpenCV, by calls
-#                            from Python
+#                            from Python; two threads against one
 #   ./run bench relation     relation, containment, areas and suppression, beside yardsticks and Boost.Geometry
 #   ./run bench start        loading the library, the memory this takes, and the first calls
 #   ./run bench topology     within a distance, DE-9IM, shared regions, soft suppression, beside yardsticks and GEOS
@@ -76,7 +76,9 @@ case ${1:-} in
     need_if_possible python3-opencv python3-photutils python3-sep
     build_and_install
     python3 -B "$root/bindings/declare" python
-    LD_LIBRARY_PATH=$root/build/release/capi PYTHONPATH=$root/bindings/python /usr/bin/python3 -B "$root/bench/python/peers.py"
+    export LD_LIBRARY_PATH=$root/build/release/capi PYTHONPATH=$root/bindings/python
+    /usr/bin/python3 -B "$root/bench/python/peers.py"
+    /usr/bin/python3 -B "$root/bench/python/threads.py"
     ;;
   model)
     need "${bench_packages[@]}" llvm-19 python3
