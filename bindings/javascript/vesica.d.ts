@@ -39,7 +39,8 @@ export interface Polygon { kind: 'polygon'; vertices: ArrayLike<number>; rings?:
 export interface Polyline { kind: 'polyline'; vertices: ArrayLike<number>; rings?: ArrayLike<number> }
 /**
  * Nearly every call takes any two kinds; others throw a VesicaError. depth, impactTime and the manifold need convex
- * polygons and take no polyline, and so do signedDistance and within where they ask for a depth.
+ * polygons and take no polyline that bends, and so do signedDistance and within where they ask for a depth.
+ * intersection needs two straight shapes, or a point or a segment and any shape.
  */
 export type Shape = Point | Segment | Circle | Aabb | Rect | Ellipse | Capsule | RoundRect | Polygon | Polyline;
 
